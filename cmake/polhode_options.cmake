@@ -1,0 +1,11 @@
+# What every target of the laboratory is compiled with. Users of the installed headers never see these.
+add_library(polhode_options INTERFACE)
+target_compile_features(polhode_options INTERFACE cxx_std_20)
+target_include_directories(polhode_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src)
+target_compile_options(polhode_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion $<$<BOOL:${POLHODE_WERROR}>:-Werror>)
+
+find_program(POLHODE_CCACHE ccache)
+if(POLHODE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${POLHODE_CCACHE})
+endif()

@@ -1,0 +1,105 @@
+// The result of one run over one scene: plain values, written by the experiments, read by the writers.
+// Nothing here computes. A number that does not exist is an empty optional with a status, never a NaN.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polhode::report {
+
+inline constexpr int schema_version = 1;
+inline constexpr std::string_view schema_name = "polhode-results";
+
+enum class verdict_kind { holds, refuted, inconclusive, skipped };
+constexpr std::string_view name_of(verdict_kind kind) {
+  switch (kind) {
+    case verdict_kind::holds: return "holds";
+    case verdict_kind::refuted: return "refuted";
+    case verdict_kind::inconclusive: return "inconclusive";
+    case verdict_kind::skipped: return "skipped";
+  }
+  return "inconclusive";
+}
+
+/// Where a result comes from: enough to make it again.
+struct provenance {
+  std::string version, commit, compiler, flags, cpu;
+  int threads = 1;
+  std::uint64_t seed = 0;
+  std::string effort;
+  std::string started;  ///< UTC, ISO 8601
+  double wall_seconds = 0, cpu_seconds = 0;
+};
+
+struct scene {
+  std::string name, system;
+  std::array<double, 3> inertia{};
+  double theta = 0;
+  std::vector<std::array<double, 3>> sigma;  ///< the noise vectors sigma_i
+  std::vector<double> momentum;
+  double horizon = 0;
+  std::vector<std::int64_t> steps;
+};
+
+/// A scheme and what it claims, .
+struct scheme {
+  std::string name, title, source, calculus;  ///< calculus: "ito" or "stratonovich"
+  bool implicit = false, areas = false;
+  double strong_commuting = 0, strong_general = 0;  ///< strong order by noise class
+  int deterministic_order = 0;                      ///< order for sigma = 0
+  bool casimir_exact = false;
+  double casimir_order = 0;  ///< order of the Casimir drift; meaningless where exact
+};
+
+/// One measured number. `dt` is empty where the quantity has no step size.
+struct measurement {
+  std::string experiment, scheme, quantity, observable;
+  std::optional<double> dt;
+  std::optional<double> value, low, high;  ///< the estimate and its 95 % interval
+  std::string unit, method;                ///< method: sampled, transfer, exact, reference, deterministic
+  std::string status = "ok";               ///< why the value is missing or not used, e.g. "not finite"
+  std::optional<double> steps;             ///< number of steps where that is the abscissa (growth laws)
+  bool fitted = false;                     ///< used in the fit of its series
+};
+
+/// log2(value) against log2(dt): value = prefactor * dt^order.
+struct fit {
+  std::string experiment, scheme, quantity, observable;
+  double order = 0, low = 0, high = 0, prefactor = 0;
+  std::string rule;  ///< which levels were kept, and why the others were not
+};
+
+struct verdict {
+  std::string experiment, scheme, claim;
+  std::optional<double> expected, estimate, low, high;
+  verdict_kind kind = verdict_kind::inconclusive;
+  std::string reason;
+};
+
+/// Something that a scene does not need or cannot answer. An empty scheme means all of them.
+struct skip {
+  std::string experiment, scheme, reason;
+};
+
+/// What an experiment asks, in one sentence, and what it states about its own method.
+struct experiment {
+  std::string name, question;
+  std::vector<std::string> notes;
+};
+
+struct results {
+  report::provenance provenance;
+  report::scene scene;
+  std::vector<report::scheme> schemes;
+  std::vector<report::experiment> experiments;
+  std::vector<measurement> measurements;
+  std::vector<fit> fits;
+  std::vector<verdict> verdicts;
+  std::vector<skip> skipped;
+};
+
+}  // namespace polhode::report

@@ -1,0 +1,41 @@
+// The main job: every scheme x every experiment that applies to a scene.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "registry/scene.hpp"
+#include "reports/model/results.hpp"
+
+namespace polhode {
+
+enum class effort { quick, standard, thorough };
+
+struct verify_options {
+  std::vector<std::string> schemes;      ///< empty: all
+  std::vector<std::string> experiments;  ///< empty: all
+  polhode::effort effort = effort::standard;
+  int threads = 1;
+  std::uint64_t seed = 1;
+};
+
+/// Called from the working threads, never concurrently: the share done in [0, 1] and what is being worked on.
+using progress_sink = std::function<void(double share, std::string_view what)>;
+
+/// Runs the experiments. `provenance` of the result holds what is known here (seed, effort, threads, times).
+/// Throws input_error on an unknown scheme or experiment (names the nearest one).
+report::results verify(const scene&, const verify_options&, const progress_sink& = {});
+
+/// What `polhode list` prints.
+struct catalog_entry {
+  std::string name, title;
+};
+std::vector<report::scheme> list_schemes();
+std::vector<report::experiment> list_experiments();
+std::vector<catalog_entry> list_observables();
+std::vector<catalog_entry> list_systems();
+
+}  // namespace polhode
