@@ -35,17 +35,19 @@ struct provenance {
   double wall_seconds = 0, cpu_seconds = 0;
 };
 
+/// The problem on which the schemes are tried.
 struct scene {
-  std::string name, system;
+  std::string name;
+  std::string system = "rigid_body";
   std::array<double, 3> inertia{};
-  double theta = 0;
-  std::vector<std::array<double, 3>> sigma;  ///< the noise vectors sigma_i
-  std::vector<double> momentum;
-  double horizon = 0;
-  std::vector<std::int64_t> steps;
+  double theta = 0;                          ///< dissipation, >= 0
+  std::vector<std::array<double, 3>> sigma;  ///< the noise vectors sigma_i as given; empty or all zero: no noise
+  std::vector<double> momentum;              ///< initial momentum Pi_0
+  double horizon = 0;                        ///< end time T > 0
+  std::vector<std::int64_t> steps;           ///< numbers of steps to the horizon, strictly increasing
 };
 
-/// A scheme and what it claims, .
+/// A scheme and what it claims.
 struct scheme {
   std::string name, title, source, calculus;  ///< calculus: "ito" or "stratonovich"
   bool implicit = false, areas = false;
@@ -53,6 +55,7 @@ struct scheme {
   int deterministic_order = 0;                      ///< order for sigma = 0
   bool casimir_exact = false;
   double casimir_order = 0;  ///< order of the Casimir drift; meaningless where exact
+  double weak_one_vector = 0, weak_isotropic = 0, weak_general = 0;  ///< weak order by noise class
 };
 
 /// One measured number. `dt` is empty where the quantity has no step size.

@@ -7,12 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/experiment.hpp"
 #include "registry/scene.hpp"
 #include "reports/model/results.hpp"
 
 namespace polhode {
-
-enum class effort { quick, standard, thorough };
 
 struct verify_options {
   std::vector<std::string> schemes;      ///< empty: all
@@ -28,6 +27,12 @@ using progress_sink = std::function<void(double share, std::string_view what)>;
 /// Runs the experiments. `provenance` of the result holds what is known here (seed, effort, threads, times).
 /// Throws input_error on an unknown scheme or experiment (names the nearest one).
 report::results verify(const scene&, const verify_options&, const progress_sink& = {});
+
+/// Throws what verify() would throw of these options, before any work.
+void check_options(const scene&, const verify_options&);
+
+/// The same on a subject that is bound already: how tests bring a planted defect or a system of their own.
+report::results verify_subject(subject, const verify_options&, const progress_sink& = {});
 
 /// What `polhode list` prints.
 struct catalog_entry {

@@ -1,0 +1,80 @@
+// so(3) and its dual, both R^3: stateless coadjoint calculus.
+//
+//   [xi, eta] = xi x eta,    coad(xi, mu) = ad*_xi mu = mu x xi
+//   exp_action(xi, mu): the solution at s = 1 of dmu/ds = mu x xi, the rotation of mu by -xi
+//   C(eta) C(xi) - C(xi) C(eta) = C([xi, eta])  with C(xi) = coad(xi, .): the sign on which every area term rests
+#pragma once
+
+#include <polhode/scalar.hpp>
+#include <polhode/vec.hpp>
+
+namespace polhode {
+
+struct so3 {
+  static constexpr int dimension = 3;
+
+  template <class S>
+  static vec<S, 3> bracket(const vec<S, 3>& xi, const vec<S, 3>& eta) {
+    return cross(xi, eta);
+  }
+
+  /// ad*_xi mu = mu x xi.
+  template <class S>
+  static vec<S, 3> coad(const vec<S, 3>& xi, const vec<S, 3>& mu) {
+    return cross(mu, xi);
+  }
+
+  /// Ad*_exp(xi) mu = mu + sinc(t) mu x xi + (1 - cos t)/t^2 (mu x xi) x xi, t = |xi| (Rodrigues). Any finite xi whose
+  /// square is finite. (1 - cos t)/t^2 is taken as sinc(t/2)^2 / 2, which does not cancel.
+  template <class S>
+  static vec<S, 3> exp_action(const vec<S, 3>& xi, const vec<S, 3>& mu) {
+    const S half = S(0.5) * square_root(dot(xi, xi));
+    const auto [sin, cos] = sincos(half);
+    const S sinc = select(half == S(0.0), S(1.0), S(sin / half));
+    return rotated(S(sinc * cos), S(S(0.5) * sinc * sinc), xi, mu);
+  }
+
+  /// Cayley action: (1 - C/2)^-1 (1 + C/2) mu, C = coad(xi, .). A rotation by 2 atan(|xi|/2), no transcendental
+  /// function.
+  template <class S>
+  static vec<S, 3> cayley_action(const vec<S, 3>& xi, const vec<S, 3>& mu) {
+    const S factor = S(1.0) / (S(1.0) + S(0.25) * dot(xi, xi));
+    return rotated(factor, S(S(0.5) * factor), xi, mu);
+  }
+
+  /// Inverse of the differential of exp: sum_k B_k/k! ad_u^k v = v - [u,v]/2 + (1 - (t/2) cot(t/2))/t^2 [u,[u,v]],
+  /// t = |u| < 2 pi. Source: Iserles, Munthe-Kaas, Norsett, Zanna, Lie-group methods, Acta Numerica 9 (2000), App. B.
+  template <class S>
+  static vec<S, 3> dexp_inv(const vec<S, 3>& u, const vec<S, 3>& v) {
+    const S q = dot(u, u);
+    const S half = S(0.5) * square_root(q);
+    const auto [sin, cos] = sincos(half);
+    // Below q = 0.04 the closed form cancels; the series sum_k |B_2k|/(2k)! q^(k-1) is exact to rounding there.
+    const S series =
+        S(1.0 / 12) + q * (S(1.0 / 720) + q * (S(1.0 / 30240) + q * (S(1.0 / 1209600) + q * S(1.0 / 47900160))));
+    const S factor = select(q < S(0.04), series, S((S(1.0) - half * cos / sin) / q));
+    const auto uv = cross(u, v);
+    return v - S(0.5) * uv + factor * cross(u, uv);
+  }
+
+  /// The Casimir whose level sets are the coadjoint orbits, as a length: |mu|.
+  template <class S>
+  static vec<S, 1> casimirs(const vec<S, 3>& mu) {
+    return {{square_root(dot(mu, mu))}};
+  }
+
+  /// The point of the orbit of `onto` nearest to mu.
+  template <class S>
+  static vec<S, 3> orbit_projection(const vec<S, 3>& mu, const vec<S, 3>& onto) {
+    return square_root(dot(onto, onto) / dot(mu, mu)) * mu;
+  }
+
+ private:
+  template <class S>
+  static vec<S, 3> rotated(const S& first, const S& second, const vec<S, 3>& xi, const vec<S, 3>& mu) {
+    const auto once = coad(xi, mu);
+    return mu + (first * once + second * coad(xi, once));
+  }
+};
+
+}  // namespace polhode

@@ -1,0 +1,42 @@
+// What a step may ask of its noise. The type of a scheme's increment parameter is the statement of what it needs:
+// wiener < wiener_levy; what is not asked for is never drawn.
+#pragma once
+
+#include <polhode/vec.hpp>
+
+namespace polhode {
+
+/// Number of pairs i < j among M channels, ordered (0,1), (0,2), …, (1,2), …
+template <int M>
+inline constexpr int pairs_of = M*(M - 1) / 2;
+
+/// dt and the increments W(t + dt) - W(t) of M independent Wiener processes.
+template <class S, int M>
+struct wiener {
+  double dt = 0;
+  vec<S, M> dw{};
+};
+
+/// The same with the Levy areas A^ij = 1/2 (int W^i dW^j - int W^j dW^i), i < j, of this step alone.
+template <class S, int M>
+struct wiener_levy : wiener<S, M> {
+  vec<S, pairs_of<M>> area{};
+};
+
+/// Chen's relation: the increment over two adjacent steps, first then second.
+///   W = W1 + W2,   A^ij = A1^ij + A2^ij + 1/2 (W1^i W2^j - W1^j W2^i)
+/// Source: K.-T. Chen, Ann. of Math. 65 (1957) 163-178; as here in Friz, Hairer, A Course on Rough Paths, eq. (2.1).
+template <class S, int M>
+wiener_levy<S, M> chen(const wiener_levy<S, M>& first, const wiener_levy<S, M>& second) {
+  wiener_levy<S, M> both;
+  both.dt = first.dt + second.dt;
+  both.dw = first.dw + second.dw;
+  int pair = 0;
+  for (int i = 0; i < M; ++i)
+    for (int j = i + 1; j < M; ++j, ++pair)
+      both.area[pair] =
+          first.area[pair] + second.area[pair] + S(0.5) * (first.dw[i] * second.dw[j] - first.dw[j] * second.dw[i]);
+  return both;
+}
+
+}  // namespace polhode

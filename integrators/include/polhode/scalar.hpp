@@ -1,0 +1,99 @@
+// Elementary functions that a step may call on any scalar. For packs they are branch-free in the common case, and
+// the value of a lane never depends on its neighbours.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+
+#include <polhode/simd.hpp>
+
+namespace polhode {
+
+template <class S>
+requires is_pack<S> S select(const typename S::mask_type& condition, const S& yes, S no) {
+  stdx::where(condition, no) = yes;
+  return no;
+}
+inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+
+template <class S>
+requires is_pack<S>
+bool any(const S&, const typename S::mask_type& mask) { return stdx::any_of(mask); }
+inline bool any(double, bool mask) { return mask; }
+
+inline double square_root(double x) { return std::sqrt(x); }
+template <class S>
+requires is_pack<S> S square_root(const S& x) { return stdx::sqrt(x); }
+
+inline double exponential(double x) { return std::exp(x); }
+template <class S>
+requires is_pack<S> S exponential(const S& x) {
+  return S([&](auto lane) { return std::exp(x[lane]); });
+}
+
+inline double magnitude(double x) { return std::fabs(x); }
+template <class S>
+requires is_pack<S> S magnitude(const S& x) { return stdx::abs(x); }
+
+template <class S>
+struct sine_cosine {
+  S sin, cos;
+};
+
+namespace detail {
+
+// Cody-Waite reduction by pi/2 in three parts and the kernel polynomials on [-pi/4, pi/4]; below 1 ulp for
+// |x| < reduction_limit. (Method and constants: W. J. Cody, W. Waite, Software Manual for the Elementary Functions,
+// 1980, ch. 8; minimax coefficients as in FreeBSD msun k_sin.c and k_cos.c.)
+inline constexpr double reduction_limit = 1e5;
+
+template <class S>
+sine_cosine<S> sincos_reduced(const S& x) {
+  constexpr double round_to_integer = 0x1.8p52;
+  const S quotient = (x * S(0.63661977236758134308) + S(round_to_integer)) - S(round_to_integer);
+  const S r = ((x - quotient * S(1.57079632673412561417e+00)) - quotient * S(6.07710050630396597660e-11)) -
+              quotient * S(2.02226624879595063154e-21);
+  const S z = r * r;
+  const S sin = r + r * z *
+                        (S(-1.66666666666666324348e-01) +
+                         z * (S(8.33333333332248946124e-03) +
+                              z * (S(-1.98412698298579493134e-04) +
+                                   z * (S(2.75573137070700676789e-06) +
+                                        z * (S(-2.50507602534068634195e-08) + z * S(1.58969099521155010221e-10))))));
+  const S tail = z * z *
+                 (S(4.16666666666666019037e-02) +
+                  z * (S(-1.38888888888741095749e-03) +
+                       z * (S(2.48015872894767294178e-05) +
+                            z * (S(-2.75573143513906633035e-07) +
+                                 z * (S(2.08757232129817482790e-09) + z * S(-1.13596475577881948265e-11))))));
+  // 1 - z/2 + tail, with the rounding of 1 - z/2 given back.
+  const S half = S(0.5) * z;
+  const S head = S(1.0) - half;
+  const S cos = head + (((S(1.0) - head) - half) + tail);
+  // Quadrant from quotient mod 4, in floating point: q in {-2, -1, 0, 1, 2}.
+  const S q = quotient - S(4.0) * ((quotient * S(0.25) + S(round_to_integer)) - S(round_to_integer));
+  const auto odd = magnitude(q) == S(1.0);
+  const S s = select(odd, cos, sin), c = select(odd, sin, cos);
+  const auto upside_down = magnitude(q) == S(2.0);
+  return {select(upside_down || q == S(-1.0), S(-s), s), select(upside_down || q == S(1.0), S(-c), c)};
+}
+
+}  // namespace detail
+
+/// Sine and cosine. Any finite argument; lanes beyond the reduction's reach go through the standard library.
+template <class S>
+sine_cosine<S> sincos(const S& x) {
+  auto result = detail::sincos_reduced(x);
+  const auto far = magnitude(x) > S(detail::reduction_limit);
+  if (any(x, far)) [[unlikely]] {
+    if constexpr (is_pack<S>) {
+      result.sin = select(far, S([&](auto lane) { return std::sin(x[lane]); }), result.sin);
+      result.cos = select(far, S([&](auto lane) { return std::cos(x[lane]); }), result.cos);
+    } else {
+      result = {std::sin(x), std::cos(x)};
+    }
+  }
+  return result;
+}
+
+}  // namespace polhode

@@ -1,0 +1,128 @@
+#include "reports/writers/board.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace polhode::report {
+namespace {
+
+void add_once(std::vector<std::string>& names, const std::string& name) {
+  if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+std::string counted(std::size_t number, std::string_view what) {
+  return fmt::format("{} {} {}", number, number == 1 ? "is" : "are", what);
+}
+
+// Everything that carries the member, in the order in which a report shows it.
+template <class Member>
+void add_mentioned(std::vector<std::string>& names, const results& r, Member name_in) {
+  for (const auto& row : r.verdicts) add_once(names, name_in(row));
+  for (const auto& row : r.fits) add_once(names, name_in(row));
+  for (const auto& row : r.measurements) add_once(names, name_in(row));
+  for (const auto& row : r.skipped) add_once(names, name_in(row));
+}
+
+}  // namespace
+
+void tally::add(verdict_kind kind) {
+  switch (kind) {
+    case verdict_kind::holds: ++holds; break;
+    case verdict_kind::refuted: ++refuted; break;
+    case verdict_kind::inconclusive: ++inconclusive; break;
+    case verdict_kind::skipped: ++skipped; break;
+  }
+}
+
+std::size_t tally::of(verdict_kind kind) const {
+  switch (kind) {
+    case verdict_kind::holds: return holds;
+    case verdict_kind::refuted: return refuted;
+    case verdict_kind::inconclusive: return inconclusive;
+    case verdict_kind::skipped: return skipped;
+  }
+  return 0;
+}
+
+tally count(const std::vector<verdict>& verdicts) {
+  tally total;
+  for (const auto& row : verdicts) total.add(row.kind);
+  return total;
+}
+
+std::string headline(const tally& t) {
+  const auto claims = [](std::size_t n) { return fmt::format("{} claim{}", n, n == 1 ? "" : "s"); };
+  if (t.refuted > 0) return fmt::format("{} {} refuted.", claims(t.refuted), t.refuted == 1 ? "is" : "are");
+  if (t.inconclusive > 0)
+    return fmt::format("Nothing is refuted, but {} remain{} open.", claims(t.inconclusive),
+                       t.inconclusive == 1 ? "s" : "");
+  if (t.holds > 0) return "Every claim that was tried holds.";
+  return "No claim was tried.";
+}
+
+std::string sentence(const tally& t) {
+  return fmt::format("{} claim{}: {} {}, {}, {}, {}.", t.total(), t.total() == 1 ? "" : "s", t.holds,
+                     t.holds == 1 ? "holds" : "hold", counted(t.refuted, "refuted"),
+                     counted(t.inconclusive, "inconclusive"), counted(t.skipped, "skipped"));
+}
+
+std::vector<std::string> experiment_names(const results& r) {
+  std::vector<std::string> names;
+  for (const auto& one : r.experiments) add_once(names, one.name);
+  add_mentioned(names, r, [](const auto& row) -> const std::string& { return row.experiment; });
+  return names;
+}
+
+std::vector<std::string> scheme_names(const results& r) {
+  std::vector<std::string> names;
+  for (const auto& one : r.schemes) add_once(names, one.name);
+  add_mentioned(names, r, [](const auto& row) -> const std::string& { return row.scheme; });
+  return names;
+}
+
+const experiment* find_experiment(const results& r, std::string_view name) {
+  const auto found =
+      std::find_if(r.experiments.begin(), r.experiments.end(), [&](const auto& one) { return one.name == name; });
+  return found == r.experiments.end() ? nullptr : &*found;
+}
+
+std::vector<const verdict*> verdicts_of(const results& r, std::string_view name) {
+  std::vector<const verdict*> rows;
+  for (const auto& row : r.verdicts)
+    if (row.experiment == name) rows.push_back(&row);
+  return rows;
+}
+
+std::vector<const fit*> fits_of(const results& r, std::string_view name) {
+  std::vector<const fit*> rows;
+  for (const auto& row : r.fits)
+    if (row.experiment == name) rows.push_back(&row);
+  return rows;
+}
+
+std::vector<std::string> claims_of(const std::vector<const verdict*>& rows) {
+  std::vector<std::string> claims;
+  for (const auto* row : rows) add_once(claims, row->claim);
+  return claims;
+}
+
+const verdict* verdict_on(const results& r, const fit& f) {
+  for (const auto& row : r.verdicts)
+    if (row.experiment == f.experiment && row.scheme == f.scheme && row.estimate == f.order && row.low == f.low &&
+        row.high == f.high)
+      return &row;
+  return nullptr;
+}
+
+std::string_view symbol_of(verdict_kind kind) {
+  switch (kind) {
+    case verdict_kind::holds: return "✓";
+    case verdict_kind::refuted: return "✗";
+    case verdict_kind::inconclusive: return "?";
+    case verdict_kind::skipped: return "–";
+  }
+  return "?";
+}
+
+}  // namespace polhode::report

@@ -1,0 +1,48 @@
+// What the readable reports share: in which order things stand, and how the verdicts count up.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/model/results.hpp"
+
+namespace polhode::report {
+
+struct tally {
+  std::size_t holds = 0, refuted = 0, inconclusive = 0, skipped = 0;
+  void add(verdict_kind);
+  std::size_t of(verdict_kind) const;
+  std::size_t total() const { return holds + refuted + inconclusive + skipped; }
+};
+
+/// From the worst to the one that says least: the order in which a reader wants them.
+inline constexpr verdict_kind kinds_by_weight[] = {verdict_kind::refuted, verdict_kind::inconclusive,
+                                                   verdict_kind::holds, verdict_kind::skipped};
+
+tally count(const std::vector<verdict>&);
+
+/// What matters most, in one short sentence.
+std::string headline(const tally&);
+/// "17 claims: 12 hold, 1 is refuted, 2 are inconclusive, 2 are skipped."
+std::string sentence(const tally&);
+
+/// Declared ones first, then whatever else the results mention; no name twice.
+std::vector<std::string> experiment_names(const results&);
+std::vector<std::string> scheme_names(const results&);
+
+/// Null where the experiment was not declared.
+const experiment* find_experiment(const results&, std::string_view name);
+
+std::vector<const verdict*> verdicts_of(const results&, std::string_view experiment);
+std::vector<const fit*> fits_of(const results&, std::string_view experiment);
+std::vector<std::string> claims_of(const std::vector<const verdict*>&);
+
+/// The verdict that was reached from this fit (it carries the same numbers); null where there is none.
+const verdict* verdict_on(const results&, const fit&);
+
+/// "✓", "✗", "?" or "–": so that a verdict never rests on colour alone.
+std::string_view symbol_of(verdict_kind);
+
+}  // namespace polhode::report

@@ -1,0 +1,200 @@
+#include "reports/writers/folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <fstream>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "reports/model/errors.hpp"
+#include "reports/writers/csv.hpp"
+#include "reports/writers/disk.hpp"
+#include "reports/writers/html.hpp"
+#include "reports/writers/json.hpp"
+#include "reports/writers/junit.hpp"
+#include "reports/writers/markdown.hpp"
+#include "reports/writers/text.hpp"
+
+namespace polhode::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct written_file {
+  const char* name;
+  std::string (*text)(const results&);
+};
+constexpr written_file files[] = {{"results.json", to_json},      {"measurements.csv", measurements_csv},
+                                  {"verdicts.csv", verdicts_csv}, {"report.html", to_html},
+                                  {"report.md", to_markdown},     {"junit.xml", to_junit}};
+
+std::string quoted(const fs::path& path) { return "'" + one_line(path.string()) + "'"; }
+
+bool is_written_file(const fs::path& path) {
+  return std::any_of(std::begin(files), std::end(files),
+                     [&](const auto& file) { return path.filename() == file.name; });
+}
+
+// Six files of ours at most, and a results.json that begins as ours does: anything else might be somebody's work.
+bool is_report(const fs::directory_entry& entry) {
+  std::error_code error;
+  if (!fs::is_directory(entry.symlink_status(error))) return false;
+  for (fs::directory_iterator file(entry.path(), error), end; !error && file != end; file.increment(error))
+    if (!is_written_file(file->path())) return false;
+  if (error) return false;
+  char beginning[256];
+  std::ifstream json(entry.path() / "results.json", std::ios::binary);
+  json.read(beginning, sizeof beginning);
+  return looks_like_results({beginning, static_cast<std::size_t>(json.gcount())});
+}
+
+// The path that is really meant: absolute, links followed, no trailing slash.
+fs::path settled(const fs::path& out) {
+  if (out.empty()) throw input_error("output folder: the name is empty; give the name of a folder");
+  std::error_code error;
+  if (fs::is_symlink(out, error) && !fs::exists(out, error))
+    throw input_error(fmt::format("output folder {}: is a link to nowhere; give a folder or a new name", quoted(out)));
+  fs::path path = fs::weakly_canonical(fs::absolute(out), error);
+  if (error) disk::fail(out, error.value());
+  return path.has_filename() ? path : path.parent_path();
+}
+
+bool stands(const fs::path& path) {
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  if (error && status.type() != fs::file_type::not_found) disk::fail(path, error.value());
+  return fs::exists(status);
+}
+
+void require_writable(const fs::path& folder, const fs::path& known_as) {
+  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) disk::fail(known_as, errno);
+}
+
+void require_ours(const fs::path& folder, const fs::path& known_as) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (disk::is_staging_name(entry->path().filename().string()) || is_report(*entry)) continue;
+    throw input_error(
+        fmt::format("output folder {}: {} in it is not a polhode report; give a new or empty folder, or one that holds "
+                    "polhode reports only",
+                    quoted(known_as), quoted(entry->path().filename())));
+  }
+  if (error) disk::fail(known_as, error.value());
+}
+
+// Throws unless reports can be put there; `path` is the settled form of `out`.
+void require_usable(const fs::path& path, const fs::path& out) {
+  fs::path nearest = path;
+  while (!stands(nearest)) nearest = nearest.parent_path();
+  if (!fs::is_directory(nearest))
+    throw input_error(
+        fmt::format("output folder {}: {} is not a folder; give a folder or a new name", quoted(out), quoted(nearest)));
+  if (nearest == path) require_ours(path, out);
+  require_writable(nearest, nearest == path ? out : nearest);
+}
+
+void write_files(const fs::path& folder, const results& r, const fs::path& known_as) {
+  for (const auto& file : files) disk::write_file(folder / file.name, file.text(r), known_as / file.name);
+  disk::sync_directory(folder, known_as);
+}
+
+// Folders that were missing above the output; gone again unless kept.
+class made_parents {
+ public:
+  made_parents() = default;
+  void make(const fs::path& folder) {
+    std::vector<fs::path> missing;
+    for (fs::path one = folder; !stands(one); one = one.parent_path()) missing.push_back(one);
+    for (; !missing.empty(); missing.pop_back()) {
+      disk::make_directory(missing.back(), missing.back());
+      made_.push_back(missing.back());
+    }
+  }
+  ~made_parents() {
+    for (; !made_.empty(); made_.pop_back()) ::rmdir(made_.back().c_str());
+  }
+  made_parents(const made_parents&) = delete;
+  made_parents& operator=(const made_parents&) = delete;
+  void keep() { made_.clear(); }
+
+ private:
+  std::vector<fs::path> made_;
+};
+
+// Every scene is staged before the first one is exchanged: a full disk leaves the old reports untouched.
+void write_into(const fs::path& path, std::span<const results> all, const fs::path& out) {
+  disk::remove_stale(path);
+  std::vector<std::unique_ptr<disk::staging>> staged;
+  for (const auto& r : all) {
+    const auto name = folder_name(r.scene.name);
+    staged.push_back(std::make_unique<disk::staging>(path / disk::staging_name(name), out / name));
+    write_files(staged.back()->path(), r, out / name);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    disk::put_in_place(staged[i]->path(), path / folder_name(all[i].scene.name));
+  disk::sync_directory(path, out);
+}
+
+void write_new(const fs::path& path, std::span<const results> all, const fs::path& out) {
+  const fs::path parent = path.parent_path();
+  made_parents parents;
+  parents.make(parent);
+  const auto name = path.filename().string();
+  disk::remove_stale(parent, name);
+  const disk::staging staged(parent / disk::staging_name(name), out);
+  for (const auto& r : all) {
+    const auto folder = folder_name(r.scene.name);
+    disk::make_directory(staged.path() / folder, out / folder);
+    write_files(staged.path() / folder, r, out / folder);
+  }
+  disk::sync_directory(staged.path(), out);
+  if (!disk::move_if_free(staged.path(), path, out)) {  // somebody made it meanwhile
+    require_usable(path, out);
+    for (const auto& r : all)
+      disk::put_in_place(staged.path() / folder_name(r.scene.name), path / folder_name(r.scene.name));
+  }
+  parents.keep();
+  disk::sync_directory(parent, out);
+}
+
+}  // namespace
+
+std::string folder_name(std::string_view scene) {
+  constexpr std::size_t longest = 80;
+  constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-+=@";
+  std::string name;
+  for (const char c : scene.substr(0, longest)) {
+    if (allowed.find(c) != std::string_view::npos && !(name.empty() && (c == '.' || c == '-')))
+      name += c;
+    else if (!name.empty() && name.back() != '_')
+      name += '_';
+  }
+  if (name == scene && !name.empty()) return name;
+  std::uint32_t hash = 2166136261u;  // FNV-1a
+  for (const char c : scene) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+  while (!name.empty() && name.back() == '_') name.pop_back();
+  return fmt::format("{}-{:08x}", name.empty() ? "scene" : name, hash);
+}
+
+void check_output_folder(const fs::path& out) { require_usable(settled(out), out); }
+
+void write_report(const fs::path& out, std::span<const results> all) {
+  std::set<std::string> names;
+  for (const auto& r : all)
+    if (!names.insert(folder_name(r.scene.name)).second)
+      throw input_error(fmt::format("scene '{}': there are two of that name; a report needs one folder a scene",
+                                    one_line(r.scene.name)));
+  if (all.empty()) return;
+  const fs::path path = settled(out);
+  require_usable(path, out);
+  if (stands(path)) return write_into(path, all, out);
+  write_new(path, all, out);
+}
+
+}  // namespace polhode::report

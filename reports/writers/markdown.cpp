@@ -1,0 +1,177 @@
+#include "reports/writers/markdown.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "reports/writers/board.hpp"
+#include "reports/writers/numbers.hpp"
+#include "reports/writers/series.hpp"
+#include "reports/writers/text.hpp"
+
+namespace polhode::report {
+namespace {
+
+constexpr std::size_t largest = 1'000'000;
+constexpr std::size_t longest_text = 400;
+
+std::string safe(std::string_view text) { return escape_markdown(shortened(text, longest_text)); }
+
+void append_row(std::string& out, const std::vector<std::string>& cells) {
+  out += fmt::format("| {} |\n", fmt::join(cells, " | "));
+}
+
+void append_head(std::string& out, const std::vector<std::string>& cells) {
+  append_row(out, cells);
+  append_row(out, std::vector<std::string>(cells.size(), "---"));
+}
+
+std::string cell_of(const std::vector<const verdict*>& rows, const std::string& scheme, const std::string& claim) {
+  std::string cell;
+  for (const auto* row : rows) {
+    if (row->scheme != scheme || row->claim != claim) continue;
+    if (!cell.empty()) cell += ", ";
+    cell += name_of(row->kind);
+    if (finite(row->estimate)) cell += fmt::format(" ({})", shown(row->estimate));
+  }
+  return cell;
+}
+
+void append_board(std::string& out, const results& r, const std::vector<const verdict*>& rows) {
+  const auto claims = claims_of(rows);
+  std::vector<std::string> head{"scheme"};
+  for (const auto& claim : claims) head.push_back(safe(claim));
+  append_head(out, head);
+  for (const auto& scheme : scheme_names(r)) {
+    std::vector<std::string> cells{safe(scheme)};
+    for (const auto& claim : claims) cells.push_back(cell_of(rows, scheme, claim));
+    if (std::any_of(cells.begin() + 1, cells.end(), [](const auto& cell) { return !cell.empty(); }))
+      append_row(out, cells);
+  }
+  out += '\n';
+}
+
+// What holds needs no words here; what does not, does.
+void append_reasons(std::string& out, const std::vector<const verdict*>& rows) {
+  bool any = false;
+  for (const auto* row : rows) {
+    if (row->kind == verdict_kind::holds) continue;
+    any = true;
+    out += fmt::format("- {}, {}: **{}**", safe(row->scheme), safe(row->claim), name_of(row->kind));
+    if (finite(row->expected)) out += fmt::format(", claimed {}", shown(row->expected));
+    if (finite(row->estimate))
+      out += fmt::format(", found {} {}", shown(row->estimate), shown_interval(row->low, row->high));
+    const auto reason = reason_of(*row);
+    out += reason.empty() ? "\n" : ": " + safe(reason) + "\n";
+  }
+  if (any) out += '\n';
+}
+
+void append_experiment(std::string& out, const results& r, const std::string& name) {
+  const auto rows = verdicts_of(r, name);
+  const auto* declared = find_experiment(r, name);
+  if (rows.empty() && declared == nullptr) return;
+  out += fmt::format("## {}\n\n", safe(name));
+  if (declared != nullptr) {
+    out += safe(declared->question) + "\n\n";
+    for (const auto& note : declared->notes) out += fmt::format("- {}\n", safe(note));
+    if (!declared->notes.empty()) out += '\n';
+  }
+  if (rows.empty()) {
+    out += "No claim was tried here.\n\n";
+    return;
+  }
+  append_board(out, r, rows);
+  append_reasons(out, rows);
+}
+
+void append_fits(std::string& out, const results& r) {
+  if (r.fits.empty()) return;
+  out += "## Fits\n\n";
+  append_head(out, {"experiment", "scheme", "quantity", "observable", "order", "interval", "rule"});
+  for (const auto& f : r.fits)
+    append_row(out, {safe(f.experiment), safe(f.scheme), safe(f.quantity), safe(f.observable), shown_order(f.order),
+                     shown_order_interval(f.low, f.high), safe(f.rule)});
+  out += '\n';
+}
+
+std::string end_of(const measurement* m) {
+  if (m == nullptr) return "–";
+  if (m->dt) return fmt::format("{} at dt {}", shown(m->value), shown(m->dt));
+  return m->steps ? fmt::format("{} at {} steps", shown(m->value), shown(m->steps)) : shown(m->value);
+}
+
+void append_measurements(std::string& out, const results& r) {
+  const auto all = series_of(r);
+  if (all.empty()) return;
+  out += "## Measurements, by series\n\nEvery number is in `measurements.csv` and `results.json`.\n\n";
+  append_head(out, {"experiment", "scheme", "quantity", "observable", "points", "without a value", "first", "last",
+                    "unit", "method"});
+  for (const auto& one : all) {
+    const auto& m = *one.rows.front();
+    append_row(
+        out, {safe(m.experiment), safe(m.scheme), safe(m.quantity), safe(m.observable), std::to_string(one.rows.size()),
+              std::to_string(one.missing), end_of(one.first), end_of(one.last), safe(m.unit), safe(m.method)});
+  }
+  out += '\n';
+}
+
+void append_skipped(std::string& out, const results& r) {
+  if (r.skipped.empty()) return;
+  out += "## Skipped\n\n";
+  append_head(out, {"experiment", "scheme", "reason"});
+  for (const auto& s : r.skipped)
+    append_row(out, {safe(s.experiment), s.scheme.empty() ? "every scheme" : safe(s.scheme), safe(s.reason)});
+  out += '\n';
+}
+
+void append_scene(std::string& out, const scene& s) {
+  out += "## Scene\n\n";
+  append_head(out, {"key", "value"});
+  append_row(out, {"name", safe(s.name)});
+  append_row(out, {"system", safe(s.system)});
+  append_row(out, {"inertia", fmt::format("{}", fmt::join(s.inertia, ", "))});
+  append_row(out, {"theta", fmt::format("{}", s.theta)});
+  append_row(out, {"sigma", shortened(fmt::format("{}", fmt::join(s.sigma, ", ")), longest_text)});
+  append_row(out, {"momentum", fmt::format("{}", fmt::join(s.momentum, ", "))});
+  append_row(out, {"horizon", fmt::format("{}", s.horizon)});
+  append_row(out, {"steps", shortened(fmt::format("{}", fmt::join(s.steps, ", ")), longest_text)});
+  out += '\n';
+}
+
+void append_provenance(std::string& out, const provenance& p) {
+  out += "## Provenance\n\n";
+  append_head(out, {"key", "value"});
+  append_row(out, {"polhode", safe(p.version)});
+  append_row(out, {"commit", safe(p.commit)});
+  append_row(out, {"compiler", safe(p.compiler)});
+  append_row(out, {"flags", safe(p.flags)});
+  append_row(out, {"CPU", safe(p.cpu)});
+  append_row(out, {"threads", std::to_string(p.threads)});
+  append_row(out, {"seed", std::to_string(p.seed)});
+  append_row(out, {"effort", safe(p.effort)});
+  append_row(out, {"started", safe(p.started)});
+  append_row(out, {"wall time", shown_duration(p.wall_seconds)});
+  append_row(out, {"CPU time", shown_duration(p.cpu_seconds)});
+}
+
+}  // namespace
+
+std::string to_markdown(const results& r) {
+  const auto counts = count(r.verdicts);
+  std::string out =
+      fmt::format("# polhode: {}\n\n**{}** {}\n\n", safe(r.scene.name), headline(counts), sentence(counts));
+  for (const auto& name : experiment_names(r)) append_experiment(out, r, name);
+  append_skipped(out, r);
+  append_fits(out, r);
+  append_scene(out, r.scene);
+  append_provenance(out, r.provenance);
+  out += '\n';
+  append_measurements(out, r);
+  if (out.size() < largest) return out;
+  out.resize(out.rfind('\n', largest - 200) + 1);
+  return out + "\n**Cut here to stay under a megabyte; the other files of this folder hold everything.**\n";
+}
+
+}  // namespace polhode::report

@@ -1,0 +1,67 @@
+#include "reports/writers/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <initializer_list>
+
+namespace polhode::report {
+namespace {
+
+bool any_not_finite(std::initializer_list<std::optional<double>> numbers) {
+  for (const auto& number : numbers)
+    if (number && !std::isfinite(*number)) return true;
+  return false;
+}
+
+}  // namespace
+
+std::optional<double> finite(std::optional<double> number) {
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::string shortest(std::optional<double> number) { return finite(number) ? fmt::format("{}", *number) : ""; }
+
+std::string shown(std::optional<double> number) {
+  if (!finite(number)) return "–";
+  std::string text = fmt::format("{:.4g}", *number);
+  const auto exponent = text.find('e');
+  if (exponent == std::string::npos) return text;
+  std::size_t digits = exponent + 2;
+  while (digits + 1 < text.size() && text[digits] == '0') text.erase(digits, 1);
+  if (text[exponent + 1] == '+') text.erase(exponent + 1, 1);
+  return text;
+}
+
+std::string shown_interval(std::optional<double> low, std::optional<double> high) {
+  return finite(low) && finite(high) ? fmt::format("[{}, {}]", shown(low), shown(high)) : "";
+}
+
+std::string shown_order(std::optional<double> number) {
+  return finite(number) && std::abs(*number) < 1e4 ? fmt::format("{:.3f}", *number) : shown(number);
+}
+
+std::string shown_order_interval(std::optional<double> low, std::optional<double> high) {
+  return finite(low) && finite(high) ? fmt::format("[{}, {}]", shown_order(low), shown_order(high)) : "";
+}
+
+std::string shown_duration(double seconds) {
+  if (!std::isfinite(seconds) || seconds < 0 || seconds > 1e9) return "–";
+  if (seconds < 60) return fmt::format("{:.3g} s", seconds);
+  const auto whole = static_cast<long>(std::lround(seconds));
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+std::string status_of(const measurement& row) {
+  if (row.status != "ok") return row.status;
+  if (any_not_finite({row.dt, row.steps, row.value, row.low, row.high})) return "not finite";
+  return row.value ? "ok" : "missing";
+}
+
+std::string reason_of(const verdict& row) {
+  if (!any_not_finite({row.expected, row.estimate, row.low, row.high})) return row.reason;
+  return row.reason.empty() ? "not finite" : row.reason + "; not finite";
+}
+
+}  // namespace polhode::report

@@ -1,0 +1,36 @@
+// How numbers appear: every digit for machines, four for readers, nothing at all where there is none.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "reports/model/results.hpp"
+
+namespace polhode::report {
+
+/// The number, unless it is NaN or infinite.
+std::optional<double> finite(std::optional<double>);
+
+/// The shortest text that reads back as the same number; empty where there is none.
+std::string shortest(std::optional<double>);
+
+/// Four significant digits, "1.234e-5"; a dash where there is none.
+std::string shown(std::optional<double>);
+
+/// Three decimals: orders stand below one another.
+std::string shown_order(std::optional<double>);
+
+/// "[low, high]"; empty where an end is missing.
+std::string shown_interval(std::optional<double> low, std::optional<double> high);
+std::string shown_order_interval(std::optional<double> low, std::optional<double> high);
+
+/// Seconds as a reader would say them: "0.42 s", "3 min 12 s", "2 h 5 min".
+std::string shown_duration(double seconds);
+
+/// The status; where a number is missing or not finite and the status did not say so, it says so now.
+std::string status_of(const measurement&);
+
+/// The reason, likewise.
+std::string reason_of(const verdict&);
+
+}  // namespace polhode::report

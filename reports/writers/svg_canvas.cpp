@@ -1,0 +1,111 @@
+#include "reports/writers/svg_canvas.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "reports/writers/numbers.hpp"
+#include "reports/writers/text.hpp"
+
+namespace polhode::report {
+namespace {
+
+std::vector<double> abscissas(const plot& p) {
+  std::vector<double> values;
+  for (const auto& s : p.series)
+    for (const auto& point : s.points) values.push_back(point.x);
+  return values;
+}
+
+// Error bars count too, but one that reaches down to nothing does not flatten the picture.
+std::vector<double> ordinates(const plot& p) {
+  std::vector<double> values;
+  double most = 0;
+  for (const auto& s : p.series)
+    for (const auto& point : s.points) {
+      const double y = p.log_y ? std::abs(point.y) : point.y;
+      values.push_back(y);
+      most = std::max(most, y);
+      for (const auto& end : {point.low, point.high}) {
+        if (!end) continue;
+        const double bar = p.log_y ? std::abs(*end) : *end;
+        if (!p.log_y || (bar > y / 30 && bar < y * 30)) values.push_back(bar);
+      }
+    }
+  if (p.log_y && !p.slopes.empty()) values.push_back(1.6 * most);
+  for (const auto& level : p.levels) values.push_back(p.log_y ? std::abs(level.y) : level.y);
+  return values;
+}
+
+std::size_t letters(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char b) { return (b & 0xC0) != 0x80; }));
+}
+
+// The part of the fan that is inside the frame, a label where each line comes in.
+void put_slopes(std::string& out, const canvas& c) {
+  const double top = c.y.most() - 0.03 * (c.y.most() - c.y.least());
+  std::vector<double> taken;
+  for (const double slope : c.content.slopes) {
+    double start = c.x.least();
+    if (slope > 0) start = std::max(start, c.x.most() - (top - c.y.least()) / slope);
+    if (slope < 0) continue;  // falls to the right of the fan's origin: outside
+    const double level = top - slope * (c.x.most() - start);
+    put(out, "<path class=\"guide\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", c.x.at_internal(start),
+        c.y.at_internal(level), c.right, c.y.at_internal(top));
+    const double from = c.x.at_internal(start), height = c.y.at_internal(level);
+    const bool steep = height - c.y.at_internal(top) > 0.12 * (c.right - from);  // the label then fits below the line
+    double y = std::min(steep ? height + 13 : height - 10, c.bottom - 6);
+    for (const double other : taken)
+      if (std::abs(other - y) < 14) y = std::min(other + 14, c.bottom - 6);
+    taken.push_back(y);
+    put(out, "<text class=\"soft small halo\" x=\"{:.1f}\" y=\"{:.1f}\">slope {}</text>\n", from + 6,
+        std::max(y, c.top + 12), shown(slope));
+  }
+}
+
+void put_levels(std::string& out, const canvas& c) {
+  for (const auto& level : c.content.levels) {
+    if (!std::isfinite(level.y) || (c.content.log_y && level.y == 0)) continue;
+    const double y = c.y(c.magnitude(level.y));
+    put(out, "<path class=\"level\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>\n", c.left, y, c.right);
+  }
+}
+
+}  // namespace
+
+canvas::canvas(const plot& p) : content(p), x(p.log_x, abscissas(p)), y(p.log_y, ordinates(p)) {
+  y.place_between(bottom, top);
+  std::size_t longest = 0;
+  for (const auto& t : y.ticks()) longest = std::max(longest, letters(t.label));
+  left = 34 + 7.2 * static_cast<double>(std::min<std::size_t>(longest, 14));
+  x.place_between(left, right);
+}
+
+void put_axes(std::string& out, const canvas& c) {
+  put(out, "<rect class=\"paper\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", c.left, c.top,
+      c.right - c.left, c.bottom - c.top);
+  for (const auto& t : c.x.ticks()) {
+    if (t.major) put(out, "<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>\n", t.place, c.top, c.bottom);
+    put(out, "<path class=\"tick\" d=\"M{:.1f} {:.1f}v{}\"/>\n", t.place, c.bottom, t.label.empty() ? 3 : 5);
+    if (!t.label.empty())
+      put(out, "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", t.place, c.bottom + 18, t.label);
+  }
+  for (const auto& t : c.y.ticks()) {
+    if (t.major) put(out, "<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>\n", c.left, t.place, c.right);
+    put(out, "<path class=\"tick\" d=\"M{:.1f} {:.1f}h-{}\"/>\n", c.left, t.place, t.label.empty() ? 3 : 5);
+    if (!t.label.empty())
+      put(out, "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n", c.left - 8, t.place + 4.5, t.label);
+  }
+  put(out, "<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", c.left, c.top,
+      c.right - c.left, c.bottom - c.top);
+  put(out, "<text class=\"soft\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", (c.left + c.right) / 2,
+      c.bottom + 38, escape_html(shortened(c.content.x_title, 50)));
+  put(out, "<text class=\"soft\" transform=\"translate(13 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+      (c.top + c.bottom) / 2, escape_html(shortened(c.content.y_title, 40)));
+}
+
+void put_guides(std::string& out, const canvas& c) {
+  if (c.content.log_x && c.content.log_y) put_slopes(out, c);
+  put_levels(out, c);
+}
+
+}  // namespace polhode::report

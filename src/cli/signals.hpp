@@ -1,0 +1,18 @@
+// SIGINT and SIGTERM end the command at once, but never in the middle of writing a report.
+#pragma once
+
+namespace polhode::cli {
+
+/// Ends with 128 + signal; a reader that has gone (SIGPIPE) becomes a failed write.
+void install_signal_handlers();
+
+/// While one lives, a signal waits; it ends the command when the last one goes.
+class defer_signals {
+ public:
+  defer_signals();
+  ~defer_signals();
+  defer_signals(const defer_signals&) = delete;
+  defer_signals& operator=(const defer_signals&) = delete;
+};
+
+}  // namespace polhode::cli

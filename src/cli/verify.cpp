@@ -1,0 +1,131 @@
+// polhode verify: runs the experiments, writes the report, prints what came out.
+#include "registry/verify.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <thread>
+
+#include "cli/arguments.hpp"
+#include "cli/progress.hpp"
+#include "cli/signals.hpp"
+#include "cli/summary.hpp"
+#include "cli/terminal.hpp"
+#include "registry/text.hpp"
+#include "reports/model/errors.hpp"
+#include "reports/writers/folder.hpp"
+#include "reports/writers/json.hpp"
+
+namespace polhode::cli {
+namespace {
+
+constexpr std::uint64_t most_threads = 1024;
+
+/// As given: checked in one place, so that every fault reads alike.
+struct arguments {
+  std::vector<std::string> scenes;
+  std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", format = "text";
+  bool fresh = false, quiet = false;
+};
+
+verify_options checked_options(const arguments& given) {
+  static const std::vector<std::string> efforts{"quick", "standard", "thorough"};
+  verify_options options;
+  options.schemes = list_option("--schemes", given.schemes);
+  options.experiments = list_option("--experiments", given.experiments);
+  options.effort = static_cast<effort>(choice_option("--effort", given.effort, efforts));
+  options.threads = static_cast<int>(integer_option("--threads", given.threads, 1, most_threads));
+  options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  return options;
+}
+
+std::vector<scene> checked_scenes(const arguments& given) {
+  std::vector<scene> scenes;
+  for (const auto& name : given.scenes) {
+    auto loaded = load_scene(name);
+    if (std::ranges::find(scenes, loaded.name, &scene::name) != scenes.end())
+      throw input_error(fmt::format(
+          "{}: name = '{}': another scene has it; accepted: names that differ, as each scene has its folder",
+          one_line(name, 200), loaded.name));
+    scenes.push_back(std::move(loaded));
+  }
+  return scenes;
+}
+
+std::vector<report::results> run_all(std::span<const scene> scenes, const verify_options& options, bool quiet) {
+  std::vector<report::results> all;
+  progress_line progress{!quiet};
+  for (const auto& scene : scenes) {
+    const auto sink = [&](double share, std::string_view what) {
+      const auto label = scenes.size() == 1 ? std::string{what} : fmt::format("{}: {}", scene.name, what);
+      progress.show((static_cast<double>(all.size()) + share) / static_cast<double>(scenes.size()), label);
+    };
+    all.push_back(verify(scene, options, sink));
+  }
+  return all;
+}
+
+std::string json_of(std::span<const report::results> all) {
+  if (all.size() == 1) return report::to_json(all.front()) + '\n';
+  std::string out = "[";
+  for (const auto& r : all) out += (out.size() == 1 ? "\n" : ",\n") + report::to_json(r);
+  return out + "\n]\n";
+}
+
+std::string text_of(std::span<const report::results> all, const std::filesystem::path& out) {
+  const auto width = terminal_width(STDOUT_FILENO);
+  std::string text;
+  for (const auto& r : all) {
+    const auto page = out / report::folder_name(r.scene.name) / "report.html";
+    text += fmt::format("{}report: {}\n\n", summary(r, width), one_line(page.string()));
+  }
+  text.pop_back();
+  return text;
+}
+
+int run(const arguments& given) {
+  const auto output = format_option(given.format);
+  const auto options = checked_options(given);
+  const auto scenes = checked_scenes(given);
+  if (given.out.empty()) throw input_error("--out '': accepted: the folder to be written");
+  const std::filesystem::path out{given.out};
+  report::check_output_folder(out);
+
+  const auto all = run_all(scenes, options, given.quiet);
+  {
+    const defer_signals whole;
+    report::write_report(out, all);
+  }
+  if (output == format::json)
+    print(json_of(all));
+  else if (!given.quiet)
+    print(text_of(all, out));
+  return exit_code(all);
+}
+
+}  // namespace
+
+command add_verify(CLI::App& app) {
+  const auto given = std::make_shared<arguments>();
+  given->scenes = {"paper"};
+  given->threads = std::to_string(std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, most_threads));
+  auto* parser = app.add_subcommand("verify", "Hold the claims of the schemes against scenes");
+  parser->add_option("SCENE", given->scenes, "Built-in names or TOML files [paper]")->type_name("");
+  parser->add_option("--schemes", given->schemes, "Only these schemes")->type_name("A,B");
+  parser->add_option("--experiments", given->experiments, "Only these experiments")->type_name("X,Y");
+  parser->add_option("--effort", given->effort, "quick, standard, thorough [standard]")->type_name("E");
+  parser->add_option("--out", given->out, "Folder for the report [report]")->type_name("DIR");
+  parser->add_option("--threads", given->threads, "1 to 1024 [" + given->threads + "]")->type_name("N");
+  parser->add_option("--seed", given->seed, "Seed of the noise [1]")->type_name("N");
+  parser->add_option("--format", given->format, "On standard output: text, json [text]")->type_name("F");
+  parser->add_flag("--fresh", given->fresh, "Compute anew; nothing is cached yet");
+  parser->add_flag("-q,--quiet", given->quiet, "No summary, no progress");
+  return {parser, [given] { return run(*given); }};
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,33 @@
+// A system behind one virtual face, a state at a time: what an experiment measures with, not its inner loop.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <polhode/systems/constant_noise.hpp>
+
+#include "ensemble/kernel.hpp"
+
+namespace polhode {
+
+/// A Lie-Poisson system of any dimension.
+class model {
+ public:
+  virtual ~model() = default;
+  virtual int dimension() const = 0;
+  virtual int channels() const = 0;
+  virtual int active_channels() const = 0;  ///< channels that are drawn; the others stay zero
+  virtual noise_class noise() const = 0;
+  virtual double energy(std::span<const double> mu) const = 0;
+  virtual double dissipation_rate(std::span<const double> mu) const = 0;  ///< -dh/dt without noise
+  virtual std::vector<double> casimirs(std::span<const double> mu) const = 0;
+  virtual void drift(std::span<const double> mu, std::span<double> out) const = 0;  ///< ad*_a(mu) mu
+  /// Chen's relation over groups of `factor` steps: [step][channel][lane] in and out. An input without areas is a
+  /// piecewise linear path.
+  virtual void coarsen(const increment_view& fine, int factor, std::span<double> dw, std::span<double> area) const = 0;
+  /// The driven ordinary differential equation, to fourth order: the reference for strong errors.
+  virtual std::unique_ptr<kernel> reference() const = 0;
+};
+
+}  // namespace polhode

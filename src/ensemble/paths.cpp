@@ -1,0 +1,64 @@
+#include "ensemble/paths.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+
+void parallel_for(int threads, int count, const std::function<void(int)>& work) {
+  tbb::task_arena arena(threads);
+  arena.execute([&] { tbb::parallel_for(0, count, work, tbb::simple_partitioner{}); });
+}
+
+increment_buffer::increment_buffer(const model& m, int steps, bool with_areas)
+    : channels_(m.channels()),
+      active_(m.active_channels()),
+      pairs_(m.channels() * (m.channels() - 1) / 2),
+      dw_(static_cast<std::size_t>(steps * channels_ * block_lanes)),
+      area_(with_areas ? static_cast<std::size_t>(steps * pairs_ * block_lanes) : 0) {}
+
+increment_view increment_buffer::fill(std::uint64_t seed, std::uint64_t first_path, std::uint64_t first_step, int steps,
+                                      double dt) {
+  const double scale = std::sqrt(dt);
+  const auto draw = [&](std::vector<double>& out, int rows, int wanted, noise_kind kind, double factor) {
+    for (int i = 0; i < steps; ++i)
+      for (int lane = 0; lane < block_lanes; ++lane) {
+        const noise_address address{seed, kind, first_path + static_cast<std::uint64_t>(lane),
+                                    first_step + static_cast<std::uint64_t>(i)};
+        double* at = out.data() + i * rows * block_lanes + lane;
+        for (int k = 0; k < wanted; k += 2) {
+          const auto pair = normal_pair(address, static_cast<std::uint32_t>(k / 2));
+          at[k * block_lanes] = factor * pair[0];
+          if (k + 1 < wanted) at[(k + 1) * block_lanes] = factor * pair[1];
+        }
+      }
+  };
+  draw(dw_, channels_, active_, noise_kind::increment, scale);
+  if (!area_.empty()) draw(area_, pairs_, active_ < 2 ? 0 : pairs_, noise_kind::area, dt / 2);
+  return {dt, steps, dw_, area_};
+}
+
+increment_view increment_buffer::zero(int steps, double dt) {
+  std::ranges::fill(dw_, 0.0);
+  std::ranges::fill(area_, 0.0);
+  return {dt, steps, dw_, area_};
+}
+
+std::vector<double> replicated(std::span<const double> state) {
+  std::vector<double> out;
+  out.reserve(state.size() * block_lanes);
+  for (const double value : state) out.insert(out.end(), block_lanes, value);
+  return out;
+}
+
+std::vector<double> lane_of(std::span<const double> states, int lane, int dimension) {
+  std::vector<double> out(static_cast<std::size_t>(dimension));
+  for (int k = 0; k < dimension; ++k)
+    out[static_cast<std::size_t>(k)] = states[static_cast<std::size_t>(k * block_lanes + lane)];
+  return out;
+}
+
+}  // namespace polhode

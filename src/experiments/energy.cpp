@@ -1,0 +1,212 @@
+// Without noise: does the energy follow dh/dt = -theta |ad*_dh mu|^2, and how fast does the path converge?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ensemble/paths.hpp"
+#include "experiments/experiment.hpp"
+#include "experiments/judge.hpp"
+#include "experiments/levels.hpp"
+#include "experiments/progress_counter.hpp"
+#include "references/free_rotation.hpp"
+#include "references/odeint.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double rounding = 1e-13;  // of the state's size, the energy's size: the floor of every fit
+constexpr double end_bound = 1e-6;  // of the energy's range: how near the least energy a path must end
+constexpr int least_axis_time_scales = 60;
+
+struct trajectory {
+  std::vector<double> energy, rate;  // at every step, and -dh/dt there
+  std::vector<double> end;
+};
+
+trajectory follow(const subject& s, const scheme_entry& scheme, double horizon, int steps) {
+  const auto& m = *s.model;
+  const double dt = horizon / steps;
+  const auto stepper = scheme.make(dt);
+  increment_buffer still(m, 1, scheme.needs_areas);
+  const auto view = still.zero(1, dt);
+  auto states = replicated(s.scene.momentum);
+  trajectory t;
+  for (int i = 0;; ++i) {
+    t.end = lane_of(states, 0, m.dimension());
+    t.energy.push_back(m.energy(t.end));
+    t.rate.push_back(m.dissipation_rate(t.end));
+    if (i == steps) return t;
+    stepper->advance(states, view);
+  }
+}
+
+/// Largest |h_k - h_0 + integral of the rate|, the integral by Simpson's rule over pairs of steps.
+double law_residual(const trajectory& t, double dt) {
+  double integral = 0, worst = 0;
+  for (std::size_t k = 2; k < t.energy.size(); k += 2) {
+    integral += dt / 3 * (t.rate[k - 2] + 4 * t.rate[k - 1] + t.rate[k]);
+    const double residual = std::fabs(t.energy[k] - t.energy[0] + integral);
+    worst = std::isfinite(residual) ? std::max(worst, residual) : residual;
+  }
+  return worst;
+}
+
+double distance(std::span<const double> a, std::span<const double> b) {
+  double square = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(square);
+}
+
+double length(std::span<const double> a) {
+  double square = 0;
+  for (const double x : a) square += x * x;
+  return std::sqrt(square);
+}
+
+/// An error series with its order; errors that are all at the rounding floor are exactness on this scene.
+void report_order(const series& s, const std::string& text, std::span<const double> dt, std::span<const double> values,
+                  double floor, double expected, report::results& out) {
+  const auto fit = fit_order(dt, values, floor);
+  std::vector<report::measurement> points;
+  for (std::size_t i = 0; i < dt.size(); ++i) points.push_back(measured(s, dt[i], values[i]));
+  record_fit(out, s, fit, std::move(points));
+  auto v = judge_order({s.experiment, s.scheme, text}, expected, fit, true);
+  if (!fit && std::ranges::all_of(values, [&](double x) { return x <= floor; })) {
+    v.kind = report::verdict_kind::holds;
+    v.reason = fmt::format("exact on this scene: every error below {:.1e}", floor);
+  }
+  out.verdicts.push_back(v);
+}
+
+/// One scheme on one scene without noise, against the true end point.
+void report_convergence(const subject& s, const scheme_entry& scheme, const level_grid& grid, const std::string& what,
+                        const std::string& method, std::span<const double> truth, report::results& out) {
+  const std::string name(scheme.info.name);
+  std::vector<double> state_error, residual;
+  std::vector<trajectory> runs;
+  for (const int n : grid.steps) {
+    runs.push_back(follow(s, scheme, grid.horizon, n));
+    state_error.push_back(distance(runs.back().end, truth));
+    residual.push_back(law_residual(runs.back(), grid.horizon / n));
+  }
+  const auto dt = grid.dt();
+  const double size = length(truth), energy = std::fabs(s.model->energy(s.scene.momentum));
+  const double order = scheme.info.deterministic_order;
+  report_order({"energy", name, what + "state_error", "state", "|mu|", method},
+               what.empty() ? "order of the path" : "order of the free path", dt, state_error, 10 * rounding * size,
+               order, out);
+  report_order({"energy", name, what + "law_residual", "energy", "energy", "deterministic"},
+               what.empty() ? "order of the energy law" : "order of the free energy", dt, residual,
+               10 * rounding * energy, order, out);
+  if (s.scene.theta == 0) return;
+  const auto& finest = runs.back().energy;
+  int rises = 0;
+  for (std::size_t k = 1; k < finest.size(); ++k)
+    if (!(finest[k] <= finest[k - 1] + rounding * energy)) ++rises;
+  report::verdict v{"energy",
+                    name,
+                    "energy never rises at the finest dt",
+                    0.0,
+                    double(rises),
+                    double(rises),
+                    double(rises),
+                    rises == 0 ? report::verdict_kind::holds : report::verdict_kind::refuted,
+                    fmt::format("{} rises in {} steps of {:.3g}", rises, finest.size() - 1, dt.back())};
+  out.verdicts.push_back(v);
+}
+
+/// Runs until every motion has died out and looks where it ended.
+void report_end(const subject& s, const scheme_entry& scheme, report::results& out) {
+  const auto [least, greatest] = std::ranges::minmax(s.scene.inertia);
+  const double c = length(s.scene.momentum), range = 0.5 * c * c * (1 / least - 1 / greatest);
+  const double rate = fastest_rate(s);
+  // The slowest decay: between the two axes of greatest inertia, at rate theta c^2 times their difference of 1/I.
+  auto inertia = s.scene.inertia;
+  std::ranges::sort(inertia);
+  const double gap = inertia[2] > inertia[1] ? 1 / inertia[1] - 1 / inertia[2] : 1 / inertia[0] - 1 / inertia[2];
+  const double time = least_axis_time_scales / (s.scene.theta * c * c * gap), dt = 0.05 / rate;
+  const std::string name(scheme.info.name);
+  if (time / dt > 1e6) {
+    out.skipped.push_back({"energy", name, fmt::format("end point: the slowest decay needs {:.1e} steps", time / dt)});
+    return;
+  }
+  const int steps = static_cast<int>(time / dt);
+  const auto stepper = scheme.make(dt);
+  increment_buffer still(*s.model, steps, scheme.needs_areas);
+  auto states = replicated(s.scene.momentum);
+  stepper->advance(states, still.zero(steps, dt));
+  const auto end = lane_of(states, 0, s.model->dimension());
+  // Energy of the direction reached, above the least on its sphere.
+  const double e = length(end), above = (s.model->energy(end) * c * c / (e * e) - 0.5 * c * c / greatest) / range;
+  out.verdicts.push_back(
+      judge_distance({"energy", name, "ends on the axis of least energy"}, {above, above, above}, end_bound,
+                     fmt::format("after time {:.3g}: {:.1e} of the energy's range above the least", time, above)));
+}
+
+bool at_rest(const subject& s) {
+  std::vector<double> drift(s.scene.momentum.size());
+  s.model->drift(s.scene.momentum, drift);
+  return length(drift) <= 1e-12 * fastest_rate(s) * length(s.scene.momentum);
+}
+
+report::scene without(report::scene scene, bool dissipation) {
+  scene.sigma.clear();
+  if (!dissipation) scene.theta = 0;
+  return scene;
+}
+
+std::vector<double> true_end(const subject& s, double t) {
+  return solve_drift([&](std::span<const double> mu, std::span<double> out) { s.model->drift(mu, out); },
+                     s.scene.momentum, t);
+}
+
+void run(const context& c, report::results& out) {
+  const auto damped = c.subject.with(without(c.subject.scene, true));
+  const auto free = c.subject.with(without(c.subject.scene, false));
+  const auto grid = asymptotic_levels(damped, by_effort(c.effort, 800.0, 800.0, 3200.0));
+  const auto damped_end = true_end(damped, grid.horizon);
+  const auto free_end = free_rotation(
+      free.scene.inertia, {free.scene.momentum[0], free.scene.momentum[1], free.scene.momentum[2]}, grid.horizon);
+  const bool dissipates = damped.scene.theta > 0;
+  if (!dissipates)
+    out.skipped.push_back(
+        {"energy", "", "decay and end point: theta = 0, nothing dissipates; the free rotation is measured"});
+  std::vector<report::results> parts(damped.schemes.size());
+  progress_counter done(static_cast<int>(parts.size()), c.progress);
+  parallel_for(c.threads, static_cast<int>(parts.size()), [&](int k) {
+    auto& part = parts[static_cast<std::size_t>(k)];
+    if (dissipates) {
+      report_convergence(damped, damped.schemes[static_cast<std::size_t>(k)], grid, "", "odeint", damped_end, part);
+      report_end(damped, damped.schemes[static_cast<std::size_t>(k)], part);
+    }
+    report_convergence(free, free.schemes[static_cast<std::size_t>(k)], grid, "free_", "jacobi", free_end, part);
+    done.add();
+  });
+  for (const auto& part : parts) {
+    out.measurements.insert(out.measurements.end(), part.measurements.begin(), part.measurements.end());
+    out.fits.insert(out.fits.end(), part.fits.begin(), part.fits.end());
+    out.verdicts.insert(out.verdicts.end(), part.verdicts.begin(), part.verdicts.end());
+    out.skipped.insert(out.skipped.end(), part.skipped.begin(), part.skipped.end());
+  }
+}
+
+}  // namespace
+
+experiment energy_experiment() {
+  return {
+      {"energy",
+       "Without noise, does the energy follow dh/dt = -theta |Pi x Omega|^2, and does the path converge?",
+       {"sigma = 0 throughout. Path: against Boost.Odeint (Fehlberg 7(8), 1e-14 per step), and for theta = 0 against "
+        "Jacobi's elliptic functions.",
+        "Energy law: the largest |h(t) - h(0) + integral of theta |Pi x Omega|^2| along the scheme's own path.",
+        "An order above the claim holds: some scenes are kinder than the claim."}},
+      1,
+      [](const subject& s) -> std::optional<std::string> {
+        if (at_rest(s)) return "the initial momentum is an equilibrium: nothing moves without noise";
+        return std::nullopt;
+      },
+      run};
+}
+
+}  // namespace polhode

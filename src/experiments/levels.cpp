@@ -1,0 +1,34 @@
+#include "experiments/levels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+
+double fastest_rate(const subject& s) {
+  double square = 0;
+  for (const double p : s.scene.momentum) square += p * p;
+  const auto [least, greatest] = std::ranges::minmax(s.scene.inertia);
+  const double shear = std::sqrt(square) * (1 / least - 1 / greatest);
+  double noise = 0;
+  for (const auto& v : s.scene.sigma) noise += (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / 3;
+  return shear + s.scene.theta * std::sqrt(square) * shear + noise;
+}
+
+level_grid asymptotic_levels(const subject& s, double resolution) {
+  constexpr double time_scales = 4;
+  constexpr int fit_levels = 6;
+  const double rate = fastest_rate(s);
+  level_grid grid{rate > 0 ? std::min(s.scene.horizon, time_scales / rate) : s.scene.horizon, {}};
+  const double needed = std::max(1.0, resolution * rate * grid.horizon);
+  // Start from the scene's coarsest step where that leaves room for a fit; else from a power of two.
+  const double own = static_cast<double>(s.scene.steps.front()) * grid.horizon / s.scene.horizon;
+  const int enough = 1 << (fit_levels - 1);
+  int n = own <= needed / enough ? std::max(1, static_cast<int>(std::lround(own))) : 1;
+  while (n * enough < needed && own > needed / enough) n *= 2;
+  for (; grid.steps.empty() || grid.steps.back() < needed || static_cast<int>(grid.steps.size()) < fit_levels; n *= 2)
+    grid.steps.push_back(n);
+  return grid;
+}
+
+}  // namespace polhode

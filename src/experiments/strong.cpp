@@ -1,0 +1,161 @@
+// How far is a path from the true path, and how fast does that fall with dt?
+//
+// All levels are driven by one piecewise linear path on a fine grid; the reference is the ordinary differential
+// equation driven by that path (references/driven_ode.hpp), and a coarse step is given that path's increment and Levy
+// areas by Chen's relation. So nothing is redrawn between levels, and the reference is none of the schemes.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ensemble/paths.hpp"
+#include "experiments/experiment.hpp"
+#include "experiments/judge.hpp"
+#include "experiments/levels.hpp"
+#include "experiments/progress_counter.hpp"
+#include "statistics/order_fit.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr int fine_per_step = 32;     // fine cells in the finest step
+constexpr double limit_bound = 0.02;  // of |mu_0|: how near the limit dt -> 0 must be to the solution
+
+/// The increments of one level over one chunk of time.
+struct level_increments {
+  std::vector<double> dw, area;
+  increment_view view;
+};
+
+/// Increments of every level, coarsest first, from the fine ones.
+class increment_ladder {
+ public:
+  increment_ladder(const model& m, const level_grid& grid)
+      : model_(m), levels_(grid.steps.size()), fine_(m, grid.steps.back() / grid.steps.front() * fine_per_step, false) {
+    for (std::size_t l = 0; l < levels_.size(); ++l) {
+      const int steps = grid.steps[l] / grid.steps.front();
+      const int channels = m.channels(), pairs = channels * (channels - 1) / 2;
+      levels_[l].dw.resize(static_cast<std::size_t>(steps * channels * block_lanes));
+      levels_[l].area.resize(static_cast<std::size_t>(steps * pairs * block_lanes));
+      levels_[l].view = {grid.horizon / grid.steps[l], steps, levels_[l].dw, levels_[l].area};
+    }
+  }
+  const increment_view& level(std::size_t l) const { return levels_[l].view; }
+
+  /// One step of the coarsest level; returns the fine increments.
+  increment_view fill(std::uint64_t seed, std::uint64_t first_path, int chunk) {
+    const int fine_steps = levels_.back().view.steps * fine_per_step;
+    const auto fine =
+        fine_.fill(seed, first_path, static_cast<std::uint64_t>(chunk) * static_cast<std::uint64_t>(fine_steps),
+                   fine_steps, levels_.back().view.dt / fine_per_step);
+    model_.coarsen(fine, fine_per_step, levels_.back().dw, levels_.back().area);
+    for (std::size_t l = levels_.size() - 1; l-- > 0;)
+      model_.coarsen(levels_[l + 1].view, 2, levels_[l].dw, levels_[l].area);
+    return fine;
+  }
+
+ private:
+  const model& model_;
+  std::vector<level_increments> levels_;
+  increment_buffer fine_;
+};
+
+/// Kernels of every scheme at every level.
+using kernel_table = std::vector<std::vector<std::unique_ptr<kernel>>>;
+
+/// Runs one block of paths and writes its squared errors.
+void run_block(const context& c, const level_grid& grid, const kernel_table& kernels, const kernel& reference,
+               int block, std::vector<squared_errors>& errors) {
+  const auto& s = c.subject;
+  const std::size_t levels = grid.steps.size();
+  increment_ladder ladder(*s.model, grid);
+  auto truth = replicated(s.scene.momentum);
+  std::vector<std::vector<std::vector<double>>> states(kernels.size(), std::vector<std::vector<double>>(levels, truth));
+  const int first_path = block * block_lanes;
+  for (int chunk = 0; chunk < grid.steps.front(); ++chunk) {
+    reference.advance(truth, ladder.fill(c.seed, static_cast<std::uint64_t>(first_path), chunk));
+    for (std::size_t k = 0; k < kernels.size(); ++k)
+      for (std::size_t l = 0; l < levels; ++l) kernels[k][l]->advance(states[k][l], ladder.level(l));
+  }
+  for (std::size_t k = 0; k < kernels.size(); ++k)
+    for (std::size_t l = 0; l < levels; ++l)
+      for (int lane = 0; lane < block_lanes; ++lane) {
+        double square = 0;
+        for (std::size_t i = static_cast<std::size_t>(lane); i < truth.size(); i += block_lanes)
+          square += std::pow(states[k][l][i] - truth[i], 2);
+        errors[k].at(first_path + lane, static_cast<int>(l)) = square;
+      }
+}
+
+void report_scheme(const context& c, const scheme_entry& scheme, const level_grid& grid, const squared_errors& errors,
+                   double size, report::results& out) {
+  const auto dt = grid.dt();
+  const series s{"strong", std::string(scheme.info.name), "error", "state", "|mu|", "sampled"};
+  const auto fit = fit_order(dt, errors, 1e-13 * size, c.seed);
+  std::vector<report::measurement> points;
+  for (int l = 0; l < errors.levels; ++l) {
+    const auto m = level_mean(errors, l);
+    const auto root = [](double x) { return std::sqrt(std::max(0.0, x)); };
+    points.push_back(measured(s, dt[static_cast<std::size_t>(l)], root(m.mean), root(m.mean - 1.96 * m.error),
+                              root(m.mean + 1.96 * m.error)));
+  }
+  record_fit(out, s, fit, std::move(points));
+  const double claimed = strong_order_on(scheme.info, c.subject.model->noise());
+  out.verdicts.push_back(judge_order({s.experiment, s.scheme, "strong order"}, claimed, fit, false));
+  const claim limit{s.experiment, s.scheme, "limit is the Stratonovich solution"};
+  if (!fit) {
+    out.verdicts.push_back(judge_distance(limit, {NAN, NAN, NAN}, limit_bound, "no usable levels"));
+    return;
+  }
+  const auto at_zero = fit_limit(dt, errors, fit->used, claimed, c.seed);
+  out.verdicts.push_back(judge_distance(
+      limit, {at_zero.value / size, at_zero.low / size, at_zero.high / size}, limit_bound,
+      fmt::format("distance from the solution as dt -> 0, in units of |mu_0|: at most {:.2g}, bound {:g}",
+                  at_zero.high / size, limit_bound)));
+}
+
+void run(const context& c, report::results& out) {
+  const auto& s = c.subject;
+  const auto grid = asymptotic_levels(s, by_effort(c.effort, 400.0, 400.0, 800.0));
+  const int blocks = by_effort(c.effort, 40, 128, 512);
+  kernel_table kernels(s.schemes.size());
+  std::vector<squared_errors> errors;
+  for (std::size_t k = 0; k < s.schemes.size(); ++k) {
+    for (const double dt : grid.dt()) kernels[k].push_back(s.schemes[k].make(dt));
+    const int paths = blocks * block_lanes, levels = static_cast<int>(grid.steps.size());
+    errors.push_back({paths, levels, std::vector<double>(static_cast<std::size_t>(paths * levels))});
+  }
+  const auto reference = s.model->reference();
+  progress_counter done(blocks, c.progress);
+  parallel_for(c.threads, blocks, [&](int block) {
+    run_block(c, grid, kernels, *reference, block, errors);
+    done.add();
+  });
+  double size = 0;
+  for (const double p : s.scene.momentum) size += p * p;
+  for (std::size_t k = 0; k < s.schemes.size(); ++k)
+    report_scheme(c, s.schemes[k], grid, errors[k], std::sqrt(size), out);
+}
+
+}  // namespace
+
+experiment strong_experiment() {
+  return {
+      {"strong",
+       "How far is a path from the true path driven by the same noise, and how fast does that fall with dt?",
+       {"Root-mean-square distance at the end of the horizon (at most four of the fastest time scales).",
+        fmt::format(
+            "The driver is piecewise linear, with {} cells in the finest step; the reference solves the ordinary "
+            "differential equation driven by it, and coarse steps get its exact increments and Levy areas.",
+            fine_per_step),
+        "The driver differs from Brownian motion by the areas inside the fine cells, which moves no slope while dt is "
+        "well above a cell."}},
+      3,
+      [](const subject& s) -> std::optional<std::string> {
+        if (s.model->noise() == noise_class::none)
+          return "no noise: the experiment energy measures the order for sigma = 0";
+        return std::nullopt;
+      },
+      run};
+}
+
+}  // namespace polhode

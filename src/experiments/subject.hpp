@@ -1,0 +1,36 @@
+// What the experiments see of a scene: a system and its schemes, as plain values and virtual faces.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <polhode/schemes/scheme_info.hpp>
+
+#include "ensemble/kernel.hpp"
+#include "ensemble/model.hpp"
+#include "reports/model/results.hpp"
+
+namespace polhode {
+
+struct scheme_entry {
+  scheme_info info;
+  bool needs_areas = false;
+  std::function<std::unique_ptr<kernel>(double dt)> make;
+};
+
+/// A scene bound to its system and to every scheme that applies to it.
+struct subject {
+  report::scene scene;
+  std::shared_ptr<const polhode::model> model;
+  std::vector<scheme_entry> schemes;
+  std::vector<report::skip> inapplicable;             ///< schemes that cannot run on this system, and why
+  std::function<subject(const report::scene&)> with;  ///< the same system and schemes on a changed scene
+};
+
+/// Claimed strong order on this noise.
+inline double strong_order_on(const scheme_info& info, noise_class noise) {
+  return noise == noise_class::one_vector ? info.strong_order.commuting : info.strong_order.general;
+}
+
+}  // namespace polhode

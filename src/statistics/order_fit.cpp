@@ -1,0 +1,182 @@
+#include "statistics/order_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+#include "statistics/resample.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr int most_levels = 6, least_levels = 4, replicates = 400;
+constexpr double off_the_line = 0.05, standard_errors = 3;
+
+struct points {
+  std::vector<double> x, y, weight;
+  void add(double px, double py, double w) {
+    x.push_back(px);
+    y.push_back(py);
+    weight.push_back(w);
+  }
+};
+
+struct line {
+  double intercept = 0, slope = 0;
+  double at(double x) const { return intercept + slope * x; }
+};
+
+line weighted_line(const points& p) {
+  double w = 0, mx = 0, my = 0, sxx = 0, sxy = 0;
+  for (std::size_t i = 0; i < p.x.size(); ++i) {
+    w += p.weight[i];
+    mx += p.weight[i] * p.x[i];
+    my += p.weight[i] * p.y[i];
+  }
+  mx /= w;
+  my /= w;
+  for (std::size_t i = 0; i < p.x.size(); ++i) {
+    sxx += p.weight[i] * (p.x[i] - mx) * (p.x[i] - mx);
+    sxy += p.weight[i] * (p.x[i] - mx) * (p.y[i] - my);
+  }
+  return {my - sxy / sxx * mx, sxy / sxx};
+}
+
+/// Levels in order of decreasing dt, as (log2 dt, log2 value, standard error of log2 value).
+struct level {
+  int index;
+  double x, y, error;
+};
+
+points points_of(std::span<const level> levels) {
+  points p;
+  for (const level& l : levels) p.add(l.x, l.y, l.error > 0 ? 1 / (l.error * l.error) : 1);
+  return p;
+}
+
+struct selection {
+  std::vector<level> levels;
+  std::string rule;
+};
+
+/// The rule of the header.
+selection select_levels(std::vector<level> all, int left_out_at_floor) {
+  std::ranges::sort(all, [](const level& a, const level& b) { return a.x > b.x; });
+  const int spare = std::max(0, static_cast<int>(all.size()) - most_levels);
+  std::vector<level> kept(all.begin() + spare, all.end());
+  int early = 0;
+  while (static_cast<int>(kept.size()) > least_levels) {
+    const std::span<const level> rest(kept.begin() + 1, kept.end());
+    const double off = std::fabs(kept.front().y - weighted_line(points_of(rest)).at(kept.front().x));
+    if (off <= off_the_line || off <= standard_errors * kept.front().error) break;
+    kept.erase(kept.begin());
+    ++early;
+  }
+  return {kept, fmt::format("{} levels used; left out: {} coarser than the finest {}, {} pre-asymptotic, {} at the "
+                            "rounding floor or not finite",
+                            kept.size(), spare, most_levels, early, left_out_at_floor)};
+}
+
+order_fit result_of(const selection& s, const line& l, double low, double high, std::size_t count) {
+  order_fit fit{l.slope, low, high, std::exp2(l.intercept), std::vector<bool>(count, false), s.rule};
+  for (const level& kept : s.levels) fit.used[static_cast<std::size_t>(kept.index)] = true;
+  return fit;
+}
+
+double half_width_of_residuals(const points& p, const line& l) {
+  const auto n = static_cast<double>(p.x.size());
+  double residual = 0, mean = 0, sxx = 0;
+  for (const double x : p.x) mean += x / n;
+  for (std::size_t i = 0; i < p.x.size(); ++i) {
+    residual += std::pow(p.y[i] - l.at(p.x[i]), 2);
+    sxx += std::pow(p.x[i] - mean, 2);
+  }
+  const boost::math::students_t student(n - 2);
+  return boost::math::quantile(student, 0.975) * std::sqrt(residual / (n - 2) / sxx);
+}
+
+std::vector<double> means(const squared_errors& e, const resample& paths) {
+  std::vector<double> sum(static_cast<std::size_t>(e.levels), 0.0);
+  for (const int path : paths)
+    for (int l = 0; l < e.levels; ++l) sum[static_cast<std::size_t>(l)] += e.at(path, l);
+  for (double& s : sum) s /= e.paths;
+  return sum;
+}
+
+}  // namespace
+
+std::optional<order_fit> fit_order(std::span<const double> dt, std::span<const double> value, double floor) {
+  std::vector<level> levels;
+  for (std::size_t i = 0; i < dt.size(); ++i)
+    if (std::isfinite(value[i]) && value[i] > floor)
+      levels.push_back({static_cast<int>(i), std::log2(dt[i]), std::log2(value[i]), 0});
+  const auto s = select_levels(levels, static_cast<int>(dt.size() - levels.size()));
+  if (s.levels.size() < least_levels) return std::nullopt;
+  const points p = points_of(s.levels);
+  const line l = weighted_line(p);
+  const double half = half_width_of_residuals(p, l);
+  return result_of(s, l, l.slope - half, l.slope + half, dt.size());
+}
+
+mean_and_error level_mean(const squared_errors& e, int level) {
+  double mean = 0, square = 0;
+  for (int path = 0; path < e.paths; ++path) mean += e.at(path, level) / e.paths;
+  for (int path = 0; path < e.paths; ++path) square += std::pow(e.at(path, level) - mean, 2);
+  return {mean, std::sqrt(square / e.paths / std::max(1, e.paths - 1))};
+}
+
+std::optional<order_fit> fit_order(std::span<const double> dt, const squared_errors& e, double floor,
+                                   std::uint64_t seed) {
+  std::vector<level> levels;
+  for (int i = 0; i < e.levels; ++i) {
+    const auto m = level_mean(e, i);
+    if (!std::isfinite(m.mean) || m.mean <= floor * floor) continue;
+    levels.push_back({i, std::log2(dt[static_cast<std::size_t>(i)]), 0.5 * std::log2(m.mean),
+                      std::max(1e-12, 0.5 * m.error / m.mean / std::log(2.0))});
+  }
+  const auto s = select_levels(levels, e.levels - static_cast<int>(levels.size()));
+  if (s.levels.size() < least_levels) return std::nullopt;
+  points p = points_of(s.levels);
+  const line l = weighted_line(p);
+  std::vector<double> slopes;
+  for (int r = 0; r < replicates; ++r) {
+    const auto mean = means(e, resample(seed, r, e.paths));
+    for (std::size_t k = 0; k < s.levels.size(); ++k)
+      p.y[k] = 0.5 * std::log2(mean[static_cast<std::size_t>(s.levels[k].index)]);
+    slopes.push_back(weighted_line(p).slope);
+  }
+  const auto [low, high] = central_interval(slopes, 0.95);
+  return result_of(s, l, low, high, dt.size());
+}
+
+limit_fit fit_limit(std::span<const double> dt, const squared_errors& e, const std::vector<bool>& used, double order,
+                    std::uint64_t seed) {
+  std::vector<int> kept;
+  for (int i = 0; i < e.levels; ++i)
+    if (used[static_cast<std::size_t>(i)]) kept.push_back(i);
+  const auto n = static_cast<Eigen::Index>(kept.size());
+  Eigen::MatrixXd design(n, 3);
+  Eigen::VectorXd weight(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double h = dt[static_cast<std::size_t>(kept[static_cast<std::size_t>(k)])];
+    design.row(k) << 1, std::pow(h, 2 * order), std::pow(h, 2 * order + 1);
+    weight[k] = 1 / std::max(1e-300, level_mean(e, kept[static_cast<std::size_t>(k)]).error);
+  }
+  const auto solver = (weight.asDiagonal() * design).colPivHouseholderQr();
+  const auto intercept = [&](const std::vector<double>& mean) {
+    Eigen::VectorXd y(n);
+    for (Eigen::Index k = 0; k < n; ++k)
+      y[k] = weight[k] * mean[static_cast<std::size_t>(kept[static_cast<std::size_t>(k)])];
+    return Eigen::VectorXd(solver.solve(y))[0];
+  };
+  std::vector<double> sampled;
+  for (int r = 0; r < replicates; ++r) sampled.push_back(intercept(means(e, resample(seed, r, e.paths))));
+  const auto [low, high] = central_interval(sampled, 0.95);
+  const auto distance = [](double square) { return std::sqrt(std::max(0.0, square)); };
+  return {distance(intercept(means(e, resample::identity(e.paths)))), distance(low), distance(high)};
+}
+
+}  // namespace polhode

@@ -1,0 +1,51 @@
+// Orders of convergence with intervals.
+//
+// The rule on levels is fixed in advance: levels at the rounding floor and levels that are not finite are left out; of
+// the rest the finest six are taken; the coarsest of these is left out as pre-asymptotic while it lies off the line
+// through the others by more than 0.05 in log2 and more than three standard errors. At least four levels stay, or there
+// is no fit.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+struct order_fit {
+  double order = 0, low = 0, high = 0;  ///< slope in log2-log2 with its 95 % interval
+  double prefactor = 0;                 ///< value = prefactor * dt^order
+  std::vector<bool> used;               ///< per level
+  std::string rule;                     ///< what was left out, and why
+};
+
+/// Values without sampling error. The interval is Student's, from the scatter about the line.
+std::optional<order_fit> fit_order(std::span<const double> dt, std::span<const double> value, double floor);
+
+/// Squared errors of coupled levels: paths x levels, row by row.
+struct squared_errors {
+  int paths = 0, levels = 0;
+  std::vector<double> values;
+  double at(int path, int level) const { return values[static_cast<std::size_t>(path * levels + level)]; }
+  double& at(int path, int level) { return values[static_cast<std::size_t>(path * levels + level)]; }
+};
+
+struct mean_and_error {
+  double mean = 0, error = 0;  ///< with its standard error
+};
+mean_and_error level_mean(const squared_errors&, int level);
+
+/// Root-mean-square errors against dt, weighted least squares; the interval by resampling paths (levels share them).
+std::optional<order_fit> fit_order(std::span<const double> dt, const squared_errors&, double floor, std::uint64_t seed);
+
+/// The mean square error extrapolated to dt = 0 with its 95 % interval: least squares of e^2 on 1, dt^2p, dt^(2p+1)
+/// over the used levels, paths resampled.
+struct limit_fit {
+  double value = 0, low = 0, high = 0;  ///< as a distance, not squared
+};
+limit_fit fit_limit(std::span<const double> dt, const squared_errors&, const std::vector<bool>& used, double order,
+                    std::uint64_t seed);
+
+}  // namespace polhode

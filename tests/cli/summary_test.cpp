@@ -1,0 +1,92 @@
+// What is printed after a run, at any width, and the exit code that goes with it.
+#include "cli/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/layout.hpp"
+#include "registry/text.hpp"
+
+namespace {
+
+using namespace polhode;
+using report::verdict_kind;
+
+report::verdict verdict(std::string experiment, std::string scheme, verdict_kind kind) {
+  return {std::move(experiment), std::move(scheme), "order", 1, .5, .45, .55, kind, "a reason in some words"};
+}
+
+report::results results_with(const std::vector<verdict_kind>& kinds) {
+  report::results r;
+  r.scene.name = "a scene whose name is far too long for a narrow terminal to hold";
+  r.schemes.resize(2);
+  r.schemes[0].name = "heun_projected";
+  r.schemes[1].name = "implicit_midpoint";
+  r.experiments = {{"casimir", "", {}}, {"work_precision", "", {}}, {"gibbs", "", {}}};
+  for (const auto kind : kinds) r.verdicts.push_back(verdict("work_precision", "implicit_midpoint", kind));
+  r.skipped = {{"gibbs", "", "without noise there is no stationary law to compare with"},
+               {"work_precision", "heun_projected", "not asked"}};
+  return r;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in{text};
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(exit_code, is_the_worst_of_the_verdicts) {
+  using enum verdict_kind;
+  struct {
+    std::vector<verdict_kind> kinds;
+    int code;
+  } const cases[] = {{{}, 0},        {{holds, skipped}, 0},        {{skipped}, 0},
+                     {{refuted}, 1}, {{inconclusive, refuted}, 1}, {{holds, inconclusive, skipped}, 3}};
+  for (const auto& c : cases) EXPECT_EQ(cli::exit_code(std::vector{results_with(c.kinds)}), c.code);
+  EXPECT_EQ(cli::exit_code(std::vector{results_with({inconclusive}), results_with({refuted})}), 1);
+  EXPECT_EQ(cli::exit_code(std::vector{results_with({inconclusive}), results_with({holds})}), 3);
+}
+
+TEST(summary, fits_the_width_and_breaks_between_words) {
+  using enum verdict_kind;
+  const auto r = results_with({holds, refuted, inconclusive, skipped});
+  std::vector<std::string> words;
+  for (const std::size_t width : {40, 50, 56, 60, 80, 200}) {
+    const auto text = cli::summary(r, width);
+    for (const auto& line : lines_of(text)) EXPECT_LE(display_width(line), width) << line;
+    for (const std::string word : {"work_precision", "implicit_midpoint", "stationary", "[0.45,", "reason"})
+      EXPECT_NE(text.find(word), text.npos) << word << " at " << width;
+  }
+}
+
+TEST(summary, counts_every_verdict_once) {
+  using enum verdict_kind;
+  const auto lines = lines_of(cli::summary(results_with({holds, holds, refuted, inconclusive, skipped}), 80));
+  EXPECT_EQ(lines[1], "experiment      holds  refuted  inconclusive  skipped");
+  EXPECT_EQ(lines[2], "casimir             0        0             0        0");
+  EXPECT_EQ(lines[3], "work_precision      2        1             1        2");
+  EXPECT_EQ(lines[4], "gibbs               0        0             0        2");
+  EXPECT_EQ(lines.back(), "2 holds, 1 refuted, 1 inconclusive, 4 skipped");
+}
+
+TEST(summary, names_few_of_many) {
+  const auto text = cli::summary(results_with(std::vector(40, verdict_kind::refuted)), 80);
+  EXPECT_NE(text.find("and 28 more: see the report"), text.npos) << text;
+}
+
+TEST(layout, names_stand_beside_or_above) {
+  const std::vector<cli::entry> list{{"heun", "one two\nthree"}, {"lie_heun", "four"}};
+  EXPECT_EQ(cli::entries(list, 80), "heun      one two\n          three\nlie_heun  four\n");
+  EXPECT_EQ(cli::entries(list, 20), "heun\n  one two\n  three\nlie_heun\n  four\n");
+}
+
+TEST(layout, a_word_is_never_cut) {
+  EXPECT_EQ(cli::wrapped("aa bb cccccccccc d", 5, 1), "aa bb\n cccccccccc\n d");
+  EXPECT_EQ(cli::wrapped("", 5), "");
+}
+
+}  // namespace

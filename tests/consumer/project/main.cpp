@@ -1,0 +1,3 @@
+#include <polhode/vec.hpp>
+
+int main() { return 0; }

@@ -1,0 +1,257 @@
+#!/usr/bin/env python3
+"""Holds every #include of the project against the one direction in which things flow.
+
+usage: check.py ROOT          exit 1 and one line a violation: file:line: include: rule
+       check.py --self-test   plants violations in a temporary tree; each must be found, and nothing else
+"""
+import os
+import re
+import sys
+import tempfile
+
+# ---- the rules --------------------------------------------------------------------------------------------------------
+# A room is a file or a folder; the longest path that matches a file names its room.
+INSTALLED = 'integrators/include/polhode/'
+ROOMS = {
+    'helpers':       [INSTALLED + name for name in ('vec.hpp', 'scalar.hpp', 'simd.hpp', 'dual.hpp', 'solve.hpp')],
+    'lie':           [INSTALLED + 'lie/'],
+    'noise':         [INSTALLED + 'noise/'],
+    'concepts':      [INSTALLED + 'systems/concepts.hpp', INSTALLED + 'systems/lie_poisson.hpp'],
+    'systems':       [INSTALLED + 'systems/'],
+    'scheme_info':   [INSTALLED + 'schemes/scheme_info.hpp'],
+    'schemes':       [INSTALLED + 'schemes/'],
+    'driver':        [INSTALLED],  # integrate.hpp and what else stands at the top
+    'references':    ['src/references/'],
+    'ensemble':      ['src/ensemble/'],
+    'statistics':    ['src/statistics/'],
+    'experiments':   ['src/experiments/'],
+    'selection':     ['src/selection/'],
+    'registry':      ['src/registry/'],
+    'cli':           ['src/cli/'],
+    'reports/model': ['reports/model/'],
+    'writers':       ['reports/writers/'],
+}
+
+# What a room may include besides itself.
+CALCULUS = ['helpers', 'lie', 'noise', 'concepts', 'scheme_info', 'driver']  # nothing concrete
+INTEGRATORS = CALCULUS + ['systems', 'schemes']
+JUDGES = ['references', 'ensemble', 'statistics']
+MAY = {
+    'helpers':       [],
+    'lie':           ['helpers'],
+    'noise':         ['helpers'],
+    'concepts':      ['helpers', 'lie'],
+    'systems':       ['helpers', 'lie', 'concepts'],
+    'scheme_info':   ['helpers', 'concepts'],
+    'schemes':       ['helpers', 'lie', 'noise', 'concepts', 'scheme_info'],
+    'driver':        CALCULUS,
+    'references':    INTEGRATORS,
+    'ensemble':      INTEGRATORS,
+    'statistics':    INTEGRATORS,
+    'experiments':   CALCULUS + ['systems'] + JUDGES + ['reports/model'],
+    'selection':     CALCULUS + ['systems'] + JUDGES + ['experiments', 'reports/model'],
+    'registry':      INTEGRATORS + JUDGES + ['experiments', 'selection', 'reports/model'],
+    'cli':           ['registry', 'selection', 'reports/model', 'writers'],
+    'reports/model': [],
+    'writers':       ['reports/model'],
+}
+
+# What is not ours: the installed headers may use the standard library, the compiler's intrinsics and Eigen; the rest is free.
+STANDARD = re.compile(r'(experimental/)?[a-z_0-9]+$|std(int|def|lib)\.h$|[a-z]+intrin\.h$|arm_neon\.h$|Eigen/')
+INSTALLED_ROOMS = {'helpers', 'lie', 'noise', 'concepts', 'systems', 'scheme_info', 'schemes', 'driver'}
+
+# ---- the check --------------------------------------------------------------------------------------------------------
+SEARCHED = ('integrators', 'src', 'reports')
+SOURCES = ('.hpp', '.h', '.cpp', '.cc', '.cxx', '.hxx', '.ipp', '.inl', '.tpp')
+INCLUDE = re.compile(r'\s*(?:#|%:)\s*include(?:_next)?\b\s*(.*)')
+TARGET = re.compile(r'<([^>]+)>|"([^"]+)"')
+OURS = re.compile(r'(polhode|integrators|src|reports|tests)/|(%s)/' %
+                  '|'.join(p[4:-1] for paths in ROOMS.values() for p in paths if p.startswith('src/')))
+
+
+def room_of(path):
+    """The room of a path relative to the root, or None."""
+    matches = [(len(prefix), room) for room, prefixes in ROOMS.items() for prefix in prefixes
+               if path == prefix or prefix.endswith('/') and path.startswith(prefix)]
+    return max(matches)[1] if matches else None
+
+
+def resolve(root, file, target, quoted):
+    """The path of an include relative to the root, as the compiler finds it; None for what is not ours."""
+    beside = [os.path.dirname(file)] if quoted else []
+    for folder in beside + ['', 'src', 'integrators/include']:
+        path = os.path.normpath(os.path.join(folder, target))
+        if os.path.isfile(os.path.join(root, path)):
+            return path
+    if target.startswith('.'):
+        return os.path.normpath(os.path.join(os.path.dirname(file), target))
+    if quoted and '/' not in target:  # a neighbour that is not there (yet)
+        return os.path.join(os.path.dirname(file), target)
+    if not OURS.match(target):
+        return None
+    first = target.split('/')[0]  # ours by its name, though not there (yet)
+    folder = 'integrators/include' if first == 'polhode' else '' if first in ('integrators', 'src', 'reports', 'tests') else 'src'
+    return os.path.normpath(os.path.join(folder, target))
+
+
+def judge(root, file, room, argument):
+    """The rule that an include breaks, or None."""
+    if not (match := TARGET.match(argument)):
+        return 'an include must name its file'
+    target = match[1] or match[2]
+    if (path := resolve(root, file, target, match[2] is not None)) is None:
+        if room in INSTALLED_ROOMS and not STANDARD.match(target):
+            return 'installed headers include the standard library, Eigen and each other only'
+        return None
+    if (other := room_of(path)) is None:
+        return f'{room} may not include {path}, which lies in no room'
+    if other != room and other not in MAY[room]:
+        return f'{room} may include {", ".join([room] + MAY[room])}; not {other}'
+    return None
+
+
+def check(root):
+    """All violations as (file, line, include, rule), and how many files were read."""
+    found, read = [], 0
+    for top in SEARCHED:
+        for folder, _, names in sorted(os.walk(os.path.join(root, top))):
+            for name in sorted(n for n in names if n.endswith(SOURCES)):
+                file = os.path.relpath(os.path.join(folder, name), root)
+                read += 1
+                if (room := room_of(file)) is None:
+                    found.append((file, 1, '-', 'lies in no room: name one in ' + os.path.basename(__file__)))
+                    continue
+                with open(os.path.join(root, file), encoding='utf-8') as lines:
+                    for number, line in enumerate(lines, 1):
+                        if (include := INCLUDE.match(line)) and (rule := judge(root, file, room, include[1])):
+                            found.append((file, number, include[1].strip(), rule))
+    return found, read
+
+
+# ---- the check of the check -------------------------------------------------------------------------------------------
+# file, include, is it a violation. Written out by hand, not derived from the table above.
+PLANTED = [
+    # the installed headers
+    (INSTALLED + 'lie/so3.hpp', '<polhode/vec.hpp>', False),
+    (INSTALLED + 'lie/so3.hpp', '<polhode/noise/increment.hpp>', True),
+    (INSTALLED + 'lie/so3.hpp', '<polhode/systems/concepts.hpp>', True),
+    (INSTALLED + 'noise/ladder.hpp', '<polhode/simd.hpp>', False),
+    (INSTALLED + 'noise/ladder.hpp', '<polhode/lie/so3.hpp>', True),
+    (INSTALLED + 'simd.hpp', '<experimental/simd>', False),
+    (INSTALLED + 'simd.hpp', '<polhode/lie/so3.hpp>', True),
+    (INSTALLED + 'vec.hpp', '"lie/so3.hpp"', True),
+    (INSTALLED + 'systems/rigid_body.hpp', '"../lie/so3.hpp"', False),
+    (INSTALLED + 'systems/rigid_body.hpp', '<polhode/schemes/heun.hpp>', True),
+    (INSTALLED + 'systems/rigid_body.hpp', '<polhode/noise/increment.hpp>', True),
+    (INSTALLED + 'systems/concepts.hpp', '"rigid_body.hpp"', True),
+    (INSTALLED + 'systems/lie_poisson.hpp', '<polhode/systems/rigid_body.hpp>', True),
+    (INSTALLED + 'schemes/heun.hpp', '<polhode/noise/increment.hpp>', False),
+    (INSTALLED + 'schemes/heun.hpp', '<polhode/systems/concepts.hpp>', False),
+    (INSTALLED + 'schemes/heun.hpp', '"scheme_info.hpp"', False),
+    (INSTALLED + 'schemes/heun.hpp', '<polhode/systems/lie_poisson.hpp>', False),
+    (INSTALLED + 'schemes/scheme_info.hpp', '<polhode/systems/lie_poisson.hpp>', False),
+    (INSTALLED + 'schemes/scheme_info.hpp', '"heun.hpp"', True),
+    (INSTALLED + 'schemes/heun.hpp', '<polhode/systems/rigid_body.hpp>', True),
+    (INSTALLED + 'schemes/heun.hpp', '"../systems/rigid_body.hpp"', True),
+    (INSTALLED + 'schemes/heun.hpp', '"reports/model/results.hpp"', True),
+    (INSTALLED + 'schemes/heun.hpp', '"statistics/fit.hpp"', True),
+    (INSTALLED + 'schemes/heun.hpp', '"../../../../src/registry/scene.hpp"', True),
+    (INSTALLED + 'schemes/heun.hpp', '<Eigen/Core>', False),
+    (INSTALLED + 'schemes/heun.hpp', '<cmath>', False),
+    (INSTALLED + 'schemes/heun.hpp', '<fmt/core.h>', True),
+    (INSTALLED + 'schemes/heun.hpp', '<boost/math/constants/constants.hpp>', True),
+    (INSTALLED + 'schemes/heun.hpp', 'POLHODE_HEADER', True),
+    (INSTALLED + 'integrate.hpp', '<polhode/schemes/scheme_info.hpp>', False),
+    (INSTALLED + 'integrate.hpp', '"lie/so3.hpp"', False),
+    (INSTALLED + 'integrate.hpp', '"schemes/heun.hpp"', True),
+    (INSTALLED + 'integrate.hpp', '<polhode/schemes/heun.hpp>', True),
+    # the laboratory
+    ('src/references/gibbs.cpp', '<polhode/systems/rigid_body.hpp>', False),
+    ('src/references/gibbs.cpp', '<gsl/gsl_sf.h>', False),
+    ('src/references/gibbs.cpp', '"statistics/fit.hpp"', True),
+    ('src/ensemble/run.cpp', '"registry/scene.hpp"', True),
+    ('src/statistics/fit.cpp', '"fit.hpp"', False),
+    ('src/statistics/fit.cpp', '"../ensemble/run.hpp"', True),
+    ('src/experiments/weak.cpp', '"references/gibbs.hpp"', False),
+    ('src/experiments/weak.cpp', '"reports/model/results.hpp"', False),
+    ('src/experiments/weak.cpp', '<polhode/schemes/scheme_info.hpp>', False),
+    ('src/experiments/weak.cpp', '<polhode/schemes/heun.hpp>', True),
+    ('src/experiments/weak.cpp', '  "registry/scene.hpp"  // a reason', True),
+    ('src/experiments/weak.cpp', '"reports/writers/json.hpp"', True),
+    ('src/experiments/weak.cpp', '"src/registry/scene.hpp"', True),
+    ('src/selection/select.cpp', '"experiments/weak.hpp"', False),
+    ('src/selection/select.cpp', '<polhode/schemes/heun.hpp>', True),
+    ('src/registry/registry.cpp', '<polhode/schemes/heun.hpp>', False),
+    ('src/registry/registry.cpp', '"selection/select.hpp"', False),
+    ('src/registry/registry.cpp', '"reports/writers/json.hpp"', True),
+    ('src/registry/registry.cpp', '"cli/main.hpp"', True),
+    ('src/cli/main.cpp', '"reports/writers/json.hpp"', False),
+    ('src/cli/main.cpp', '"registry/scene.hpp"', False),
+    ('src/cli/main.cpp', '"experiments/weak.hpp"', True),
+    ('src/cli/main.cpp', '"tests/unit/helper.hpp"', True),
+    # the reports
+    ('reports/writers/json.cpp', '"json.hpp"', False),
+    ('reports/writers/json.cpp', '"../model/results.hpp"', False),
+    ('reports/writers/json.cpp', '<nlohmann/json.hpp>', False),
+    ('reports/writers/json.cpp', '"statistics/fit.hpp"', True),
+    ('reports/writers/json.cpp', '<polhode/vec.hpp>', True),
+    ('reports/model/results.hpp', '"reports/writers/json.hpp"', True),
+    ('reports/model/results.hpp', '"registry/scene.hpp"', True),
+]
+
+
+def self_test():
+    faults = []
+    with tempfile.TemporaryDirectory() as root:
+        files = {}
+        for file, include, wrong in PLANTED:
+            lines = files.setdefault(file, ['// a comment names #include "registry/scene.hpp" and is none', '#pragma once'])
+            lines.append(f'  #  include {include}' if len(lines) % 2 else f'#include {include}')
+            faults += [(file, len(lines))] if wrong else []
+        files['src/nowhere/lost.hpp'] = ['#pragma once']
+        faults.append(('src/nowhere/lost.hpp', 1))
+        for existing in (True, False):  # the verdict may not depend on whether the included file is there
+            if existing:
+                for header in ('src/registry/scene.hpp', 'src/statistics/fit.hpp', 'reports/writers/json.hpp',
+                               INSTALLED + 'vec.hpp', INSTALLED + 'schemes/scheme_info.hpp'):
+                    files.setdefault(header, [])
+            for file, lines in files.items():
+                os.makedirs(os.path.join(root, os.path.dirname(file)), exist_ok=True)
+                with open(os.path.join(root, file), 'w', encoding='utf-8') as out:
+                    out.write('\n'.join(lines) + '\n')
+            found = {(file, line) for file, line, _, _ in check(root)[0]}
+            for file, line in sorted(found ^ set(faults)):
+                state = 'missed' if (file, line) in faults else 'wrongly reported'
+                print(f'{file}:{line}: {files[file][line - 1]}: {state}')
+            if found != set(faults):
+                return 1
+            if existing:
+                for header in [name for name, lines in files.items() if not lines]:
+                    os.remove(os.path.join(root, header))
+                    del files[header]
+    unknown = {other for others in MAY.values() for other in others} - set(ROOMS)
+    if unknown or set(MAY) != set(ROOMS):
+        print('the table names rooms that do not exist, or leaves one out:', sorted(unknown | set(MAY) ^ set(ROOMS)))
+        return 1
+    print(f'{len(faults)} planted violations found, {len(PLANTED) + 1 - len(faults)} permitted includes passed')
+    return 0
+
+
+def main(arguments):
+    if arguments == ['--self-test']:
+        return self_test()
+    if len(arguments) != 1 or arguments[0].startswith('-'):
+        print(__doc__.strip())
+        return 0 if arguments in (['-h'], ['--help']) else 2
+    found, read = check(arguments[0])
+    for file, line, include, rule in found:
+        print(f'{file}:{line}: {include}: {rule}')
+    if not read:
+        print(f'{arguments[0]}: no sources found under {", ".join(SEARCHED)}')
+        return 1
+    print(f'{read} files, {len(found)} violations')
+    return 1 if found else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,193 @@
+#!/usr/bin/env python3
+"""Reads a report folder again with parsers that share nothing with the writers, and compares the formats.
+
+    reread.py PROGRAM      runs PROGRAM OUT and reads what it wrote
+    reread.py --folder DIR reads a report folder (or a folder of report folders) that is there already
+"""
+import csv
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+from html.parser import HTMLParser
+
+FILES = {'results.json', 'measurements.csv', 'verdicts.csv', 'report.html', 'report.md', 'junit.xml'}
+MEASURED = 'experiment,scheme,quantity,observable,dt,value,low,high,unit,method'.split(',')
+JUDGED = 'experiment,scheme,claim,expected,estimate,low,high,verdict,reason'.split(',')
+KINDS = ('holds', 'refuted', 'inconclusive', 'skipped')
+VOID = {'meta', 'br', 'img', 'link', 'hr', 'input'}
+ATTRIBUTES_THAT_FETCH = {'src', 'href', 'srcset', 'action', 'data', 'xlink:href', 'poster', 'background'}
+
+
+def refuse_constant(name):
+    raise ValueError(f'{name} in results.json')
+
+
+class Page(HTMLParser):
+    """Keeps the text, counts what matters, and insists that every element is closed in order."""
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.text, self.verdicts, self.counts = [], [], [], {}
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        assert tag not in ('script', 'iframe', 'object', 'embed', 'img', 'link', 'base'), f'<{tag}> in the page'
+        for name, value in attributes.items():
+            assert not name.startswith('on'), f'{name} in <{tag}>'
+            assert name not in ATTRIBUTES_THAT_FETCH or value.startswith('#'), f'{name}={value}'
+        for name in attributes.get('class', '').split():
+            self.counts[name] = self.counts.get(name, 0) + 1
+        if 'data-verdict' in attributes:
+            self.verdicts.append(attributes['data-verdict'])
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attributes):
+        self.handle_starttag(tag, attributes)
+        if tag not in VOID:
+            self.handle_endtag(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open and self.open[-1] == tag, f'</{tag}> closes {self.open[-3:]}'
+        self.open.pop()
+
+    def handle_data(self, data):
+        self.text.append(data)
+
+
+def number(text):
+    return None if text == '' else float(text)
+
+
+def same(a, b):
+    return a is None and b is None or a is not None and b is not None and float(a).hex() == float(b).hex()
+
+
+def rows_of(path, columns):
+    with open(path, newline='', encoding='utf-8') as file:
+        rows = list(csv.reader(file, strict=True))
+    assert rows[0] == columns, rows[0]
+    assert all(len(row) == len(columns) for row in rows), path
+    return [dict(zip(columns, row)) for row in rows[1:]]
+
+
+def compare_tables(results, folder):
+    measured, judged = rows_of(f'{folder}/measurements.csv', MEASURED), rows_of(f'{folder}/verdicts.csv', JUDGED)
+    assert len(measured) == len(results['measurements']) and len(judged) == len(results['verdicts'])
+    for table, records, numbers in ((measured, results['measurements'], ('dt', 'value', 'low', 'high')),
+                                    (judged, results['verdicts'], ('expected', 'estimate', 'low', 'high'))):
+        for row, record in zip(table, records):
+            for key, text in row.items():
+                if key in numbers:
+                    value = number(text)
+                    assert value is None or math.isfinite(value), (key, text)
+                    assert same(value, record[key]), (key, text, record[key])
+                else:
+                    assert text == record[key], (key, text, record[key])
+
+
+def compare_status(results):
+    for record in results['measurements']:
+        assert record['value'] is not None or record['status'] != 'ok', record
+    for record in results['fits']:
+        assert record['order'] is not None or record['status'] != 'ok', record
+
+
+def compare_junit(results, folder):
+    root = xml.parse(f'{folder}/junit.xml').getroot()
+    cases = root.findall('./testsuite/testcase')
+    expected = {kind: sum(v['verdict'] == kind for v in results['verdicts']) for kind in KINDS}
+    failures = [f for case in cases for f in case.findall('failure')]
+    skipped = [s for case in cases for s in case.findall('skipped')]
+    assert len(cases) == len(results['verdicts']) == int(root.get('tests'))
+    assert sum(f.get('type') == 'refuted' for f in failures) == expected['refuted']
+    assert sum(f.get('type') == 'inconclusive' for f in failures) == expected['inconclusive']
+    assert len(failures) == int(root.get('failures')) and len(skipped) == expected['skipped'] == int(root.get('skipped'))
+    names = sorted((v['experiment'] + '.' + v['scheme'], v['claim']) for v in results['verdicts'])
+    assert sorted((case.get('classname'), case.get('name')) for case in cases) == names
+    for suite in root.findall('testsuite'):
+        assert int(suite.get('tests')) == len(suite.findall('testcase'))
+
+
+def compare_page(results, folder):
+    with open(f'{folder}/report.html', encoding='utf-8') as file:
+        source = file.read()
+    assert not re.search(r'https?:|url\s*\(|@import|<script', source, re.I), 'the page asks for something outside'
+    assert not re.search(r'(?<![A-Za-z])(nan|-?inf)(?![A-Za-z])', re.sub(r'<style>.*?</style>', '', source, flags=re.S)), 'NaN in the page'
+    page = Page()
+    page.feed(source)
+    page.close()
+    assert not page.open, page.open
+    text = ''.join(page.text)
+    for name in [results['scene']['name']] + [s['name'] for s in results['schemes']] + [e['name'] for e in results['experiments']]:
+        assert name in text, f'{name} is not in the page as text'
+    assert page.verdicts == [v['verdict'] for e in order(results) for v in results['verdicts'] if v['experiment'] == e]
+    assert page.counts.get('fit', 0) == len(results['fits'])
+    assert page.counts.get('skip', 0) == len(results['skipped'])
+    assert page.counts.get('scheme', 0) == len(results['schemes'])
+    for verdict in results['verdicts']:
+        assert verdict['verdict'] in text and ' '.join(verdict['reason'].split('\r')) in text
+
+
+def order(results):
+    names = []
+    for record in results['experiments'] + results['verdicts']:
+        name = record.get('name', record.get('experiment'))
+        if name not in names:
+            names.append(name)
+    return names
+
+
+def compare_markdown(results, folder):
+    with open(f'{folder}/report.md', encoding='utf-8') as file:
+        text = file.read()
+    assert len(text.encode()) < 1_000_000
+    found = re.search(r'(\d+) claims?: (\d+) holds?, (\d+) (?:is|are) refuted, (\d+) (?:is|are) inconclusive, (\d+) (?:is|are) skipped\.', text)
+    counts = [len(results['verdicts'])] + [sum(v['verdict'] == kind for v in results['verdicts']) for kind in KINDS]
+    assert found and [int(n) for n in found.groups()] == counts, (found and found.groups(), counts)
+    assert '<' not in text and text.index(found.group()) < 600
+    for table in re.findall(r'(?:^\|.*\n)+', text, re.M):  # as many cells in every row
+        widths = {len(re.findall(r'(?<!\\)\|', line)) for line in table.splitlines()}
+        assert len(widths) == 1, table
+
+
+def reread(folder):
+    assert set(os.listdir(folder)) == FILES, os.listdir(folder)
+    with open(f'{folder}/results.json', encoding='utf-8') as file:
+        results = json.load(file, parse_constant=refuse_constant)
+    assert results['schema'] == {'name': 'polhode-results', 'version': 1}
+    compare_status(results)
+    compare_tables(results, folder)
+    compare_junit(results, folder)
+    compare_page(results, folder)
+    compare_markdown(results, folder)
+    print(f'{folder}: {len(results["measurements"])} measurements, {len(results["verdicts"])} verdicts agree in all formats')
+
+
+def reread_all(out):
+    if 'results.json' in os.listdir(out):
+        return reread(out)
+    folders = sorted(os.listdir(out))
+    assert folders and not any(name.startswith('.') for name in folders), folders
+    for name in folders:
+        reread(os.path.join(out, name))
+
+
+def main():
+    if len(sys.argv) == 3 and sys.argv[1] == '--folder':
+        return reread_all(sys.argv[2])
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    with tempfile.TemporaryDirectory() as scratch:
+        subprocess.run([sys.argv[1], f'{scratch}/out'], check=True)
+        assert os.listdir(scratch) == ['out'], os.listdir(scratch)
+        reread_all(f'{scratch}/out')
+
+
+if __name__ == '__main__':
+    main()

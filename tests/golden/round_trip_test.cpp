@@ -1,0 +1,131 @@
+// What to_json writes, from_json reads back, number for number; what it did not write, it refuses on one line.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <random>
+
+#include "reports/model/errors.hpp"
+#include "reports/writers/json.hpp"
+#include "tests/golden/sample.hpp"
+
+namespace polhode::golden {
+namespace {
+
+using report::from_json;
+using report::to_json;
+
+class maker {
+ public:
+  explicit maker(unsigned seed) : random_(seed) {}
+
+  double number() {
+    const double value = std::bit_cast<double>(random_());
+    return std::isfinite(value) ? value : 0.1;
+  }
+  std::optional<double> maybe() { return random_() % 4 == 0 ? std::nullopt : std::optional(number()); }
+  std::string text() {
+    static const std::string pieces[] = {"a", "Π",    "\"", "\\", "\n", "</script>", "😀", std::string(1, '\0'),
+                                         ",", "\x1b", " "};
+    std::string out;
+    for (auto count = random_() % 6; count > 0; --count) out += pieces[random_() % std::size(pieces)];
+    return out;
+  }
+  report::measurement measured() {
+    return {text(),  text(), text(), text(),       maybe(), maybe(),           maybe(),
+            maybe(), text(), text(), "s" + text(), maybe(), random_() % 2 == 0};
+  }
+  report::results made() {
+    report::results r;
+    r.provenance = {text(), text(), text(), text(), text(), 3, random_(), text(), text(), number(), number()};
+    r.scene = {text(),   text(),        {number(), number(), number()}, number(), {{number(), 0, 1}}, {number()},
+               number(), {1, 1LL << 60}};
+    for (int i = 0; i < 5; ++i) {
+      r.schemes.push_back({text(), text(), text(), text(), i % 2 == 0, i > 2, number(), number(), i, i > 1, number()});
+      r.experiments.push_back({text(), text(), {text(), text()}});
+      r.measurements.push_back(measured());
+      r.fits.push_back({text(), text(), text(), text(), number(), number(), number(), number(), text()});
+      r.verdicts.push_back({text(), text(), text(), maybe(), maybe(), maybe(), maybe(),
+                            static_cast<report::verdict_kind>(random_() % 4), text()});
+      r.skipped.push_back({text(), text(), text()});
+    }
+    return r;
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+// Bit for bit, so that -0.0 counts.
+bool same(std::optional<double> a, std::optional<double> b) {
+  return a.has_value() == b.has_value() && (!a || std::bit_cast<std::uint64_t>(*a) == std::bit_cast<std::uint64_t>(*b));
+}
+
+TEST(round_trip, random_results_come_back_bit_for_bit) {
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    const auto before = maker(seed).made();
+    const auto after = from_json(to_json(before));
+    ASSERT_EQ(to_json(after), to_json(before)) << seed;
+    EXPECT_EQ(after.provenance.seed, before.provenance.seed);
+    EXPECT_EQ(after.scene.name, before.scene.name);
+    for (std::size_t i = 0; i < before.measurements.size(); ++i) {
+      const auto &a = after.measurements[i], &b = before.measurements[i];
+      EXPECT_TRUE(same(a.value, b.value) && same(a.low, b.low) && same(a.high, b.high) && same(a.dt, b.dt) &&
+                  same(a.steps, b.steps));
+      EXPECT_TRUE(a.scheme == b.scheme && a.status == b.status && a.fitted == b.fitted && a.observable == b.observable);
+      EXPECT_TRUE(same(after.fits[i].prefactor, before.fits[i].prefactor) &&
+                  after.verdicts[i].kind == before.verdicts[i].kind);
+    }
+  }
+}
+
+TEST(round_trip, what_is_not_finite_is_null_with_a_status) {
+  const auto text = to_json(sample());
+  EXPECT_EQ(text.find("NaN"), std::string::npos);
+  EXPECT_EQ(text.find(":nan"), std::string::npos);
+  EXPECT_EQ(text.find("Infinity"), std::string::npos);
+  const auto after = from_json(text);
+  EXPECT_EQ(to_json(after), text) << "a second writing changes nothing";
+  int unfinished = 0;
+  for (const auto& m : after.measurements) {
+    if (m.value && m.low.has_value() == m.high.has_value() && m.status == "ok") continue;
+    EXPECT_NE(m.status, "ok");
+    ++unfinished;
+  }
+  EXPECT_EQ(unfinished, 3);
+}
+
+void expect_refused(const std::string& text) {
+  try {
+    from_json(text);
+    ADD_FAILURE() << "taken: " << text.substr(0, 60);
+  } catch (const input_error& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+  }
+}
+
+TEST(round_trip, truncated_text_is_refused) {
+  const auto text = to_json(sample());
+  for (std::size_t length = 0; length + 2 < text.size(); length += 13) expect_refused(text.substr(0, length));
+}
+
+TEST(round_trip, foreign_text_is_refused) {
+  for (const char* text :
+       {"", "null", "[]", "{}", "1", "\xff", "{\"schema\":1}", "{\"schema\":{\"name\":\"other\\n\",\"version\":1}}",
+        "{\"schema\":{\"name\":\"polhode-results\",\"version\":1}}",
+        "{\"schema\":{\"name\":\"polhode-results\",\"version\":1e999}}"})
+    expect_refused(text);
+  const auto changed = [](const std::string& from, const std::string& to) {
+    auto text = to_json(sample());
+    return text.replace(text.find(from), from.size(), to);
+  };
+  expect_refused(changed("\"version\":1}", "\"version\":99}"));
+  expect_refused(changed("\"threads\":2", "\"threads\":-2.5"));
+  expect_refused(changed("\"threads\":2", "\"threads\":4294967296"));
+  expect_refused(changed("\"verdict\":\"refuted\"", "\"verdict\":\"fine\""));
+  expect_refused(changed("\"inertia\":[1.0,2.0,3.0]", "\"inertia\":[1.0,2.0]"));
+  expect_refused(changed("\"fitted\":false", "\"fitted\":0"));
+}
+
+}  // namespace
+}  // namespace polhode::golden
