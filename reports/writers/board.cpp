@@ -87,17 +87,17 @@ const experiment* find_experiment(const results& r, std::string_view name) {
   return found == r.experiments.end() ? nullptr : &*found;
 }
 
-std::vector<const verdict*> verdicts_of(const results& r, std::string_view name) {
+std::vector<const verdict*> verdicts_of(const results& r, std::string_view experiment) {
   std::vector<const verdict*> rows;
   for (const auto& row : r.verdicts)
-    if (row.experiment == name) rows.push_back(&row);
+    if (row.experiment == experiment) rows.push_back(&row);
   return rows;
 }
 
-std::vector<const fit*> fits_of(const results& r, std::string_view name) {
+std::vector<const fit*> fits_of(const results& r, std::string_view experiment) {
   std::vector<const fit*> rows;
   for (const auto& row : r.fits)
-    if (row.experiment == name) rows.push_back(&row);
+    if (row.experiment == experiment) rows.push_back(&row);
   return rows;
 }
 

@@ -108,7 +108,7 @@ void put_in_place(const fs::path& from, const fs::path& to) {
   fs::remove_all(aside, ignored);
 }
 
-staging::staging(fs::path where, fs::path known_as) : path_(std::move(where)) {
+staging::staging(fs::path where, const fs::path& known_as) : path_(std::move(where)) {
   make_directory(path_, known_as);
   lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ >= 0) static_cast<void>(::flock(lock_, LOCK_EX | LOCK_NB));

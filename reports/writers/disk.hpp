@@ -28,7 +28,7 @@ bool move_if_free(const fs::path& from, const fs::path& to, const fs::path& know
 /// A hidden directory, ours alone, held by a lock as long as this lives; removed at the end unless it was moved away.
 class staging {
  public:
-  staging(fs::path where, fs::path known_as);
+  staging(fs::path where, const fs::path& known_as);
   ~staging();
   staging(const staging&) = delete;
   staging& operator=(const staging&) = delete;

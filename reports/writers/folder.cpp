@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <fstream>
 #include <memory>
 #include <set>
@@ -164,23 +163,6 @@ void write_new(const fs::path& path, std::span<const results> all, const fs::pat
 }
 
 }  // namespace
-
-std::string folder_name(std::string_view scene) {
-  constexpr std::size_t longest = 80;
-  constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-+=@";
-  std::string name;
-  for (const char c : scene.substr(0, longest)) {
-    if (allowed.find(c) != std::string_view::npos && !(name.empty() && (c == '.' || c == '-')))
-      name += c;
-    else if (!name.empty() && name.back() != '_')
-      name += '_';
-  }
-  if (name == scene && !name.empty()) return name;
-  std::uint32_t hash = 2166136261u;  // FNV-1a
-  for (const char c : scene) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
-  while (!name.empty() && name.back() == '_') name.pop_back();
-  return fmt::format("{}-{:08x}", name.empty() ? "scene" : name, hash);
-}
 
 void check_output_folder(const fs::path& out) { require_usable(settled(out), out); }
 

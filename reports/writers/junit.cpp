@@ -17,10 +17,10 @@ void set(pugi::xml_node node, const char* name, const std::string& value) {
 }
 
 void set_counts(pugi::xml_node node, const tally& t) {
-  node.append_attribute("tests").set_value(static_cast<unsigned long long>(t.total()));
-  node.append_attribute("failures").set_value(static_cast<unsigned long long>(t.refuted + t.inconclusive));
+  node.append_attribute("tests").set_value(t.total());
+  node.append_attribute("failures").set_value(t.refuted + t.inconclusive);
   node.append_attribute("errors").set_value(0);
-  node.append_attribute("skipped").set_value(static_cast<unsigned long long>(t.skipped));
+  node.append_attribute("skipped").set_value(t.skipped);
 }
 
 std::string found(const verdict& v) {

@@ -24,7 +24,7 @@ std::string shortest(std::optional<double> number) { return finite(number) ? fmt
 
 std::string shown(std::optional<double> number) {
   if (!finite(number)) return "–";
-  std::string text = fmt::format("{:.4g}", *number);
+  std::string text = fmt::format("{:.4g}", *number + 0.0);  // no reader wants a minus before zero
   const auto exponent = text.find('e');
   if (exponent == std::string::npos) return text;
   std::size_t digits = exponent + 2;

@@ -40,25 +40,21 @@ std::size_t letters(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char b) { return (b & 0xC0) != 0x80; }));
 }
 
-// The part of the fan that is inside the frame, a label where each line comes in.
+// The part of the fan that is inside the frame; a label rides on each line where it comes in.
 void put_slopes(std::string& out, const canvas& c) {
   const double top = c.y.most() - 0.03 * (c.y.most() - c.y.least());
-  std::vector<double> taken;
   for (const double slope : c.content.slopes) {
+    if (slope < 0) continue;  // falls to the right of the fan's origin: outside
     double start = c.x.least();
     if (slope > 0) start = std::max(start, c.x.most() - (top - c.y.least()) / slope);
-    if (slope < 0) continue;  // falls to the right of the fan's origin: outside
     const double level = top - slope * (c.x.most() - start);
-    put(out, "<path class=\"guide\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", c.x.at_internal(start),
-        c.y.at_internal(level), c.right, c.y.at_internal(top));
-    const double from = c.x.at_internal(start), height = c.y.at_internal(level);
-    const bool steep = height - c.y.at_internal(top) > 0.12 * (c.right - from);  // the label then fits below the line
-    double y = std::min(steep ? height + 13 : height - 10, c.bottom - 6);
-    for (const double other : taken)
-      if (std::abs(other - y) < 14) y = std::min(other + 14, c.bottom - 6);
-    taken.push_back(y);
-    put(out, "<text class=\"soft small halo\" x=\"{:.1f}\" y=\"{:.1f}\">slope {}</text>\n", from + 6,
-        std::max(y, c.top + 12), shown(slope));
+    const double x = c.x.at_internal(start), y = c.y.at_internal(level), end = c.y.at_internal(top);
+    put(out, "<path class=\"guide\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", x, y, c.right, end);
+    const double degrees = std::atan2(end - y, c.right - x) * 57.29577951308232;
+    put(out,
+        "<text class=\"soft small halo\" transform=\"translate({:.1f} {:.1f}) rotate({:.1f})\" x=\"12\" y=\"-5\">slope "
+        "{}</text>\n",
+        x, y, degrees, shown(slope));
   }
 }
 

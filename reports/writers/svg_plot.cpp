@@ -104,8 +104,9 @@ struct legend {
   // What stands left of the name is drawn by the caller, 22 wide, from (x, y) on.
   template <class Sample>
   void put_entry(std::string& out, const std::string& name, std::size_t index, Sample sample) const {
-    const double x = 10 + column_width * static_cast<double>(index / rows);
-    const double y = legend_top + legend_row * static_cast<double>(index % rows);
+    const std::size_t column = index / rows, row = index % rows;
+    const double x = 10 + column_width * static_cast<double>(column);
+    const double y = legend_top + legend_row * static_cast<double>(row);
     sample(x, y);
     put(out, "<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + 28, y + 4.5,
         escape_html(shortened(name, longest_name)));

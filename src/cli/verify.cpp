@@ -92,6 +92,7 @@ int run(const arguments& given) {
   const auto output = format_option(given.format);
   const auto options = checked_options(given);
   const auto scenes = checked_scenes(given);
+  for (const auto& scene : scenes) check_options(scene, options);
   if (given.out.empty()) throw input_error("--out '': accepted: the folder to be written");
   const std::filesystem::path out{given.out};
   report::check_output_folder(out);

@@ -1,16 +1,36 @@
 #include "ensemble/paths.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "ensemble/denormals.hpp"
 
 namespace polhode {
 
 void parallel_for(int threads, int count, const std::function<void(int)>& work) {
-  tbb::task_arena arena(threads);
-  arena.execute([&] { tbb::parallel_for(0, count, work, tbb::simple_partitioner{}); });
+  std::atomic<int> next{0};
+  std::exception_ptr failure;
+  std::mutex failing;
+  const auto worker = [&] {
+    const flush_denormals flushed;
+    for (int i = next++; i < count; i = next++) try {
+        work(i);
+      } catch (...) {
+        const std::lock_guard lock(failing);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (int t = 1; t < std::min(threads, count); ++t) others.emplace_back(worker);
+    worker();
+  }
+  if (failure) std::rethrow_exception(failure);
 }
 
 increment_buffer::increment_buffer(const model& m, int steps, bool with_areas)

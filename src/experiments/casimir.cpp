@@ -67,13 +67,20 @@ void report_long_run(const long_run& run, double dt, report::results& out) {
   }
   const auto growth = fit_order(run.steps, run.rms, 0.0);
   record_fit(out, s, growth, std::move(points));
-  const std::string law = growth ? fmt::format("; grows like n^{:.2f}", growth->order) : "";
+  const claim c{s.experiment, s.scheme, "Casimirs kept to rounding"};
+  if (!std::isfinite(judged)) {
+    // An implicit step that found no solution says nothing of the orbit; an explicit path that is gone has left it.
+    auto v = judge_distance(c, {judged, judged, judged}, rounding_bound,
+                            run.scheme->info.implicit ? "a path was lost: a step's equation was not solved"
+                                                      : "a path left the orbit for infinity");
+    if (!run.scheme->info.implicit) v.kind = report::verdict_kind::refuted;
+    out.verdicts.push_back(v);
+    return;
+  }
   out.verdicts.push_back(
-      judge_distance({s.experiment, s.scheme, "Casimirs kept to rounding"}, {judged, judged, judged}, rounding_bound,
-                     std::isfinite(judged)
-                         ? fmt::format("largest relative drift {:.1e} per 10^6 steps, over {:.0e} steps{}", judged,
-                                       run.steps.back(), law)
-                         : "a path was lost: not finite (an implicit step did not converge, or the state overflowed)"));
+      judge_distance(c, {judged, judged, judged}, rounding_bound,
+                     fmt::format("largest relative drift {:.1e} per 10^6 steps, over {:.0e} steps{}", judged,
+                                 run.steps.back(), growth ? fmt::format("; grows like n^{:.2f}", growth->order) : "")));
 }
 
 void run_exact(const context& c, report::results& out) {

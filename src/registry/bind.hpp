@@ -9,11 +9,9 @@
 #include "ensemble/kernel_of.hpp"
 #include "experiments/subject.hpp"
 #include "references/driven_ode.hpp"
+#include "registry/schemes.hpp"
 
 namespace polhode {
-
-template <class... Schemes>
-struct scheme_list {};
 
 template <lie_poisson_system System>
 class model_of final : public model {

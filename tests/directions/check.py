@@ -13,7 +13,7 @@ import tempfile
 # A room is a file or a folder; the longest path that matches a file names its room.
 INSTALLED = 'integrators/include/polhode/'
 ROOMS = {
-    'helpers':       [INSTALLED + name for name in ('vec.hpp', 'scalar.hpp', 'simd.hpp', 'dual.hpp', 'solve.hpp')],
+    'helpers':       [INSTALLED + name for name in ('vec.hpp', 'scalar.hpp', 'simd.hpp', 'dual.hpp', 'solve.hpp', 'increment.hpp')],
     'lie':           [INSTALLED + 'lie/'],
     'noise':         [INSTALLED + 'noise/'],
     'concepts':      [INSTALLED + 'systems/concepts.hpp', INSTALLED + 'systems/lie_poisson.hpp'],
@@ -133,7 +133,7 @@ def check(root):
 PLANTED = [
     # the installed headers
     (INSTALLED + 'lie/so3.hpp', '<polhode/vec.hpp>', False),
-    (INSTALLED + 'lie/so3.hpp', '<polhode/noise/increment.hpp>', True),
+    (INSTALLED + 'lie/so3.hpp', '<polhode/noise/philox.hpp>', True),
     (INSTALLED + 'lie/so3.hpp', '<polhode/systems/concepts.hpp>', True),
     (INSTALLED + 'noise/ladder.hpp', '<polhode/simd.hpp>', False),
     (INSTALLED + 'noise/ladder.hpp', '<polhode/lie/so3.hpp>', True),
@@ -142,10 +142,10 @@ PLANTED = [
     (INSTALLED + 'vec.hpp', '"lie/so3.hpp"', True),
     (INSTALLED + 'systems/rigid_body.hpp', '"../lie/so3.hpp"', False),
     (INSTALLED + 'systems/rigid_body.hpp', '<polhode/schemes/heun.hpp>', True),
-    (INSTALLED + 'systems/rigid_body.hpp', '<polhode/noise/increment.hpp>', True),
+    (INSTALLED + 'systems/rigid_body.hpp', '<polhode/noise/philox.hpp>', True),
     (INSTALLED + 'systems/concepts.hpp', '"rigid_body.hpp"', True),
     (INSTALLED + 'systems/lie_poisson.hpp', '<polhode/systems/rigid_body.hpp>', True),
-    (INSTALLED + 'schemes/heun.hpp', '<polhode/noise/increment.hpp>', False),
+    (INSTALLED + 'schemes/heun.hpp', '<polhode/increment.hpp>', False),
     (INSTALLED + 'schemes/heun.hpp', '<polhode/systems/concepts.hpp>', False),
     (INSTALLED + 'schemes/heun.hpp', '"scheme_info.hpp"', False),
     (INSTALLED + 'schemes/heun.hpp', '<polhode/systems/lie_poisson.hpp>', False),

@@ -63,10 +63,12 @@ struct so3 {
     return {{square_root(dot(mu, mu))}};
   }
 
-  /// The point of the orbit of `onto` nearest to mu.
+  /// The point of the orbit of `onto` nearest to mu: |onto|/|mu| mu. Written as a small correction of mu, as a factor near 1
+  /// would be rounded to the same side step after step and let the orbit drift like the number of steps.
   template <class S>
   static vec<S, 3> orbit_projection(const vec<S, 3>& mu, const vec<S, 3>& onto) {
-    return square_root(dot(onto, onto) / dot(mu, mu)) * mu;
+    const S excess = dot(onto - mu, onto + mu) / dot(mu, mu);  // |onto|^2/|mu|^2 - 1
+    return mu + S(excess / (S(1.0) + square_root(S(1.0) + excess))) * mu;
   }
 
  private:

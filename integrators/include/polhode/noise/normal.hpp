@@ -32,10 +32,11 @@ inline philox_counter random_bits(const noise_address& a, std::uint32_t block) {
   return philox4x32_10(counter, {low(a.seed), low(a.seed >> 32)});
 }
 
-/// A uniform in (0, 1) from 64 bits: the middle of one of 2^53 equal cells, so neither 0 nor 1.
+/// A uniform in (0, 1) from 64 bits: the middle of one of 2^52 equal cells, so neither 0 nor 1. (With 2^53 cells the last
+/// middle would round to 1.)
 inline double uniform_of(std::uint32_t low, std::uint32_t high) {
-  const std::uint64_t bits = (std::uint64_t{high} << 32 | low) >> 11;
-  return (static_cast<double>(bits) + 0.5) * 0x1p-53;
+  const std::uint64_t bits = (std::uint64_t{high} << 32 | low) >> 12;
+  return (static_cast<double>(bits) + 0.5) * 0x1p-52;
 }
 
 /// Two independent standard normals in double precision (Box, Muller, Ann. Math. Stat. 29 (1958) 610-611).

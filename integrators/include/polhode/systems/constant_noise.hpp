@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <span>
 
-#include <polhode/noise/increment.hpp>
+#include <polhode/increment.hpp>
 #include <polhode/vec.hpp>
 
 namespace polhode {

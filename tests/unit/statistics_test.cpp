@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <polhode/noise/normal.hpp>
+
+#include "experiments/judge.hpp"
+#include "statistics/order_fit.hpp"
+#include "statistics/sample.hpp"
+
+namespace polhode {
+namespace {
+
+std::vector<double> halvings(int levels) {
+  std::vector<double> dt;
+  for (int i = 0; i < levels; ++i) dt.push_back(std::exp2(-3 - i));
+  return dt;
+}
+
+TEST(OrderFit, FindsAPowerExactly) {
+  const auto dt = halvings(6);
+  std::vector<double> value;
+  for (const double h : dt) value.push_back(3 * std::pow(h, 1.5));
+  const auto fit = fit_order(dt, value, 0);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->order, 1.5, 1e-12);
+  EXPECT_NEAR(fit->prefactor, 3, 1e-9);
+  EXPECT_NEAR(fit->low, 1.5, 1e-9);
+}
+
+TEST(OrderFit, LeavesOutTheFloorAndTheCoarse) {
+  const auto dt = halvings(9);
+  std::vector<double> value;
+  for (const double h : dt) value.push_back(std::max(h * h * (1 + 30 * h), 2e-7));
+  const auto fit = fit_order(dt, value, 3e-7);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->order, 2, 0.2);
+  EXPECT_FALSE(fit->used.front());
+}
+
+TEST(OrderFit, DivergenceIsNotConvergence) {
+  const auto dt = halvings(6);
+  std::vector<double> value;
+  for (const double h : dt) value.push_back(1 / h);
+  EXPECT_NEAR(fit_order(dt, value, 0)->order, -1, 1e-12);
+}
+
+TEST(OrderFit, RefusesFewerThanFourLevels) {
+  const std::vector<double> dt{0.5, 0.25, 0.125}, value{1, 0.5, 0.25};
+  EXPECT_FALSE(fit_order(dt, value, 0));
+  const std::vector<double> more{0.5, 0.25, 0.125, 0.06, 0.03}, lost{NAN, 1, 0.5, 0.25, INFINITY};
+  EXPECT_FALSE(fit_order(more, lost, 0));
+}
+
+squared_errors noisy_errors(const std::vector<double>& dt, double order, double offset, std::uint64_t seed, int paths) {
+  squared_errors e{paths, static_cast<int>(dt.size()), {}};
+  for (int path = 0; path < paths; ++path) {
+    const auto z = normals<2>({seed, noise_kind::increment, static_cast<std::uint64_t>(path), 0});
+    for (const double h : dt)
+      e.values.push_back(std::pow(h, 2 * order) * (z[0] * z[0] + z[1] * z[1]) + offset * offset);
+  }
+  return e;
+}
+
+// The interval's promise, tested as such: of 200 experiments about 95 % must cover the truth.
+TEST(OrderFit, IntervalCoversTheTruthAsOftenAsItSays) {
+  const auto dt = halvings(6);
+  int covered = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    squared_errors e{200, 6, {}};
+    for (std::uint64_t path = 0; path < 200; ++path)
+      for (std::size_t l = 0; l < dt.size(); ++l) {
+        const auto z = normals<2>({seed, noise_kind::increment, path, l});  // levels independent: the harder case
+        e.values.push_back(dt[l] * (z[0] * z[0] + z[1] * z[1]));
+      }
+    const auto fit = fit_order(dt, e, 0, seed);
+    covered += fit->low <= 0.5 && 0.5 <= fit->high;
+  }
+  EXPECT_GE(covered, 180);  // 190 expected, standard deviation 3
+  EXPECT_LE(covered, 199);
+}
+
+TEST(LimitFit, TellsAWrongLimitFromARightOne) {
+  const auto dt = halvings(6);
+  const std::vector<bool> used(6, true);
+  EXPECT_LT(fit_limit(dt, noisy_errors(dt, 0.5, 0, 1, 500), used, 0.5, 1).high, 0.02);
+  const auto wrong = fit_limit(dt, noisy_errors(dt, 0.5, 0.3, 1, 500), used, 0.5, 1);
+  EXPECT_GT(wrong.low, 0.25);
+  EXPECT_NEAR(wrong.value, 0.3, 0.02);
+}
+
+TEST(Judge, IntervalsDecide) {
+  using enum report::verdict_kind;
+  EXPECT_EQ(judge(1, 0.95, 1.05, 0.1), holds);
+  EXPECT_EQ(judge(1, 0.85, 1.05, 0.1), inconclusive);
+  EXPECT_EQ(judge(1, 0.4, 0.6, 0.1), refuted);
+  EXPECT_EQ(judge(1, 1.2, 1.3, 0.1), refuted);
+  EXPECT_EQ(judge(1, NAN, 1, 0.1), inconclusive);
+}
+
+TEST(Judge, FasterThanClaimedHoldsOnlyWhereTheClaimIsABound) {
+  order_fit fit;
+  fit.order = 3;
+  fit.low = 2.98;
+  fit.high = 3.02;
+  EXPECT_EQ(judge_order({}, 2, fit, true).kind, report::verdict_kind::holds);
+  EXPECT_EQ(judge_order({}, 2, fit, false).kind, report::verdict_kind::refuted);
+  EXPECT_EQ(judge_order({}, 2, std::nullopt, true).kind, report::verdict_kind::inconclusive);
+}
+
+TEST(KolmogorovSmirnov, DistanceOfASmallSampleByHand) {
+  const std::vector<double> x{0.1, 0.4, 0.9};
+  EXPECT_NEAR(ks_distance(x, [](double t) { return t; }).value, 2.0 / 3 - 0.4, 1e-15);
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,93 @@
+// The main job itself: claims hold on scenes of every kind, threads change nothing, and what is not claimed is seen to
+// fail.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "registry/scene.hpp"
+#include "registry/verify.hpp"
+#include "reports/model/errors.hpp"
+#include "reports/writers/json.hpp"
+
+namespace polhode {
+namespace {
+
+report::results quick(const scene& s, std::vector<std::string> experiments, std::vector<std::string> schemes = {},
+                      int threads = 2) {
+  verify_options options;
+  options.experiments = std::move(experiments);
+  options.schemes = std::move(schemes);
+  options.effort = effort::quick;
+  options.threads = threads;
+  return verify(s, options);
+}
+
+void expect_no_failure(const report::results& r) {
+  for (const auto& v : r.verdicts)
+    EXPECT_TRUE(v.kind == report::verdict_kind::holds || v.kind == report::verdict_kind::skipped)
+        << r.scene.name << ' ' << v.experiment << ' ' << v.scheme << ' ' << v.claim << ": " << v.reason;
+}
+
+struct Scenes : testing::TestWithParam<const char*> {};
+
+TEST_P(Scenes, EveryClaimHoldsOrIsSkippedWithAReason) {
+  const auto r = quick(load_scene(GetParam()), {});
+  expect_no_failure(r);
+  for (const auto& s : r.skipped) EXPECT_FALSE(s.reason.empty());
+}
+INSTANTIATE_TEST_SUITE_P(BuiltIn, Scenes,
+                         testing::Values("free", "dissipative", "undamped", "symmetric", "single", "anisotropic"));
+
+// Also what is not claimed: an order found where none is claimed would be refuted, the intervals being two-sided.
+TEST(Paper, StrongOrdersAreFoundWithinTheirIntervals) {
+  const auto r = quick(load_scene("paper"), {"strong"});
+  expect_no_failure(r);
+  int orders = 0;
+  for (const auto& v : r.verdicts)
+    if (v.claim == "strong order") {
+      ++orders;
+      EXPECT_LE(*v.high - *v.low, 0.1) << v.scheme;
+      EXPECT_NEAR(*v.estimate, *v.expected, 0.07) << v.scheme;
+      EXPECT_EQ(*v.expected, v.scheme == "magnus" || v.scheme == "milstein" ? 1.0 : 0.5) << v.scheme;
+    }
+  EXPECT_EQ(orders, static_cast<int>(list_schemes().size()));
+}
+
+TEST(Paper, ThreadsChangeNothing) {
+  const auto text = [](int threads) {
+    auto r = quick(load_scene("paper"), {"strong", "casimir", "gibbs"}, {"magnus", "heun", "strang_weak2"}, threads);
+    r.provenance = {};
+    return report::to_json(r);
+  };
+  const auto one = text(1);
+  EXPECT_EQ(one, text(2));
+  EXPECT_EQ(one, text(3));
+}
+
+TEST(Paper, AnotherSeedGivesOtherNumbersAndTheSameVerdicts) {
+  auto options = verify_options{{"milstein"}, {"strong"}, effort::quick, 2, 1};
+  const auto a = verify(load_scene("paper"), options);
+  options.seed = 2;
+  const auto b = verify(load_scene("paper"), options);
+  EXPECT_NE(a.fits.at(0).order, b.fits.at(0).order);
+  EXPECT_EQ(a.verdicts.at(0).kind, b.verdicts.at(0).kind);
+}
+
+TEST(Options, UnknownNamesAreRefusedWithTheNearest) {
+  const auto message = [](verify_options o) -> std::string {
+    try {
+      check_options(load_scene("paper"), o);
+    } catch (const input_error& e) {
+      return e.what();
+    }
+    return "";
+  };
+  verify_options scheme, experiment;
+  scheme.schemes = {"milstien"};
+  experiment.experiments = {"stong"};
+  EXPECT_NE(message(scheme).find("did you mean \"milstein\""), std::string::npos);
+  EXPECT_NE(message(experiment).find("did you mean \"strong\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace polhode
