@@ -63,7 +63,10 @@ json to_value(const scheme& s) {
             {"strong_general", number(s.strong_general)},
             {"deterministic_order", s.deterministic_order},
             {"casimir_exact", s.casimir_exact},
-            {"casimir_order", number(s.casimir_order)}}}};
+            {"casimir_order", number(s.casimir_order)},
+            {"weak_one_vector", number(s.weak_one_vector)},
+            {"weak_isotropic", number(s.weak_isotropic)},
+            {"weak_general", number(s.weak_general)}}}};
 }
 
 json to_value(const experiment& e) { return {{"name", e.name}, {"question", e.question}, {"notes", e.notes}}; }

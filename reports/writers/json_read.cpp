@@ -125,7 +125,10 @@ scheme scheme_from(const node& n) {
           claims["strong_general"].number(),
           claims["deterministic_order"].integer<int>(),
           claims["casimir_exact"].flag(),
-          claims["casimir_order"].number()};
+          claims["casimir_order"].number(),
+          claims["weak_one_vector"].number(),
+          claims["weak_isotropic"].number(),
+          claims["weak_general"].number()};
 }
 
 experiment experiment_from(const node& n) {

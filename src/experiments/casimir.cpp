@@ -141,7 +141,7 @@ squared_errors drift_by_level(const context& c, const scheme_entry& scheme, cons
 
 void run_drifting(const context& c, report::results& out) {
   const bool noisy = c.subject.model->noise() != noise_class::none;
-  const auto grid = asymptotic_levels(c.subject, 400);
+  const auto grid = asymptotic_levels(c.subject, 256);
   const auto dt = grid.dt();
   for (const auto& scheme : c.subject.schemes) {
     if (scheme.info.casimir.exact) continue;

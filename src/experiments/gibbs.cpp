@@ -55,7 +55,7 @@ struct design {
 design plan(const context& c) {
   const auto& s = c.subject.scene;
   const double burn = burn_in(s);
-  return {0.025 / fastest_rate(c.subject), burn, 1 / noise_strength(s), by_effort(c.effort, 256, 1024, 4096)};
+  return {0.04 / fastest_rate(c.subject), burn, 1 / noise_strength(s), by_effort(c.effort, 256, 1024, 4096)};
 }
 
 /// Uniform starting points on the sphere of radius c, by address.

@@ -8,11 +8,11 @@ namespace polhode {
 double fastest_rate(const subject& s) {
   double square = 0;
   for (const double p : s.scene.momentum) square += p * p;
+  const double c = std::sqrt(square);
   const auto [least, greatest] = std::ranges::minmax(s.scene.inertia);
-  const double shear = std::sqrt(square) * (1 / least - 1 / greatest);
   double noise = 0;
-  for (const auto& v : s.scene.sigma) noise += (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / 3;
-  return shear + s.scene.theta * std::sqrt(square) * shear + noise;
+  for (const auto& v : s.scene.sigma) noise += v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  return c / least + s.scene.theta * square * (1 / least - 1 / greatest) + noise;
 }
 
 level_grid asymptotic_levels(const subject& s, double resolution) {

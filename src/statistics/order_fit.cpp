@@ -152,31 +152,37 @@ std::optional<order_fit> fit_order(std::span<const double> dt, const squared_err
   return result_of(s, l, low, high, dt.size());
 }
 
-limit_fit fit_limit(std::span<const double> dt, const squared_errors& e, const std::vector<bool>& used, double order,
-                    std::uint64_t seed) {
-  std::vector<int> kept;
-  for (int i = 0; i < e.levels; ++i)
-    if (used[static_cast<std::size_t>(i)]) kept.push_back(i);
+error_model fit_error_model(std::span<const double> dt, const squared_errors& e, const std::vector<bool>& used,
+                            double order, std::uint64_t seed) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i]) kept.push_back(i);
   const auto n = static_cast<Eigen::Index>(kept.size());
   Eigen::MatrixXd design(n, 3);
   Eigen::VectorXd weight(n);
   for (Eigen::Index k = 0; k < n; ++k) {
-    const double h = dt[static_cast<std::size_t>(kept[static_cast<std::size_t>(k)])];
-    design.row(k) << 1, std::pow(h, 2 * order), std::pow(h, 2 * order + 1);
-    weight[k] = 1 / std::max(1e-300, level_mean(e, kept[static_cast<std::size_t>(k)]).error);
+    const std::size_t level = kept[static_cast<std::size_t>(k)];
+    design.row(k) << 1, std::pow(dt[level], 2 * order), std::pow(dt[level], 2 * order + 1);
+    weight[k] = 1 / std::max(1e-300, level_mean(e, static_cast<int>(level)).error);
   }
-  const auto solver = (weight.asDiagonal() * design).colPivHouseholderQr();
-  const auto intercept = [&](const std::vector<double>& mean) {
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> with_limit(weight.asDiagonal() * design),
+      without(weight.asDiagonal() * design.rightCols(2));
+  const auto coefficients = [&](const std::vector<double>& mean) {
     Eigen::VectorXd y(n);
-    for (Eigen::Index k = 0; k < n; ++k)
-      y[k] = weight[k] * mean[static_cast<std::size_t>(kept[static_cast<std::size_t>(k)])];
-    return Eigen::VectorXd(solver.solve(y))[0];
+    for (Eigen::Index k = 0; k < n; ++k) y[k] = weight[k] * mean[kept[static_cast<std::size_t>(k)]];
+    return std::pair{Eigen::VectorXd(with_limit.solve(y))[0], Eigen::VectorXd(without.solve(y))[0]};
   };
-  std::vector<double> sampled;
-  for (int r = 0; r < replicates; ++r) sampled.push_back(intercept(means(e, resample(seed, r, e.paths))));
-  const auto [low, high] = central_interval(sampled, 0.95);
-  const auto distance = [](double square) { return std::sqrt(std::max(0.0, square)); };
-  return {distance(intercept(means(e, resample::identity(e.paths)))), distance(low), distance(high)};
+  std::vector<double> limits, leading;
+  for (int r = 0; r < replicates; ++r) {
+    const auto [square, coefficient] = coefficients(means(e, resample(seed, r, e.paths)));
+    limits.push_back(square);
+    leading.push_back(coefficient);
+  }
+  const auto [square, coefficient] = coefficients(means(e, resample::identity(e.paths)));
+  const auto [low, high] = central_interval(limits, 0.95);
+  const auto [least, most] = central_interval(leading, 0.95);
+  const auto distance = [](double x) { return std::sqrt(std::max(0.0, x)); };
+  return {{distance(square), distance(low), distance(high)}, {coefficient, least, most}};
 }
 
 }  // namespace polhode

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "statistics/sample.hpp"
+
 namespace polhode {
 
 struct order_fit {
@@ -40,12 +42,12 @@ mean_and_error level_mean(const squared_errors&, int level);
 /// Root-mean-square errors against dt, weighted least squares; the interval by resampling paths (levels share them).
 std::optional<order_fit> fit_order(std::span<const double> dt, const squared_errors&, double floor, std::uint64_t seed);
 
-/// The mean square error extrapolated to dt = 0 with its 95 % interval: least squares of e^2 on 1, dt^2p, dt^(2p+1)
-/// over the used levels, paths resampled.
-struct limit_fit {
-  double value = 0, low = 0, high = 0;  ///< as a distance, not squared
+/// The mean square error as limit^2 + leading dt^2p + next dt^(2p+1), weighted least squares over the used levels.
+struct error_model {
+  interval_estimate limit;    ///< distance left at dt = 0 (not squared), with its 95 % interval (paths resampled)
+  interval_estimate leading;  ///< coefficient of dt^2p in a fit without limit: above zero, the order is p and no more
 };
-limit_fit fit_limit(std::span<const double> dt, const squared_errors&, const std::vector<bool>& used, double order,
-                    std::uint64_t seed);
+error_model fit_error_model(std::span<const double> dt, const squared_errors&, const std::vector<bool>& used,
+                            double order, std::uint64_t seed);
 
 }  // namespace polhode

@@ -20,7 +20,7 @@ struct as_types<scheme_list<Schemes...>> {
 using every_scheme = as_types<all_schemes>::type;
 
 inline rigid_body paper_body(double theta = 0.5, double sigma = 0.5) {
-  return rigid_body({1, 2, 3}, theta, constant_noise<so3>(rigid_body::matrix(sigma * rigid_body::matrix::Identity())));
+  return rigid_body({1, 2, 3}, theta, rigid_body::isotropic(sigma));
 }
 inline constexpr vec<double, 3> paper_momentum{{0.6, 0.48, 0.64}};
 

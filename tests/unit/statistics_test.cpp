@@ -80,13 +80,26 @@ TEST(OrderFit, IntervalCoversTheTruthAsOftenAsItSays) {
   EXPECT_LE(covered, 199);
 }
 
-TEST(LimitFit, TellsAWrongLimitFromARightOne) {
+TEST(ErrorModel, TellsAWrongLimitFromARightOne) {
   const auto dt = halvings(6);
   const std::vector<bool> used(6, true);
-  EXPECT_LT(fit_limit(dt, noisy_errors(dt, 0.5, 0, 1, 500), used, 0.5, 1).high, 0.02);
-  const auto wrong = fit_limit(dt, noisy_errors(dt, 0.5, 0.3, 1, 500), used, 0.5, 1);
+  EXPECT_LT(fit_error_model(dt, noisy_errors(dt, 0.5, 0, 1, 500), used, 0.5, 1).limit.high, 0.02);
+  const auto wrong = fit_error_model(dt, noisy_errors(dt, 0.5, 0.3, 1, 500), used, 0.5, 1).limit;
   EXPECT_GT(wrong.low, 0.25);
   EXPECT_NEAR(wrong.value, 0.3, 0.02);
+}
+
+// Order 1/2 hidden under a larger term of order 1: the slope does not show it, the leading coefficient does.
+TEST(ErrorModel, FindsALeadingTermBelowALargerOne) {
+  const auto dt = halvings(6);
+  const std::vector<bool> used(6, true);
+  squared_errors hidden = noisy_errors(dt, 1.0, 0, 1, 500), pure = hidden;
+  for (int path = 0; path < hidden.paths; ++path)
+    for (int l = 0; l < hidden.levels; ++l) hidden.at(path, l) += 0.02 * dt[static_cast<std::size_t>(l)];
+  EXPECT_GT(fit_order(dt, hidden, 0, 1)->low, 0.6);
+  EXPECT_NEAR(fit_error_model(dt, hidden, used, 0.5, 1).leading.value, 0.02, 2e-3);
+  EXPECT_GT(fit_error_model(dt, hidden, used, 0.5, 1).leading.low, 0);
+  EXPECT_LE(fit_error_model(dt, pure, used, 0.5, 1).leading.low, 1e-9);
 }
 
 TEST(Judge, IntervalsDecide) {

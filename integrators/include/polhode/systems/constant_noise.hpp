@@ -32,6 +32,9 @@ class constant_noise {
       for (int j = i + 1; j < channels; ++j) brackets_[pair++] = Algebra::bracket(vectors_[i], vectors_[j]);
   }
 
+  /// sigma e_1, …, sigma e_n.
+  static constant_noise isotropic(double strength) { return constant_noise(matrix(strength * matrix::Identity())); }
+
   /// Any list. More vectors than dimensions are replaced by the symmetric square root of sum sigma sigma^T: the
   /// algebra-valued Brownian motion sum sigma_i W^i has the same law, hence so has the solution.
   static constant_noise from_vectors(std::span<const column> list) {
