@@ -65,7 +65,7 @@ void report_long_run(const long_run& run, double dt, report::results& out) {
     points.push_back(m);
     judged = std::max(judged, run.largest[i] * std::min(1.0, judged_steps / run.steps[i]));
   }
-  const auto growth = fit_order(run.steps, run.rms, 0.0);
+  const auto growth = fit_power_law(run.steps, run.rms);
   record_fit(out, s, growth, std::move(points));
   const claim c{s.experiment, s.scheme, "Casimirs kept to rounding"};
   if (!std::isfinite(judged)) {

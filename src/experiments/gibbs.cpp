@@ -4,6 +4,7 @@
 // over the times of one path is one sample, so the interval over paths knows the autocorrelation without estimating it.
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -24,11 +25,14 @@ constexpr double ks_bound = 0.05;            // Kolmogorov-Smirnov distance allo
 constexpr int observations = 4;
 constexpr double longest_burn_in = 1e4;  // in units of 1/sigma^2
 
-/// sigma^2 of isotropic noise.
+/// The least eigenvalue of sum sigma_i sigma_i^T: sigma^2 where the noise is isotropic, else its weakest direction.
 double noise_strength(const report::scene& s) {
-  double sum = 0;
-  for (const auto& v : s.sigma) sum += v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  return sum / 3;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const auto& v : s.sigma) {
+    const Eigen::Map<const Eigen::Vector3d> e(v.data());
+    covariance += e * e.transpose();
+  }
+  return std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues()[0]);
 }
 
 double length(std::span<const double> a) {
@@ -183,7 +187,9 @@ std::optional<std::string> cannot_say(const subject& s) {
   if (s.model->noise() == noise_class::none)
     return "no noise: the law concentrates on the axis of least energy (experiment energy)";
   if (i[0] == i[1] && i[1] == i[2]) return "equal moments of inertia: h is constant on the sphere";
-  if (s.model->noise() != noise_class::isotropic) return "the noise is not isotropic: no Gibbs law is claimed for it";
+  if (s.model->noise() != noise_class::isotropic && s.scene.theta > 0)
+    return "the noise is not isotropic: no Gibbs law is claimed for it";
+  if (noise_strength(s.scene) <= 1e-12 * fastest_rate(s)) return "the noise does not reach every direction by itself";
   if (burn_in(s.scene) * noise_strength(s.scene) > longest_burn_in)
     return fmt::format("the wells of h are too deep for sampling: forgetting the start takes time {:.1e}",
                        burn_in(s.scene));
@@ -203,6 +209,7 @@ experiment gibbs_experiment() {
                 "standard deviations of the exact one; the law of h if the Kolmogorov-Smirnov distance is below {:g} "
                 "with 95 % confidence (Dvoretzky-Kiefer-Wolfowitz).",
                 moment_margin, ks_bound),
+            "Without dissipation the law is uniform for any noise that reaches every direction.",
             "Areas are drawn from the weak surrogate (independent normals of variance dt^2/4)."}},
           4,
           cannot_say,

@@ -98,6 +98,22 @@ double half_width_of_residuals(const points& p, const line& l) {
   return boost::math::quantile(student, 0.975) * std::sqrt(residual / (n - 2) / sxx);
 }
 
+/// The levels that are finite and above the floor, without sampling error.
+std::vector<level> finite_levels(std::span<const double> x, std::span<const double> value, double floor) {
+  std::vector<level> levels;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (std::isfinite(value[i]) && value[i] > floor)
+      levels.push_back({static_cast<int>(i), std::log2(x[i]), std::log2(value[i]), 0});
+  return levels;
+}
+
+order_fit exact_fit(const selection& s, std::size_t count) {
+  const points p = points_of(s.levels);
+  const line l = weighted_line(p);
+  const double half = half_width_of_residuals(p, l);
+  return result_of(s, l, l.slope - half, l.slope + half, count);
+}
+
 std::vector<double> means(const squared_errors& e, const resample& paths) {
   std::vector<double> sum(static_cast<std::size_t>(e.levels), 0.0);
   for (const int path : paths)
@@ -109,16 +125,16 @@ std::vector<double> means(const squared_errors& e, const resample& paths) {
 }  // namespace
 
 std::optional<order_fit> fit_order(std::span<const double> dt, std::span<const double> value, double floor) {
-  std::vector<level> levels;
-  for (std::size_t i = 0; i < dt.size(); ++i)
-    if (std::isfinite(value[i]) && value[i] > floor)
-      levels.push_back({static_cast<int>(i), std::log2(dt[i]), std::log2(value[i]), 0});
+  const auto levels = finite_levels(dt, value, floor);
   const auto s = select_levels(levels, static_cast<int>(dt.size() - levels.size()));
   if (s.levels.size() < least_levels) return std::nullopt;
-  const points p = points_of(s.levels);
-  const line l = weighted_line(p);
-  const double half = half_width_of_residuals(p, l);
-  return result_of(s, l, l.slope - half, l.slope + half, dt.size());
+  return exact_fit(s, dt.size());
+}
+
+std::optional<order_fit> fit_power_law(std::span<const double> x, std::span<const double> value) {
+  const selection all{finite_levels(x, value, 0), "every point that is finite and above zero"};
+  if (all.levels.size() < least_levels) return std::nullopt;
+  return exact_fit(all, x.size());
 }
 
 mean_and_error level_mean(const squared_errors& e, int level) {

@@ -26,6 +26,9 @@ struct order_fit {
 /// Values without sampling error. The interval is Student's, from the scatter about the line.
 std::optional<order_fit> fit_order(std::span<const double> dt, std::span<const double> value, double floor);
 
+/// Values against any abscissa, all of them used: a growth law rather than an order.
+std::optional<order_fit> fit_power_law(std::span<const double> x, std::span<const double> value);
+
 /// Squared errors of coupled levels: paths x levels, row by row.
 struct squared_errors {
   int paths = 0, levels = 0;

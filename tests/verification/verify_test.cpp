@@ -4,10 +4,12 @@
 
 #include <cmath>
 
+#include "registry/bind.hpp"
 #include "registry/scene.hpp"
 #include "registry/verify.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/writers/json.hpp"
+#include "support/so4_body.hpp"
 
 namespace polhode {
 namespace {
@@ -71,6 +73,26 @@ TEST(Paper, AnotherSeedGivesOtherNumbersAndTheSameVerdicts) {
   const auto b = verify(load_scene("paper"), options);
   EXPECT_NE(a.fits.at(0).order, b.fits.at(0).order);
   EXPECT_EQ(a.verdicts.at(0).kind, b.verdicts.at(0).kind);
+}
+
+// The laboratory is not fond of dimension three: another algebra, with two Casimirs and fifteen areas, goes through it.
+TEST(So4, ClaimsHoldThere) {
+  report::scene scene;
+  scene.name = "so4";
+  scene.inertia = {1, 2, 3};
+  scene.theta = 0.4;
+  scene.sigma = {{0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}};
+  scene.momentum = {0.6, 0.48, 0.64, -0.3, 0.8, 0.5};
+  scene.horizon = 1;
+  scene.steps = {4, 8, 16, 32};
+  verify_options options;
+  options.experiments = {"strong", "casimir"};
+  options.schemes = {"magnus", "lie_heun"};
+  options.effort = effort::quick;
+  options.threads = 2;
+  expect_no_failure(verify_subject(bind(
+                                       scene, [](const report::scene&) { return test::so4_body(); }, all_schemes{}),
+                                   options));
 }
 
 TEST(Options, UnknownNamesAreRefusedWithTheNearest) {
