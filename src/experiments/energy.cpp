@@ -9,6 +9,7 @@
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
 #include "experiments/progress_counter.hpp"
+#include "experiments/vectors.hpp"
 #include "references/free_rotation.hpp"
 #include "references/odeint.hpp"
 
@@ -50,18 +51,6 @@ double law_residual(const trajectory& t, double dt) {
     worst = std::isfinite(residual) ? std::max(worst, residual) : residual;
   }
   return worst;
-}
-
-double distance(std::span<const double> a, std::span<const double> b) {
-  double square = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(square);
-}
-
-double length(std::span<const double> a) {
-  double square = 0;
-  for (const double x : a) square += x * x;
-  return std::sqrt(square);
 }
 
 /// Too few levels above the rounding floor for a fit. The fall from the coarsest level into the floor still bounds the

@@ -13,6 +13,7 @@
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
 #include "experiments/progress_counter.hpp"
+#include "experiments/vectors.hpp"
 #include "references/gibbs.hpp"
 #include "statistics/sample.hpp"
 
@@ -23,7 +24,7 @@ constexpr double moment_margin = 0.1;        // of the standard deviation of the
 constexpr double uniform_deviation = 0.298;  // of Pi_k^2 / c^2 on the uniform sphere: sqrt(4/45)
 constexpr double ks_bound = 0.05;            // Kolmogorov-Smirnov distance allowed
 constexpr int observations = 4;
-constexpr double longest_burn_in = 1e4;  // in units of 1/sigma^2
+constexpr double most_steps = 10'000;  // of a path, before sampling is too dear to be offered
 
 /// The least eigenvalue of sum sigma_i sigma_i^T: sigma^2 where the noise is isotropic, else its weakest direction.
 double noise_strength(const report::scene& s) {
@@ -33,12 +34,6 @@ double noise_strength(const report::scene& s) {
     covariance += e * e.transpose();
   }
   return std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues()[0]);
-}
-
-double length(std::span<const double> a) {
-  double square = 0;
-  for (const double x : a) square += x * x;
-  return std::sqrt(square);
 }
 
 /// Time to forget the start: relaxation on the sphere (rate sigma^2), slowed by the barrier between the wells of h.
@@ -51,6 +46,8 @@ double burn_in(const report::scene& s) {
   return 5 / sigma2 * std::exp(2 * s.theta / sigma2 * barrier);
 }
 
+double step_size(const subject& s) { return 0.04 / fastest_rate(s); }
+
 struct design {
   double dt, burn, spacing;
   int blocks;
@@ -59,7 +56,7 @@ struct design {
 design plan(const context& c) {
   const auto& s = c.subject.scene;
   const double burn = burn_in(s);
-  return {0.04 / fastest_rate(c.subject), burn, 1 / noise_strength(s), by_effort(c.effort, 256, 1024, 4096)};
+  return {step_size(c.subject), burn, 1 / noise_strength(s), by_effort(c.effort, 256, 1024, 4096)};
 }
 
 /// Uniform starting points on the sphere of radius c, by address.
@@ -190,9 +187,10 @@ std::optional<std::string> cannot_say(const subject& s) {
   if (s.model->noise() != noise_class::isotropic && s.scene.theta > 0)
     return "the noise is not isotropic: no Gibbs law is claimed for it";
   if (noise_strength(s.scene) <= 1e-12 * fastest_rate(s)) return "the noise does not reach every direction by itself";
-  if (burn_in(s.scene) * noise_strength(s.scene) > longest_burn_in)
-    return fmt::format("the wells of h are too deep for sampling: forgetting the start takes time {:.1e}",
-                       burn_in(s.scene));
+  const double steps = burn_in(s.scene) / step_size(s);
+  if (steps > most_steps)
+    return fmt::format("the wells of h are too deep for sampling: forgetting the start takes about {:.1e} steps",
+                       steps);
   return std::nullopt;
 }
 

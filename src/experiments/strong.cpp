@@ -12,6 +12,7 @@
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
 #include "experiments/progress_counter.hpp"
+#include "experiments/vectors.hpp"
 #include "statistics/order_fit.hpp"
 
 namespace polhode {
@@ -155,10 +156,8 @@ void run(const context& c, report::results& out) {
     run_block(c, grid, kernels, *reference, block, errors);
     done.add();
   });
-  double size = 0;
-  for (const double p : s.scene.momentum) size += p * p;
-  for (std::size_t k = 0; k < s.schemes.size(); ++k)
-    report_scheme(c, s.schemes[k], grid, errors[k], std::sqrt(size), out);
+  const double size = length(s.scene.momentum);
+  for (std::size_t k = 0; k < s.schemes.size(); ++k) report_scheme(c, s.schemes[k], grid, errors[k], size, out);
 }
 
 }  // namespace

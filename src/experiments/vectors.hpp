@@ -1,0 +1,21 @@
+// Lengths of states of any dimension.
+#pragma once
+
+#include <cmath>
+#include <span>
+
+namespace polhode {
+
+inline double length(std::span<const double> a) {
+  double square = 0;
+  for (const double x : a) square += x * x;
+  return std::sqrt(square);
+}
+
+inline double distance(std::span<const double> a, std::span<const double> b) {
+  double square = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(square);
+}
+
+}  // namespace polhode
