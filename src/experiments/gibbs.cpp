@@ -56,7 +56,7 @@ struct design {
 design plan(const context& c) {
   const auto& s = c.subject.scene;
   const double burn = burn_in(s);
-  return {step_size(c.subject), burn, 1 / noise_strength(s), by_effort(c.effort, 256, 1024, 4096)};
+  return {step_size(c.subject), burn, 1 / noise_strength(s), by_effort(c.effort, 256, 1024, 2048)};
 }
 
 /// Uniform starting points on the sphere of radius c, by address.
