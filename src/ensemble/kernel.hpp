@@ -11,10 +11,12 @@ namespace polhode {
 /// Paths that advance together: one block. A multiple of every pack width in use.
 inline constexpr int block_lanes = 16;
 
-/// Increments of a block over a chunk of steps, [step][channel][lane] and [step][pair i<j][lane].
+/// Increments of a block over a chunk of steps, [step][channel][lane] and [step][pair i<j][lane]; where all paths share
+/// one noise, [step][channel] and [step][pair].
 struct increment_view {
   double dt = 0;
   int steps = 0;
+  bool shared = false;
   std::span<const double> dw;
   std::span<const double> area;  ///< empty where nobody asks for areas
 };

@@ -29,23 +29,44 @@ class kernel_of final : public kernel {
   void advance(std::span<double> states, const increment_view& increments) const override {
     static_assert(block_lanes % static_cast<int>(S::size()) == 0);
     for (int lane = 0; lane < block_lanes; lane += static_cast<int>(S::size()))
-      advance_lanes(states.data() + lane, lane, increments);
+      if (increments.shared)
+        advance_lanes(states.data() + lane, increments.dt, increments.steps,
+                      reader<true>{increments.dw.data(), increments.area.data()});
+      else
+        advance_lanes(states.data() + lane, increments.dt, increments.steps,
+                      reader<false>{increments.dw.data() + lane, increments.area.data() + lane});
   }
 
  private:
-  void advance_lanes(double* states, int lane, const increment_view& view) const {
-    constexpr int channels = System::channels, pairs = pairs_of<channels>;
+  static constexpr int channels = System::channels, pairs = pairs_of<channels>;
+
+  /// Reads one step's increments after another: every lane its own, or one for all.
+  template <bool shared>
+  struct reader {
+    const double* dw;
+    const double* area;
+    static constexpr int stride = shared ? 1 : block_lanes;
+
+    template <int N>
+    static vec<S, N> take(const double*& at) {
+      vec<S, N> v;
+      for (int k = 0; k < N; ++k, at += stride)
+        if constexpr (shared)
+          v[k] = S(*at);
+        else
+          v[k].copy_from(at, stdx::element_aligned);
+      return v;
+    }
+  };
+
+  template <class Reader>
+  void advance_lanes(double* states, double dt, int steps, Reader increments) const {
     auto mu = load_lanes<S, System::dimension>(states);
-    const double* dw = view.dw.data() + lane;
-    const double* area = view.area.data() + lane;
-    for (int i = 0; i < view.steps; ++i, dw += channels * block_lanes) {
+    for (int i = 0; i < steps; ++i) {
       wiener_levy<S, channels> w;
-      w.dt = view.dt;
-      w.dw = load_lanes<S, channels>(dw);
-      if constexpr (needs_areas_on<Scheme, System>) {
-        w.area = load_lanes<S, pairs>(area);
-        area += pairs * block_lanes;
-      }
+      w.dt = dt;
+      w.dw = Reader::template take<channels>(increments.dw);
+      if constexpr (needs_areas_on<Scheme, System>) w.area = Reader::template take<pairs>(increments.area);
       mu = Scheme::step(system_, mu, w);
     }
     store_lanes(mu, states);

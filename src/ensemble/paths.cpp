@@ -58,13 +58,13 @@ increment_view increment_buffer::fill(std::uint64_t seed, std::uint64_t first_pa
   };
   draw(dw_, channels_, active_, noise_kind::increment, scale);
   if (!area_.empty()) draw(area_, pairs_, active_ < 2 ? 0 : pairs_, noise_kind::area, dt / 2);
-  return {dt, steps, dw_, area_};
+  return {dt, steps, false, dw_, area_};
 }
 
 increment_view increment_buffer::zero(int steps, double dt) {
   std::ranges::fill(dw_, 0.0);
   std::ranges::fill(area_, 0.0);
-  return {dt, steps, dw_, area_};
+  return {dt, steps, false, dw_, area_};
 }
 
 std::vector<double> replicated(std::span<const double> state) {
