@@ -28,6 +28,7 @@ constexpr std::string_view name_of(verdict_kind kind) {
 /// Where a result comes from: enough to make it again.
 struct provenance {
   std::string version, commit, compiler, flags, cpu;
+  std::string isa;  ///< instruction set of the inner loops: v2, v3, v4 (x86-64 levels) or portable
   int threads = 1;
   std::uint64_t seed = 0;
   std::string effort;

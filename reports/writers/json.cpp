@@ -32,6 +32,7 @@ json to_value(const provenance& p) {
           {"compiler", p.compiler},
           {"flags", p.flags},
           {"cpu", p.cpu},
+          {"isa", p.isa},
           {"threads", p.threads},
           {"seed", p.seed},
           {"effort", p.effort},

@@ -92,6 +92,7 @@ provenance provenance_from(const node& n) {
           n["compiler"].text(),
           n["flags"].text(),
           n["cpu"].text(),
+          n["isa"].text(),
           n["threads"].integer<int>(),
           n["seed"].integer<std::uint64_t>(),
           n["effort"].text(),

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "ensemble/denormals.hpp"
+#include "ensemble/normal_block.hpp"
 
 namespace polhode {
 
@@ -42,22 +43,11 @@ increment_buffer::increment_buffer(const model& m, int steps, bool with_areas)
 
 increment_view increment_buffer::fill(std::uint64_t seed, std::uint64_t first_path, std::uint64_t first_step, int steps,
                                       double dt) {
-  const double scale = std::sqrt(dt);
-  const auto draw = [&](std::vector<double>& out, int rows, int wanted, noise_kind kind, double factor) {
-    for (int i = 0; i < steps; ++i)
-      for (int lane = 0; lane < block_lanes; ++lane) {
-        const noise_address address{seed, kind, first_path + static_cast<std::uint64_t>(lane),
-                                    first_step + static_cast<std::uint64_t>(i)};
-        double* at = out.data() + i * rows * block_lanes + lane;
-        for (int k = 0; k < wanted; k += 2) {
-          const auto pair = normal_pair(address, static_cast<std::uint32_t>(k / 2));
-          at[k * block_lanes] = factor * pair[0];
-          if (k + 1 < wanted) at[(k + 1) * block_lanes] = factor * pair[1];
-        }
-      }
-  };
-  draw(dw_, channels_, active_, noise_kind::increment, scale);
-  if (!area_.empty()) draw(area_, pairs_, active_ < 2 ? 0 : pairs_, noise_kind::area, dt / 2);
+  fill_normals(
+      {seed, noise_kind::increment, first_path, first_step, steps, channels_, active_, std::sqrt(dt), dw_.data()});
+  if (!area_.empty())
+    fill_normals({seed, noise_kind::area, first_path, first_step, steps, pairs_, active_ < 2 ? 0 : pairs_, dt / 2,
+                  area_.data()});
   return {dt, steps, false, dw_, area_};
 }
 

@@ -4,8 +4,6 @@
 #include <span>
 #include <string_view>
 
-#include <polhode/systems/rigid_body.hpp>
-
 #include "experiments/subject.hpp"
 
 namespace polhode {
@@ -17,7 +15,6 @@ struct system_entry {
 
 std::span<const system_entry> systems();
 
-rigid_body make_rigid_body(const report::scene&);
 subject bind_rigid_body(const report::scene&);
 
 }  // namespace polhode

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "ensemble/isa.hpp"
 #include "registry/nearest.hpp"
 #include "registry/provenance.hpp"
 #include "registry/systems.hpp"
@@ -18,12 +19,6 @@ namespace {
 /// Adding an experiment: its source, and its name here.
 std::vector<experiment> all_experiments() {
   return {casimir_experiment(), strong_experiment(), energy_experiment(), gibbs_experiment()};
-}
-
-subject bind_scene(const scene& s) {
-  for (const auto& system : systems())
-    if (system.name == s.system) return system.bind(s);
-  throw input_error(fmt::format("scene {}: system = \"{}\" is not known", s.name, s.system));
 }
 
 report::scheme described(const scheme_entry& entry) {
@@ -94,9 +89,28 @@ void add_skipped_verdicts(report::results& out) {
             {skip.experiment, scheme.name, "", {}, {}, {}, {}, report::verdict_kind::skipped, skip.reason});
 }
 
+void apply_isa(const std::string& wanted) {
+  if (wanted == "auto") return;
+  const auto usable = usable_isas();
+  const auto level = isa_named(wanted);
+  if (!level || std::ranges::find(usable, *level) == usable.end()) {
+    std::vector<std::string_view> names{"auto"};
+    for (const isa i : usable) names.push_back(name_of(i));
+    throw input_error(fmt::format("--isa: \"{}\" is not to be had here; accepted: {}", wanted, fmt::join(names, ", ")));
+  }
+  choose_isa(*level);
+}
+
 }  // namespace
 
+subject bind_scene(const scene& s) {
+  for (const auto& system : systems())
+    if (system.name == s.system) return system.bind(s);
+  throw input_error(fmt::format("scene {}: system = \"{}\" is not known", s.name, s.system));
+}
+
 void check_options(const scene& s, const verify_options& options) {
+  apply_isa(options.isa);
   auto subject = bind_scene(s);
   auto experiments = all_experiments();
   keep_wanted(subject.schemes, options.schemes, "scheme", [](const scheme_entry& e) { return e.info.name; });
@@ -125,6 +139,7 @@ report::results verify_subject(subject s, const verify_options& options, const p
   out.provenance.seed = options.seed;
   out.provenance.effort = effort_name(options.effort);
   out.provenance.threads = options.threads;
+  out.provenance.isa = name_of(active_isa());
   const auto start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_seconds();
   run_experiments(s, experiments, options, progress, out);
@@ -135,6 +150,7 @@ report::results verify_subject(subject s, const verify_options& options, const p
 }
 
 report::results verify(const scene& s, const verify_options& options, const progress_sink& progress) {
+  apply_isa(options.isa);
   return verify_subject(bind_scene(s), options, progress);
 }
 

@@ -19,7 +19,11 @@ struct verify_options {
   polhode::effort effort = effort::standard;
   int threads = 1;
   std::uint64_t seed = 1;
+  std::string isa = "auto";  ///< instruction set of the inner loops; auto: the widest that this machine has
 };
+
+/// The scene's system with every scheme that applies to it. Throws input_error on an unknown system.
+subject bind_scene(const scene&);
 
 /// Called from the working threads, never concurrently: the share done in [0, 1] and what is being worked on.
 using progress_sink = std::function<void(double share, std::string_view what)>;

@@ -18,10 +18,10 @@ class resample {
     for (int i = 0; i < count; i += 4) {
       const noise_address address{seed, noise_kind::resampling, static_cast<std::uint64_t>(replicate),
                                   static_cast<std::uint64_t>(i / 4)};
-      const auto bits = random_bits(address, 0);
+      const auto bits = random_words(address, 0);
       for (int k = 0; k < 4 && i + k < count; ++k)
         indices_[static_cast<std::size_t>(i + k)] = static_cast<int>(
-            std::uint64_t{bits[static_cast<std::size_t>(k)]} * static_cast<std::uint64_t>(count) >> 32);
+            bits[static_cast<std::size_t>(k)] * static_cast<std::uint64_t>(count) >> 32);
     }
   }
   /// Every index once: the sample itself.

@@ -100,6 +100,7 @@ results sample() {
                   "g++ 12.2.0",
                   "-O2 -DNAME=\"a b\"",
                   "A CPU & its cache",
+                  "v3",
                   2,
                   18446744073709551615u,
                   "quick",

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "registry/bind.hpp"
+#include "registry/rigid_body.hpp"
 #include "registry/scene.hpp"
 #include "registry/systems.hpp"
 #include "registry/verify.hpp"

@@ -14,27 +14,49 @@ namespace {
 
 // Known answers of the Random123 distribution (kat_vectors, philox4x32-10).
 TEST(Philox, KnownAnswers) {
-  EXPECT_EQ(philox4x32_10({0, 0, 0, 0}, {0, 0}), (philox_counter{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
-  EXPECT_EQ(philox4x32_10({0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff}, {0xffffffff, 0xffffffff}),
-            (philox_counter{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
-  EXPECT_EQ(philox4x32_10({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}),
-            (philox_counter{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
+  using words = philox_words<std::uint64_t>;
+  EXPECT_EQ(philox4x32_10<std::uint64_t>({0, 0, 0, 0}, 0), (words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+  EXPECT_EQ(philox4x32_10<std::uint64_t>({0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff}, 0xffffffffffffffff),
+            (words{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+  EXPECT_EQ(philox4x32_10<std::uint64_t>({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, 0x299f31d0a4093822),
+            (words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
+}
+
+TEST(Philox, PacksGiveTheSameBits) {
+  using B = bits_of<pack>;
+  const B path([](auto lane) { return 0x123456789ABull + lane; });
+  const noise_address a{0xDEADBEEF12345678, noise_kind::area, 0, 0xABCDEF012345};
+  const auto packed = random_words(a, path, 3);
+  const auto normal = normal_pair<pack>(a, path, 3);
+  for (std::size_t lane = 0; lane < pack::size(); ++lane) {
+    const noise_address one{a.seed, a.kind, 0x123456789ABull + lane, a.step};
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(packed[k][lane], random_words(one, 3)[k]);
+    for (int k = 0; k < 2; ++k) EXPECT_EQ(normal[k][lane], normal_pair(one, 3)[k]);
+  }
+}
+
+TEST(Logarithm, IsGoodToTheLastPlace) {
+  for (int i = 1; i < 20000; ++i)
+    for (const double x : {i * 5e-5, i * 1e-16, 1 - i * 1e-9, i * 1e12}) {
+      EXPECT_NEAR(logarithm(x), std::log(x), 2.3e-16 * std::max(std::fabs(std::log(x)), 1e-9)) << x;
+      EXPECT_EQ(logarithm(pack(x))[0], logarithm(x));
+    }
 }
 
 TEST(Address, EveryFieldMatters) {
   const noise_address a{1, noise_kind::increment, 5, 9};
-  const auto bits = random_bits(a, 0);
-  EXPECT_NE(bits, random_bits(a, 1));
-  EXPECT_NE(bits, random_bits({2, a.kind, a.path, a.step}, 0));
-  EXPECT_NE(bits, random_bits({1ull << 40 | 1, a.kind, a.path, a.step}, 0));
-  EXPECT_NE(bits, random_bits({a.seed, noise_kind::area, a.path, a.step}, 0));
-  EXPECT_NE(bits, random_bits({a.seed, a.kind, a.path + (1ull << 40), a.step}, 0));
-  EXPECT_NE(bits, random_bits({a.seed, a.kind, a.path, a.step + (1ull << 40)}, 0));
+  const auto bits = random_words(a, 0);
+  EXPECT_NE(bits, random_words(a, 1));
+  EXPECT_NE(bits, random_words({2, a.kind, a.path, a.step}, 0));
+  EXPECT_NE(bits, random_words({1ull << 40 | 1, a.kind, a.path, a.step}, 0));
+  EXPECT_NE(bits, random_words({a.seed, noise_kind::area, a.path, a.step}, 0));
+  EXPECT_NE(bits, random_words({a.seed, a.kind, a.path + (1ull << 40), a.step}, 0));
+  EXPECT_NE(bits, random_words({a.seed, a.kind, a.path, a.step + (1ull << 40)}, 0));
 }
 
 TEST(Uniform, IsNeverZeroOrOne) {
-  EXPECT_GT(uniform_of(0, 0), 0.0);
-  EXPECT_LT(uniform_of(0xffffffff, 0xffffffff), 1.0);
+  EXPECT_GT(uniform_of<double>(std::uint64_t{0}, std::uint64_t{0}), 0.0);
+  EXPECT_LT(uniform_of<double>(std::uint64_t{0xffffffff}, std::uint64_t{0xffffffff}), 1.0);
 }
 
 TEST(Normal, AskingForFewerChangesNothing) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "registry/bind.hpp"
+#include "registry/rigid_body.hpp"
 #include "registry/scene.hpp"
 #include "registry/verify.hpp"
 #include "reports/model/errors.hpp"

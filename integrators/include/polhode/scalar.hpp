@@ -2,8 +2,10 @@
 // the value of a lane never depends on its neighbours.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 
 #include <polhode/simd.hpp>
 
@@ -79,6 +81,27 @@ sine_cosine<S> sincos_reduced(const S& x) {
 }
 
 }  // namespace detail
+
+/// Natural logarithm of a normal number > 0, below 1 ulp. With x = 2^e m, m in [sqrt(1/2), sqrt(2)), and s =
+/// (m-1)/(m+1): log m = 2 artanh s. (Minimax coefficients as in FreeBSD msun e_log.c.)
+template <class S>
+S logarithm(const S& x) {
+  using B = bits_of<S>;
+  // Adding the distance from sqrt(1/2) to 1 to the bits makes the exponent step at sqrt(1/2) instead of 1.
+  const B shifted = std::bit_cast<B>(x) + B(std::uint64_t{0x3FF0000000000000} - std::uint64_t{0x3FE6A09E00000000});
+  const S e = std::bit_cast<S>(B((shifted >> 52) | B(std::uint64_t{0x4330000000000000}))) - S(0x1p52 + 1023);
+  const S m =
+      std::bit_cast<S>(B((shifted & B(std::uint64_t{0x000FFFFFFFFFFFFF})) + B(std::uint64_t{0x3FE6A09E00000000})));
+  const S f = m - S(1.0), s = f / (S(2.0) + f), z = s * s;
+  const S r = z * (S(6.666666666666735130e-01) +
+                   z * (S(3.999999999940941908e-01) +
+                        z * (S(2.857142874366239149e-01) +
+                             z * (S(2.222219843214978396e-01) +
+                                  z * (S(1.818357216161805012e-01) +
+                                       z * (S(1.531383769920937332e-01) + z * S(1.479819860511658591e-01)))))));
+  const S half = S(0.5) * f * f;
+  return e * S(6.93147180369123816490e-01) - ((half - (s * (half + r) + e * S(1.90821492927058770002e-10))) - f);
+}
 
 /// Sine and cosine. Any finite argument; lanes beyond the reduction's reach go through the standard library.
 template <class S>

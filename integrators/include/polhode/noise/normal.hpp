@@ -1,8 +1,8 @@
 // Noise by address: a value is a pure function of (seed, kind, path, step, channel). Nothing is ever drawn in sequence,
 // so the number of threads, blocks, packs or ranks changes nothing, and asking for more never changes what was there.
+// Compiled without contraction of products and sums the bits are the same on every instruction set.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 
@@ -23,28 +23,38 @@ struct noise_address {
   std::uint64_t step = 0;
 };
 
-/// 128 bits at (address, block): the counter is (step: 48 bits, block: 16, path: 48, kind: 16), the key the seed.
-inline philox_counter random_bits(const noise_address& a, std::uint32_t block) {
-  const auto low = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
-  const auto high = [](std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32) & 0xFFFFu; };
-  const philox_counter counter{low(a.step), high(a.step) | block << 16, low(a.path),
-                               high(a.path) | static_cast<std::uint32_t>(a.kind) << 16};
-  return philox4x32_10(counter, {low(a.seed), low(a.seed >> 32)});
+/// 128 bits at (address, block) for every path in B (one path, or a pack of them): the counter is (step: 48 bits,
+/// block: 16, path: 48, kind: 16), the key the seed. address.path is not read.
+template <class B>
+philox_words<B> random_words(const noise_address& a, const B& path, std::uint32_t block) {
+  const std::uint64_t word = 0xFFFFFFFF;
+  return philox4x32_10<B>(
+      {B(a.step & word), B((a.step >> 32 & 0xFFFF) | std::uint64_t{block} << 16), path & B(word),
+       (path >> 32 & B(std::uint64_t{0xFFFF})) | B(std::uint64_t{static_cast<std::uint16_t>(a.kind)} << 16)},
+      a.seed);
+}
+inline philox_words<std::uint64_t> random_words(const noise_address& a, std::uint32_t block) {
+  return random_words<std::uint64_t>(a, a.path, block);
 }
 
-/// A uniform in (0, 1) from 64 bits: the middle of one of 2^52 equal cells, so neither 0 nor 1. (With 2^53 cells the last
-/// middle would round to 1.)
-inline double uniform_of(std::uint32_t low, std::uint32_t high) {
-  const std::uint64_t bits = (std::uint64_t{high} << 32 | low) >> 12;
-  return (static_cast<double>(bits) + 0.5) * 0x1p-52;
+/// A uniform in (0, 1) from 64 bits: the middle of one of 2^52 equal cells, so neither 0 nor 1. (With 2^53 cells the
+/// last middle would round to 1.) Exact: 1 + k 2^-52 is written bit by bit and 1 - 2^-53 taken off.
+template <class S, class B>
+S uniform_of(const B& low, const B& high) {
+  const B mantissa = (high << 32 | low) >> 12;
+  return std::bit_cast<S>(B(mantissa | B(std::uint64_t{0x3FF0000000000000}))) - S(1 - 0x1p-53);
 }
 
 /// Two independent standard normals in double precision (Box, Muller, Ann. Math. Stat. 29 (1958) 610-611).
-inline vec<double, 2> normal_pair(const noise_address& address, std::uint32_t block) {
-  const auto bits = random_bits(address, block);
-  const double radius = std::sqrt(-2.0 * std::log(uniform_of(bits[0], bits[1])));
-  const auto [sin, cos] = sincos(2.0 * std::numbers::pi * uniform_of(bits[2], bits[3]));
+template <class S, class B>
+vec<S, 2> normal_pair(const noise_address& address, const B& path, std::uint32_t block) {
+  const auto words = random_words(address, path, block);
+  const S radius = square_root(S(S(-2.0) * logarithm(uniform_of<S>(words[0], words[1]))));
+  const auto [sin, cos] = detail::sincos_reduced(S(S(2 * std::numbers::pi) * uniform_of<S>(words[2], words[3])));
   return {{radius * cos, radius * sin}};
+}
+inline vec<double, 2> normal_pair(const noise_address& address, std::uint32_t block) {
+  return normal_pair<double>(address, address.path, block);
 }
 
 /// The first `wanted` of N independent standard normals; the others are zero and are not computed.

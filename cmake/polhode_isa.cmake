@@ -1,0 +1,42 @@
+# Sources that are compiled once per instruction set. Every inline function in them, ours or the standard library's, would be
+# merged by the linker with its namesake of another instruction set, and AVX-512 would run where there is none. So the objects
+# of one set are linked into one relocatable object, and of its symbols only the entries polhode_* stay visible.
+option(POLHODE_ISA_LEVELS "Compile the inner loops for x86-64-v2, v3 and v4 and choose at start" ON)
+
+set(POLHODE_ISA_SOURCES ensemble/isa/normal_block.cpp registry/isa/rigid_body.cpp)
+set(POLHODE_UNCONTRACTED ensemble/isa/normal_block.cpp)  # the same bits on every instruction set
+
+function(polhode_isa_objects target level)
+  set(objects ${target}_${level})
+  add_library(${objects} OBJECT ${POLHODE_ISA_SOURCES})
+  target_link_libraries(${objects} PRIVATE polhode_options polhode::integrators)
+  target_compile_definitions(${objects} PRIVATE POLHODE_ISA=${level} POLHODE_X86_LEVELS)
+  target_compile_options(${objects} PRIVATE -march=x86-64-${level}
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>
+    $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)  # g++ 12's own AVX-512 headers (GCC bug 105593)
+  if(level STREQUAL v4)
+    target_compile_options(${objects} PRIVATE -mprefer-vector-width=512)
+  endif()
+  set(merged ${CMAKE_CURRENT_BINARY_DIR}/${objects}.o)
+  add_custom_command(OUTPUT ${merged}
+    COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${merged}.all $<TARGET_OBJECTS:${objects}>
+    COMMAND ${CMAKE_OBJCOPY} --wildcard --keep-global-symbol=polhode_*_${level} ${merged}.all ${merged}
+    DEPENDS ${objects} $<TARGET_OBJECTS:${objects}> COMMAND_EXPAND_LISTS VERBATIM
+    COMMENT "Inner loops for x86-64-${level}")
+  set_source_files_properties(${merged} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+  target_sources(${target} PRIVATE ${merged})
+endfunction()
+
+function(polhode_add_isa target)
+  set_source_files_properties(${POLHODE_UNCONTRACTED} PROPERTIES COMPILE_OPTIONS -ffp-contract=off)
+  if(POLHODE_ISA_LEVELS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND CMAKE_OBJCOPY AND CMAKE_LINKER)
+    target_compile_definitions(${target} PRIVATE POLHODE_X86_LEVELS)
+    foreach(level v2 v3 v4)
+      polhode_isa_objects(${target} ${level})
+    endforeach()
+  else()
+    target_sources(${target} PRIVATE ${POLHODE_ISA_SOURCES})
+    set_source_files_properties(${POLHODE_ISA_SOURCES} PROPERTIES COMPILE_DEFINITIONS POLHODE_ISA=portable)
+  endif()
+endfunction()

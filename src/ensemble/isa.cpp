@@ -1,0 +1,63 @@
+#include "ensemble/isa.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+namespace polhode {
+namespace {
+
+std::vector<isa> find_usable() {
+  std::vector<isa> found;
+#if defined(POLHODE_X86_LEVELS)
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt")) found.push_back(isa::v2);
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")) {
+    found.push_back(isa::v3);
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+        __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd"))
+      found.push_back(isa::v4);
+  }
+#else
+  found.push_back(isa::portable);
+#endif
+  return found;
+}
+
+std::optional<isa>& chosen() {
+  static std::optional<isa> value;
+  return value;
+}
+
+}  // namespace
+
+std::string_view name_of(isa level) {
+  switch (level) {
+    case isa::portable: return "portable";
+    case isa::v2: return "v2";
+    case isa::v3: return "v3";
+    case isa::v4: return "v4";
+  }
+  return "portable";
+}
+
+std::optional<isa> isa_named(std::string_view name) {
+  for (const isa level : {isa::portable, isa::v2, isa::v3, isa::v4})
+    if (name_of(level) == name) return level;
+  return std::nullopt;
+}
+
+std::span<const isa> usable_isas() {
+  static const std::vector<isa> usable = find_usable();
+  return usable;
+}
+
+isa active_isa() { return chosen().value_or(usable_isas().back()); }
+
+void choose_isa(isa level) {
+  if (std::ranges::find(usable_isas(), level) == usable_isas().end())
+    throw std::invalid_argument("this processor or build has no " + std::string(name_of(level)));
+  chosen() = level;
+}
+
+}  // namespace polhode

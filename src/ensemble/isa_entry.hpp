@@ -1,0 +1,29 @@
+// Names of the functions that exist once per instruction set: POLHODE_ENTRY(f_) is f_v4 where POLHODE_ISA is v4.
+#pragma once
+
+#include "ensemble/isa.hpp"
+
+#define POLHODE_JOIN_EXPANDED(a, b) a##b
+#define POLHODE_JOIN(a, b) POLHODE_JOIN_EXPANDED(a, b)
+#define POLHODE_ENTRY(prefix) POLHODE_JOIN(prefix, POLHODE_ISA)
+
+/// The list of f_v2, f_v3, f_v4, or of f_portable alone, as this build has them: arguments of by_isa.
+#if defined(POLHODE_X86_LEVELS)
+#define POLHODE_ENTRIES(prefix) POLHODE_JOIN(prefix, v2), POLHODE_JOIN(prefix, v3), POLHODE_JOIN(prefix, v4)
+#else
+#define POLHODE_ENTRIES(prefix) POLHODE_JOIN(prefix, portable)
+#endif
+
+namespace polhode {
+
+/// The entry for the instruction set in force.
+template <class F>
+F by_isa(F v2, F v3, F v4) {
+  return active_isa() == isa::v4 ? v4 : active_isa() == isa::v3 ? v3 : v2;
+}
+template <class F>
+F by_isa(F portable) {
+  return portable;
+}
+
+}  // namespace polhode

@@ -1,0 +1,31 @@
+// Normals for a block of paths, compiled once per instruction set; the values do not depend on which one runs.
+#pragma once
+
+#include <cstdint>
+
+#include <polhode/noise/normal.hpp>
+
+namespace polhode {
+
+/// `wanted` of `rows` normals, times `scale`, for every lane of a block and every step: out is [step][row][lane]. Rows
+/// that are not wanted are left alone.
+struct normal_block {
+  std::uint64_t seed;
+  noise_kind kind;
+  std::uint64_t first_path, first_step;
+  int steps, rows, wanted;
+  double scale;
+  double* out;
+};
+
+/// By the instruction set in force.
+void fill_normals(const normal_block&);
+
+}  // namespace polhode
+
+extern "C" {
+void polhode_fill_normals_v2(const polhode::normal_block&);
+void polhode_fill_normals_v3(const polhode::normal_block&);
+void polhode_fill_normals_v4(const polhode::normal_block&);
+void polhode_fill_normals_portable(const polhode::normal_block&);
+}
