@@ -33,7 +33,7 @@ class model_of final : public model {
     const auto x = state(mu);
     std::ranges::copy(System::algebra::coad(system_.generator(x), x).c, out.begin());
   }
-  void coarsen(const increment_view& fine, int factor, std::span<double> dw, std::span<double> area) const override {
+  [[gnu::flatten]] void coarsen(const increment_view& fine, int factor, std::span<double> dw, std::span<double> area) const override {
     constexpr int pairs = pairs_of<m>;
     const auto at = [&](int i, int lane) {
       wiener_levy<pack, m> w;

@@ -3,7 +3,7 @@
 #include "ensemble/isa_entry.hpp"
 #include "ensemble/kernel.hpp"
 
-extern "C" void POLHODE_ENTRY(polhode_fill_normals_)(const polhode::normal_block& request) {
+extern "C" [[gnu::flatten]] void POLHODE_ENTRY(polhode_fill_normals_)(const polhode::normal_block& request) {
   using namespace polhode;
   using B = bits_of<pack>;
   constexpr int width = static_cast<int>(pack::size());
