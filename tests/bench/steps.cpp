@@ -1,4 +1,4 @@
-// Nanoseconds per path and step of every scheme on the scene `paper`: with noise drawn by address, and on still
+// Time per path and step of every scheme on the scene `paper`: with noise drawn by address, and on still
 // increments (the step alone). Beside them, in the same run, what a programmer writes first: Eigen and
 // std::normal_distribution.
 #include <benchmark/benchmark.h>
@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "ensemble/denormals.hpp"
 #include "ensemble/paths.hpp"
 #include "registry/scene.hpp"
 #include "registry/systems.hpp"
@@ -17,12 +18,12 @@ constexpr int steps = 256;
 constexpr double dt = 0.01;
 
 void per_path_step(benchmark::State& state, int paths) {
-  state.counters["ns_per_path_step"] =
-      benchmark::Counter(static_cast<double>(state.iterations()) * steps * paths * 1e-9,
-                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["per_path_step"] = benchmark::Counter(
+      static_cast<double>(steps * paths), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void run_scheme(benchmark::State& state, const scheme_entry& scheme, const subject& s, bool noisy) {
+  const flush_denormals flushed;
   const auto stepper = scheme.make(dt);
   increment_buffer noise(*s.model, steps, scheme.needs_areas);
   auto states = replicated(s.scene.momentum);

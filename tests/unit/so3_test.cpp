@@ -116,6 +116,18 @@ TEST(Scalar, SineAndCosineAreGoodToTheLastPlace) {
   }
 }
 
+TEST(Scalar, ExponentialIsGoodToTheLastPlace) {
+  for (int i = -7070; i <= 7080; ++i) {
+    const double x = i * 0.1 + (i % 11) * 1e-3;
+    EXPECT_NEAR(exponential(x) / std::exp(x), 1.0, 2.3e-16) << x;
+    EXPECT_EQ(exponential(pack(x))[0], exponential(x));
+  }
+  EXPECT_EQ(exponential(0.0), 1.0);
+  EXPECT_EQ(exponential(-1e6), 0.0);
+  EXPECT_EQ(exponential(-1e300), 0.0);
+  EXPECT_EQ(exponential(1e6), INFINITY);
+}
+
 TEST(Scalar, ALaneDoesNotSeeItsNeighbours) {
   if (pack::size() < 2) GTEST_SKIP() << "one lane";
   const pack near_and_far([](auto lane) { return lane == 0 ? 0.7 : 1e9; });

@@ -63,10 +63,14 @@ struct rigid_body : constant_noise<so3> {
   /// componentwise (double-bracket flow). The least of 1/I is taken out of the exponent, so nothing underflows at once.
   template <class S>
   vec<S, 3> dissipation_flow(const vec<S, 3>& pi, double t) const {
+    if (theta == 0) return pi;
     const S c2 = dot(pi, pi);
     const double least = std::min({inverse_inertia[0], inverse_inertia[1], inverse_inertia[2]});
-    vec<S, 3> y;
-    for (int k = 0; k < 3; ++k) y[k] = exponential(S(S(-theta * t * (inverse_inertia[k] - least)) * c2)) * pi[k];
+    vec<S, 3> y = pi;
+    for (int k = 0; k < 3; ++k) {
+      const double excess = inverse_inertia[k] - least;
+      if (excess > 0) y[k] = exponential(S(S(-theta * t * excess) * c2)) * pi[k];
+    }
     return square_root(c2 / dot(y, y)) * y;
   }
 
