@@ -20,6 +20,7 @@ struct command {
   std::function<int()> run;
 };
 command add_verify(CLI::App&);
+command add_simulate(CLI::App&);
 command add_list(CLI::App&);
 
 /// Refuses what the parser did not recognise, and names the nearest that it knows.

@@ -125,8 +125,7 @@ command add_verify(CLI::App& app) {
   parser->add_option("--out", given->out, "Folder for the report [report]")->type_name("DIR");
   parser->add_option("--threads", given->threads, "1 to 1024 [" + given->threads + "]")->type_name("N");
   parser->add_option("--seed", given->seed, "Seed of the noise [1]")->type_name("N");
-  parser->add_option("--isa", given->isa, "Instruction set of the inner loops: auto, v2, v3, v4 [auto, the widest]")
-      ->type_name("NAME");
+  parser->add_option("--isa", given->isa, "Instruction set: auto, v2, v3, v4 [auto]")->type_name("NAME");
   parser->add_option("--format", given->format, "On standard output: text, json [text]")->type_name("F");
   parser->add_flag("--fresh", given->fresh, "Compute anew; nothing is cached yet");
   parser->add_flag("-q,--quiet", given->quiet, "No summary, no progress");

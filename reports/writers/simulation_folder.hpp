@@ -1,0 +1,22 @@
+// The folder of a simulation: complete or not there, as for reports.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "reports/model/simulation.hpp"
+
+namespace polhode::report {
+
+/// Writes final.csv (final.npy above 100000 bodies), summary.json, and snapshot_<time>.npy and .png for each snapshot.
+/// A folder of ours that stands there is exchanged in one step. Throws input_error where it holds anything else,
+/// output_error where the disk refuses; neither leaves a trace.
+void write_simulation(const std::filesystem::path& out, const simulation&);
+
+/// The same refusals, before the work starts. Creates nothing.
+void check_simulation_folder(const std::filesystem::path& out);
+
+/// "final.csv" or "final.npy".
+std::string final_name(const simulation&);
+
+}  // namespace polhode::report

@@ -1,0 +1,148 @@
+// polhode simulate: an ensemble of bodies, its final states, its snapshots and their pictures.
+#include "registry/simulate.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <thread>
+
+#include "cli/arguments.hpp"
+#include "cli/progress.hpp"
+#include "cli/signals.hpp"
+#include "cli/terminal.hpp"
+#include "registry/text.hpp"
+#include "reports/model/errors.hpp"
+#include "reports/writers/numbers.hpp"
+#include "reports/writers/simulation_folder.hpp"
+#include "reports/writers/simulation_json.hpp"
+
+namespace polhode::cli {
+namespace {
+
+constexpr std::uint64_t most_threads = 1024;
+constexpr std::uint64_t most_bodies = std::numeric_limits<std::uint32_t>::max();  // what a bin of a histogram can count
+
+struct arguments {
+  std::string scene = "paper", scheme, dt, bodies, noise, start, snapshots;
+  std::string out = "simulation", threads, seed = "1", format = "text";
+  bool quiet = false;
+};
+
+[[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view accepted) {
+  throw input_error(fmt::format("{} '{}': accepted: {}", option, one_line(text, 60), accepted));
+}
+
+double number_option(std::string_view option, std::string_view text) {
+  double value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(value) || value <= 0)
+    refuse(option, text, "a positive number");
+  return value;
+}
+
+const std::string& required(std::string_view option, const std::string& text) {
+  if (text.empty())
+    throw input_error(fmt::format("{} is missing; simulate needs --scheme, --dt, --bodies, --noise", option));
+  return text;
+}
+
+simulate_options checked_options(const arguments& given) {
+  simulate_options options;
+  options.scheme = required("--scheme", given.scheme);
+  options.dt = number_option("--dt", required("--dt", given.dt));
+  options.bodies =
+      static_cast<std::int64_t>(integer_option("--bodies", required("--bodies", given.bodies), 1, most_bodies));
+  options.noise = required("--noise", given.noise);
+  options.start = given.start;
+  for (const auto& time : list_option("--snapshots", given.snapshots))
+    options.snapshots.push_back(number_option("--snapshots", time));
+  options.threads = static_cast<int>(integer_option("--threads", given.threads, 1, most_threads));
+  options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  return options;
+}
+
+std::string row(const report::ensemble_state& s) {
+  auto out = fmt::format("{:>10} {:>8}", report::shown(s.time), s.lost);
+  const auto add = [&](const report::mean_and_deviation& m) {
+    out += fmt::format(" {:>10} {:>9}", report::shown(m.mean), report::shown(m.deviation));
+  };
+  add(s.energy);
+  for (const auto& c : s.components) add(c);
+  return out + '\n';
+}
+
+std::string text_of(const report::simulation& s, const std::filesystem::path& out) {
+  auto text =
+      fmt::format("{} ({}): {}, dt = {}, {} steps, {} bodies, {} noise, {} start, seed {}\n\n", one_line(s.scene.name),
+                  s.scene.system, s.scheme.name, s.dt, s.steps, s.bodies, s.noise, s.start, s.provenance.seed);
+  text += fmt::format("{:>10} {:>8} {:>10} {:>9}", "time", "lost", "energy", "+-");
+  for (std::size_t k = 0; k < s.final.components.size(); ++k)
+    text += fmt::format(" {:>10} {:>9}", fmt::format("pi{}", k + 1), "+-");
+  text += '\n';
+  for (const auto& snapshot : s.snapshots)
+    if (snapshot.state.step < s.steps) text += row(snapshot.state);
+  text += row(s.final);
+  text += fmt::format("\nlargest relative change of the Casimir: {}\n", report::shown(s.final.casimir_change));
+  text += fmt::format("{:g} path-steps in {}: {:.3g} ns each; {} numbers drawn\n", s.path_steps,
+                      report::shown_duration(s.provenance.wall_seconds), s.ns_per_path_step, s.numbers_drawn);
+  for (const auto& remark : s.remarks) text += fmt::format("note: {}\n", remark);
+  return text + fmt::format("final states: {}\n", one_line((out / report::final_name(s)).string()));
+}
+
+report::simulation run_it(const scene& s, const simulate_options& options, bool quiet) {
+  progress_line progress{!quiet};
+  return simulate(s, options, [&](double share, std::string_view what) { progress.show(share, what); });
+}
+
+int run(const arguments& given) {
+  const auto output = format_option(given.format);
+  const auto options = checked_options(given);
+  const auto scene = load_scene(given.scene);
+  check_simulation(scene, options);
+  if (given.out.empty()) throw input_error("--out '': accepted: the folder to be written");
+  const std::filesystem::path out{given.out};
+  report::check_simulation_folder(out);
+
+  const auto result = run_it(scene, options, given.quiet);
+  {
+    const defer_signals whole;
+    report::write_simulation(out, result);
+  }
+  if (output == format::json)
+    print(report::to_json(result));
+  else if (!given.quiet)
+    print(text_of(result, out));
+  return 0;
+}
+
+void add_common(CLI::App& parser, arguments& given) {
+  parser.add_option("--out", given.out, "Folder for the files [simulation]")->type_name("DIR");
+  parser.add_option("--threads", given.threads, "1 to 1024 [" + given.threads + "]")->type_name("N");
+  parser.add_option("--seed", given.seed, "Seed of the noise [1]")->type_name("N");
+  parser.add_option("--format", given.format, "On standard output: text, json [text]")->type_name("F");
+  parser.add_flag("-q,--quiet", given.quiet, "No summary, no progress");
+}
+
+}  // namespace
+
+command add_simulate(CLI::App& app) {
+  const auto given = std::make_shared<arguments>();
+  given->threads = std::to_string(std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, most_threads));
+  auto* parser = app.add_subcommand("simulate", "Run an ensemble of bodies; final states and pictures");
+  parser->add_option("SCENE", given->scene, "A built-in name or a TOML file [paper]")->type_name("");
+  parser->add_option("--scheme", given->scheme, "The scheme; see polhode list schemes")->type_name("S");
+  parser->add_option("--dt", given->dt, "Step size; the horizon is a multiple")->type_name("H");
+  parser->add_option("--bodies", given->bodies, "How many")->type_name("N");
+  parser->add_option("--noise", given->noise, "common, independent, none")->type_name("K");
+  parser->add_option("--snapshots", given->snapshots, "Times to count and picture")->type_name("T1,T2");
+  parser->add_option("--start", given->start, "uniform, momentum [by the noise]")->type_name("K");
+  add_common(*parser, *given);
+  return {parser, [given] { return run(*given); }};
+}
+
+}  // namespace polhode::cli

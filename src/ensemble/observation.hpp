@@ -1,0 +1,42 @@
+// What is seen of an ensemble when it stops.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ensemble/model.hpp"
+#include "ensemble/running_moments.hpp"
+
+namespace polhode {
+
+/// The ensemble at one time. Lost bodies (not finite) are counted and left out of everything else.
+struct ensemble_moments {
+  running_moments energy;
+  std::vector<running_moments> components;
+  std::int64_t lost = 0;
+  double casimir_change = 0;  ///< the largest, relative to the start
+  void merge(const ensemble_moments&);
+};
+
+/// The bins that a body's direction falls into.
+struct direction_bins {
+  std::uint32_t longitude, hemisphere;
+};
+
+class ensemble_observer {
+ public:
+  /// Every body starts on the orbit of that momentum.
+  ensemble_observer(const model&, std::span<const double> momentum);
+
+  /// Adds the first `lanes` of a block; directions only where they are wanted.
+  void observe(std::span<const double> states, int lanes, ensemble_moments&, std::vector<direction_bins>* seen) const;
+  ensemble_moments nothing() const;
+
+ private:
+  const model& model_;
+  std::vector<double> start_casimirs_;
+  double casimir_scale_ = 0;
+};
+
+}  // namespace polhode

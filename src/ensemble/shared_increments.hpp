@@ -1,0 +1,30 @@
+// One noise for all bodies: the increments of path 0 over all steps, computed once.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ensemble/kernel.hpp"
+#include "ensemble/model.hpp"
+
+namespace polhode {
+
+class shared_increments {
+ public:
+  /// The numbers that increment_buffer gives to path 0, areas included.
+  shared_increments(const model&, std::uint64_t seed, std::int64_t steps, double dt, bool with_areas, int threads);
+
+  /// Steps first_step … first_step + steps - 1.
+  increment_view view(std::int64_t first_step, int steps) const;
+  std::uint64_t drawn() const { return drawn_; }
+
+  static double bytes(const model&, std::int64_t steps, bool with_areas);
+
+ private:
+  double dt_;
+  int channels_, pairs_;
+  std::uint64_t drawn_;
+  std::vector<double> dw_, area_;
+};
+
+}  // namespace polhode

@@ -1,0 +1,50 @@
+// An ensemble of bodies through time: one scheme, one system, stops at which the directions are counted.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "ensemble/kernel.hpp"
+#include "ensemble/model.hpp"
+#include "ensemble/observation.hpp"
+
+namespace polhode {
+
+enum class ensemble_noise { common, independent, none };
+enum class ensemble_start { uniform, momentum };
+
+struct simulation_plan {
+  ensemble_noise noise = ensemble_noise::none;
+  ensemble_start start = ensemble_start::momentum;
+  std::vector<double> momentum;  ///< where all start, or a point of the sphere on which they do
+  double dt = 0;
+  std::int64_t steps = 0, bodies = 0;
+  std::vector<std::int64_t> snapshots;  ///< step numbers, strictly increasing, in [1, steps]
+  bool with_areas = false;
+  std::uint64_t seed = 0;
+  int threads = 1;
+};
+
+struct ensemble_snapshot {
+  ensemble_moments moments;
+  std::vector<std::uint32_t> counts;   ///< longitude_bins
+  std::vector<std::uint32_t> picture;  ///< hemisphere_bins
+};
+
+struct simulated {
+  std::vector<double> states;  ///< [component][body]
+  ensemble_moments final;
+  std::vector<ensemble_snapshot> snapshots;
+  std::uint64_t drawn = 0;  ///< increments and areas computed for bodies that exist; starting points are not among them
+};
+
+/// The kernel must have been made for plan.dt. `progress` is given the share done, one call at a time.
+/// The result is a function of the plan without its threads.
+simulated simulate_ensemble(const model&, const kernel&, const simulation_plan&,
+                            const std::function<void(double)>& progress = {});
+
+/// What simulate_ensemble will hold at once.
+double simulation_bytes(const model&, const simulation_plan&);
+
+}  // namespace polhode

@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""Drives `polhode simulate` as a user does.   usage: simulate.py POLHODE"""
+import ast, csv, json, os, struct, subprocess, sys, tempfile, unittest, zlib
+
+EXE = os.path.abspath(sys.argv.pop(1)) if len(sys.argv) > 1 else 'polhode'
+GOOD = {'--scheme': 'strang', '--dt': '0.05', '--bodies': '100', '--noise': 'common', '--out': 'out'}
+
+
+def read_npy(path):
+    """Type, shape and the bytes; the header by hand."""
+    data = read(path)
+    assert data[:8] == b'\x93NUMPY\x01\x00', data[:8]
+    length = struct.unpack('<H', data[8:10])[0]
+    assert (10 + length) % 64 == 0 and data[9 + length:10 + length] == b'\n'
+    header = ast.literal_eval(data[10:10 + length].decode('latin1'))
+    assert header['fortran_order'] is False
+    return header['descr'], header['shape'], data[10 + length:]
+
+
+def read_png(path):
+    """Size and the unpacked rows; every checksum is held."""
+    data = read(path)
+    assert data[:8] == b'\x89PNG\r\n\x1a\n'
+    at, chunks = 8, []
+    while at < len(data):
+        size, kind = struct.unpack('>I4s', data[at:at + 8])
+        body = data[at + 8:at + 8 + size]
+        assert zlib.crc32(kind + body) == struct.unpack('>I', data[at + 8 + size:at + 12 + size])[0], kind
+        chunks.append((kind, body))
+        at += 12 + size
+    assert chunks[0][0] == b'IHDR' and chunks[-1] == (b'IEND', b'') and not {b'tIME', b'tEXt'} & {k for k, _ in chunks}
+    return struct.unpack('>IIBB', chunks[0][1][:10]), zlib.decompress(b''.join(b for k, b in chunks if k == b'IDAT'))
+
+
+def read(path, mode='rb'):
+    with open(path, mode) as f: return f.read()
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory(prefix='polhode-simulate-')
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, *names): return os.path.join(self.folder.name, *names)
+
+    def run_it(self, scene='paper', **options):
+        """Options by name, a dash as _; None leaves one out."""
+        given = GOOD | {'--' + k: v for k, v in options.items()}
+        words = [w for k, v in given.items() if v is not None for w in (k, str(v))]
+        p = subprocess.run([EXE, 'simulate', scene, *words], capture_output=True, text=True, cwd=self.folder.name, timeout=300)
+        return p.returncode, p.stdout, p.stderr
+
+    def good(self, scene='paper', **options):
+        rc, out, err = self.run_it(scene, **options)
+        self.assertEqual((rc, err), (0, ''))
+        return out
+
+    def refused(self, names, code=2, left=(), scene='paper', **options):
+        rc, out, err = self.run_it(scene, **options)
+        with self.subTest(options=options, err=err):
+            self.assertEqual((rc, out), (code, ''))
+            self.assertRegex(err, r'\Apolhode: [^\n]+\n\Z')
+            for name in names: self.assertIn(name, err)
+            self.assertEqual(sorted(os.listdir(self.folder.name)), sorted(left))
+
+    def files(self, folder):
+        return {f: read(self.path(folder, f)) for f in os.listdir(self.path(folder))}
+
+    def summary(self, folder='out'): return json.loads(read(self.path(folder, 'summary.json')))
+
+
+class Errors(Case):
+    def test_options(self):
+        for option, value, names in (
+                ('scheme', 'strnag', ["'strang'", 'heun']), ('scheme', None, ['--scheme']), ('dt', None, ['--dt']), ('bodies', None, ['--bodies']), ('noise', None, ['--noise']),
+                ('dt', 'x', ['--dt', "'x'"]), ('dt', '0', ['--dt']), ('dt', '-1', ['--dt']), ('dt', 'nan', ['--dt']), ('dt', 'inf', ['--dt']), ('dt', '0.3', ['0.3', 'horizon = 2', '0.2857']),
+                ('dt', '7', ['horizon = 2']), ('dt', '1e-12', ['steps']), ('dt', '1e-300', ['steps']), ('bodies', '0', ['--bodies']), ('bodies', '-5', ['--bodies']), ('bodies', '1e3', ['1e3']),
+                ('bodies', '4000000000', ['MiB']), ('noise', 'comon', ["'common'", 'independent', 'none']), ('start', 'here', ['uniform', 'momentum']), ('format', 'xml', ['json']),
+                ('snapshots', '0', ['--snapshots']), ('snapshots', '1,2.5', ['--snapshots', '2.5', 'horizon = 2']), ('snapshots', '1,,2', ['1,,2']), ('snapshots', 'x', ['x']),
+                ('seed', '-1', ['--seed']), ('threads', '0', ['--threads']), ('out', '', ['--out'])):
+            self.refused(names, **{option: value})
+        self.refused(['papr', "'paper'"], scene='papr')
+
+    def test_foreign_folders(self):
+        os.mkdir(self.path('out'))
+        with open(self.path('out', 'mine.txt'), 'w') as f: f.write('mine')
+        self.refused(['out', 'mine.txt'], left=['out'])
+        self.assertEqual(self.files('out'), {'mine.txt': b'mine'})
+        os.rename(self.path('out', 'mine.txt'), self.path('out', 'summary.json'))
+        self.refused(['summary.json'], left=['out'])
+        with open(self.path('file'), 'w'): pass
+        self.refused(['file'], left=['file', 'out'], out='file')
+        self.refused(['file'], left=['file', 'out'], out='file/deeper')
+
+
+class Files(Case):
+    def test_threads_change_nothing(self):
+        for noise, scheme in (('common', 'strang'), ('independent', 'milstein'), ('common', 'magnus'), ('none', 'heun')):
+            both = []
+            for threads in (1, 3):
+                self.good(noise=noise, scheme=scheme, bodies=3001, dt=0.1, snapshots='0.5,2', threads=threads)
+                both.append(self.files('out'))
+                summary = json.loads(both[-1].pop('summary.json'))
+                for key in ('ns_per_path_step', 'wall_seconds', 'cpu_seconds', 'provenance'): del summary[key]
+                both[-1]['summary'] = summary
+            self.assertEqual(both[0].keys(), both[1].keys())
+            for name in both[0]: self.assertEqual(both[0][name], both[1][name], (noise, name))
+            self.assertEqual(os.listdir(self.folder.name), ['out'])
+
+    def test_the_number_of_bodies(self):
+        rows = {}
+        for bodies in (1, 15, 17, 100):
+            self.good(bodies=bodies, snapshots='1')
+            table = list(csv.reader(read(self.path('out', 'final.csv'), 'r').splitlines()))
+            self.assertEqual(table[0], ['pi1', 'pi2', 'pi3'])
+            rows[bodies] = [[float(x) for x in row] for row in table[1:]]
+            self.assertEqual(len(rows[bodies]), bodies)
+            kind, shape, data = read_npy(self.path('out', 'snapshot_1.npy'))
+            self.assertEqual((kind, shape, len(data)), ('<u4', (512, 1024), 4 * 512 * 1024))
+            self.assertEqual(sum(struct.unpack(f'<{512 * 1024}I', data)), bodies)
+        for bodies in (1, 15, 17): self.assertEqual(rows[bodies], rows[100][:bodies])
+        s = self.summary()
+        self.assertEqual((s['schema']['name'], s['bodies'], s['steps'], s['path_steps'], s['lost']), ('polhode-simulation', 100, 40, 4000, 0))
+        self.assertEqual(s['numbers_drawn'], 3 * 40)
+        self.assertAlmostEqual(s['final']['pi1']['mean'], sum(r[0] for r in rows[100]) / 100, 12)
+        self.assertLess(s['casimir_change'], 1e-12)
+
+    def test_many_bodies_are_an_array(self):
+        self.good(bodies=100_001, dt=1)
+        kind, shape, data = read_npy(self.path('out', 'final.npy'))
+        self.assertEqual((kind, shape, len(data)), ('<f8', (100_001, 3), 24 * 100_001))
+        self.assertAlmostEqual(sum(x * x for x in struct.unpack('<3d', data[-24:])), 1, 12)
+        self.assertNotIn('final.csv', os.listdir(self.path('out')))
+
+    def test_pictures(self):
+        self.good(bodies=5000, snapshots='0.5,2')
+        self.assertEqual(sorted(os.listdir(self.path('out'))), ['final.csv', 'snapshot_0.5.npy', 'snapshot_0.5.png', 'snapshot_2.npy', 'snapshot_2.png', 'summary.json'])
+        for name in ('snapshot_0.5.png', 'snapshot_2.png'):
+            (width, height, depth, colours), rows = read_png(self.path('out', name))
+            self.assertEqual((depth, colours, len(rows)), (8, 2, height * (3 * width + 1)))
+            self.assertGreater(len(set(rows)), 100)
+
+    def test_a_folder_of_ours_is_exchanged(self):
+        self.good(snapshots='1')
+        self.good(bodies=7)
+        self.assertEqual(sorted(os.listdir(self.path('out'))), ['final.csv', 'summary.json'])
+        os.mkdir(self.path('empty'))
+        self.good(out='empty')
+        self.good(out='a/b/c/')
+        self.assertEqual(sorted(os.listdir(self.path('a', 'b'))), ['c'])
+
+
+class Meaning(Case):
+    def test_without_noise_nothing_is_drawn(self):
+        with open(self.path('still.toml'), 'w') as f:
+            f.write('name = "still"\nsystem = "rigid_body"\ninertia = [1.0, 2.0, 3.0]\ntheta = 0.5\nsigma = 0.0\nmomentum = [0.6, 0.48, 0.64]\nhorizon = 2.0\nsteps = [4, 8]\n')
+        for scene, noise in (('still.toml', 'common'), ('still.toml', 'independent'), ('paper', 'none')):
+            out = self.good(scene, noise=noise, scheme='magnus')
+            self.assertIn('set of equilibria', out)
+            self.assertEqual(self.summary()['numbers_drawn'], 0)
+
+    def test_starts(self):
+        for noise, start in (('common', 'uniform'), ('independent', 'momentum'), ('none', 'uniform')):
+            self.good(noise=noise)
+            self.assertEqual(self.summary()['start'], start)
+        self.good(start='momentum')  # one start, one noise: one body a hundred times
+        self.assertEqual(len(set(read(self.path('out', 'final.csv'), 'r').splitlines())), 2)
+
+    def test_lost_bodies_are_counted(self):
+        with open(self.path('wild.toml'), 'w') as f:
+            f.write('name = "wild"\nsystem = "rigid_body"\ninertia = [0.01, 0.02, 0.03]\ntheta = 5.0\nsigma = 9.0\nmomentum = [60.0, 48.0, 64.0]\nhorizon = 50.0\nsteps = [4, 8]\n')
+        self.good('wild.toml', scheme='euler_maruyama', dt=1, noise='independent', snapshots='25', bodies=40)
+        s = self.summary()
+        self.assertEqual((s['lost'], s['final']['energy']['mean'] in (None, 0)), (40, True))
+
+    def test_json_is_the_summary(self):
+        out = self.good(format='json')
+        self.assertEqual(out, read(self.path('out', 'summary.json'), 'r'))
+        json.loads(out, parse_constant=lambda c: self.fail(f'{c} in JSON'))
+        self.assertEqual(self.summary()['provenance']['seed'], 1)
+
+
+if __name__ == '__main__':
+    unittest.main()
