@@ -37,7 +37,7 @@ double noise_strength(const report::scene& s) {
 }
 
 /// Time to forget the start: relaxation on the sphere (rate sigma^2), slowed by the barrier between the wells of h.
-/// Damping and rotation only help; the factor is generous, and the test with another start holds it.
+/// Damping and rotation only help; the factor five is a choice.
 double burn_in(const report::scene& s) {
   auto inertia = s.inertia;
   std::ranges::sort(inertia);
