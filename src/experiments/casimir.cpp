@@ -91,7 +91,7 @@ void run_exact(const context& c, report::results& out) {
   for (const auto& scheme : s.schemes)
     if (scheme.info.casimir.exact) runs.push_back({&scheme, scheme.make(dt), replicated(s.scene.momentum), {}, {}, {}});
   if (runs.empty()) return;
-  increment_buffer noise(*s.model, chunk_steps, true);
+  increment_buffer noise(*s.model, chunk_steps, any_needs_areas(s.schemes));
   double next = 1;
   for (int chunk = 0; chunk < chunks; ++chunk) {
     const auto first = static_cast<std::uint64_t>(chunk) * chunk_steps;

@@ -96,7 +96,7 @@ void run_block(const context& c, const design& d, std::span<const std::unique_pt
                std::vector<observed>& out) {
   constexpr int chunk = 200;
   const auto& s = c.subject;
-  increment_buffer noise(*s.model, chunk, true);
+  increment_buffer noise(*s.model, chunk, any_needs_areas(s.schemes));
   std::vector<std::vector<double>> states(kernels.size(), uniform_states(c.seed, block, length(s.scene.momentum)));
   std::uint64_t step = 0;
   const auto advance = [&](double time) {

@@ -1,8 +1,10 @@
 // What the experiments see of a scene: a system and its schemes, as plain values and virtual faces.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <polhode/schemes/scheme_info.hpp>
@@ -18,6 +20,11 @@ struct scheme_entry {
   bool needs_areas = false;
   std::function<std::unique_ptr<kernel>(double dt)> make;
 };
+
+/// Whether any of them asks for Levy areas; where none does they are not drawn.
+inline bool any_needs_areas(std::span<const scheme_entry> schemes) {
+  return std::ranges::any_of(schemes, &scheme_entry::needs_areas);
+}
 
 /// A scene bound to its system and to every scheme that applies to it.
 struct subject {
