@@ -2,30 +2,52 @@
 // one per block of paths and chunk of steps.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace polhode {
 
-/// Paths that advance together: one block. A multiple of every pack width in use.
-inline constexpr int block_lanes = 16;
+/// Paths that advance together: one block, eight of the widest packs, so that the processor always has independent work
+/// while a step waits for its own results. A multiple of every pack width in use.
+inline constexpr int block_lanes = 64;
 
-/// Increments of a block over a chunk of steps, [step][channel][lane] and [step][pair i<j][lane]; where all paths share
-/// one noise, [step][channel] and [step][pair].
+/// Increments of a block over a chunk of steps, [step][channel][lane] and [step][pair i<j][lane]; or of one path,
+/// [step][channel] and [step][pair].
 struct increment_view {
   double dt = 0;
   int steps = 0;
-  bool shared = false;
-  std::span<const double> dw;
+  std::span<const double> dw;    ///< empty: no noise
   std::span<const double> area;  ///< empty where nobody asks for areas
+};
+
+/// What one common noise does at each step, in a form that belongs to the kernel which made it.
+struct shared_steps {
+  double dt = 0;
+  std::size_t words = 0;  ///< per step
+  std::vector<double> table;
+};
+
+/// Which piece of a run a call advances. Between pieces the states are the kernel's own: a splitting whose last flow merges
+/// with the first of the next step leaves it out until the run ends.
+struct piece {
+  bool first = true, last = true;
 };
 
 class kernel {
  public:
   virtual ~kernel() = default;
-  /// Advances the states, [component][lane], through all steps of the view.
-  virtual void advance(std::span<double> states, const increment_view& increments) const = 0;
+  /// Advances the states, [component][lane], through all steps of the view: every lane has its own noise, or there is none.
+  virtual void advance(std::span<double> states, const increment_view&, piece = {}) const = 0;
+
+  /// The steps of one path that is to drive all others.
+  virtual shared_steps share(const increment_view& one_path) const = 0;
+  virtual void advance(std::span<double> states, const shared_steps&, std::int64_t first_step, std::int64_t steps,
+                       piece = {}) const = 0;
+
+  /// Of states between two pieces: the states as they would be if the run ended here.
+  virtual void finish(std::span<double> states, double dt) const = 0;
 };
 
 }  // namespace polhode

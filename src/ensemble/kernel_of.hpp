@@ -1,5 +1,12 @@
-// The loop around a scheme's step, compiled for packs. Instantiated in the registry alone.
+// The loops around a scheme's step, compiled for packs. Instantiated in the registry alone.
+//
+// Steps are the outer loop, packs the inner one: the packs of a block are independent of each other, so the chain of
+// dependent operations in one pack's step is hidden behind the others'. The states of a block and the increments of a
+// chunk of steps stay in the nearest cache.
 #pragma once
+
+#include <array>
+#include <utility>
 
 #include <polhode/schemes/scheme_info.hpp>
 #include <polhode/simd.hpp>
@@ -20,59 +27,176 @@ void store_lanes(const vec<S, N>& v, double* at) {
   for (int k = 0; k < N; ++k) v[k].copy_to(at + k * block_lanes, stdx::element_aligned);
 }
 
-/// System: already prepared by the scheme for the step size of the increments.
-template <class Scheme, class System, class S = pack>
+/// The scalar of the loops: two packs whose operations alternate and hide each other's latency, but one where that leaves
+/// too few registers (measured: with AVX2 two are slower, with SSE and AVX-512 faster).
+using loop_pack =
+    std::conditional_t<pack::size() == 4, pack, stdx::fixed_size_simd<double, static_cast<int>(2 * pack::size())>>;
+
+/// A splitting whose last flow merges with the first of the next step: step = outer(dt/2) inner outer(dt/2).
+template <class Scheme, class System>
+concept merges_on = requires(const System& system, const vec<double, System::dimension>& mu,
+                             const wiener<double, System::channels>& w) {
+  Scheme::outer(system, Scheme::inner(system, mu, w), half_step{});
+};
+
+/// One step of every path: a system, and the increment of a pack of lanes (a function of the first lane).
+template <class System, class Increment>
+struct block_step {
+  const System& system;
+  Increment increment;
+};
+
+/// Forms: a system in the forms in which the loops need it (plain_forms below is the simplest).
+///   own(): for paths with increments of their own, which take(view, scratch) brings into the form it expects
+///   silent(): without noise
+///   share(view): the table of a common noise;   common(): a system that enter(system, row, dt) puts into the step of a row
+///   of that table, and that takes the increment which enter returns
+///   axis(k): the row of the states that is component k of the system
+template <class Scheme, class Forms, class S = loop_pack>
 class kernel_of final : public kernel {
  public:
-  explicit kernel_of(System system) : system_(std::move(system)) {}
+  explicit kernel_of(Forms forms) : forms_(std::move(forms)) {}
 
-  void advance(std::span<double> states, const increment_view& increments) const override {
-    static_assert(block_lanes % static_cast<int>(S::size()) == 0);
-    for (int lane = 0; lane < block_lanes; lane += static_cast<int>(S::size()))
-      if (increments.shared)
-        advance_lanes(states.data() + lane, increments.dt, increments.steps,
-                      reader<true>{increments.dw.data(), increments.area.data()});
+  [[gnu::flatten]] void advance(std::span<double> states, const increment_view& given, piece p) const override {
+    const double dt = given.dt;
+    if (given.dw.empty()) {
+      const auto system = forms_.silent();
+      run(rows_of(states), given.steps, dt, p, [&](std::int64_t, auto&& pass) {
+        pass(system, [dt](int) { return levy(dt); });
+      });
+      return;
+    }
+    std::vector<double> scratch;
+    const increment_view view = forms_.take(given, scratch);
+    const auto system = forms_.own();
+    run(rows_of(states), given.steps, dt, p, [&](std::int64_t i, auto&& pass) {
+      pass(system, [dt, dw = view.dw.data() + i * channels * block_lanes,
+                    area = view.area.data() + i * pairs * block_lanes](int lane) {
+        auto w = levy(dt);
+        w.dw = load_lanes<S, channels>(dw + lane);
+        if constexpr (needs_areas_on<Scheme, own_system>) w.area = load_lanes<S, pairs>(area + lane);
+        return w;
+      });
+    });
+  }
+
+  shared_steps share(const increment_view& one_path) const override { return forms_.share(one_path); }
+
+  [[gnu::flatten]] void advance(std::span<double> states, const shared_steps& noise, std::int64_t first_step,
+                                std::int64_t steps, piece p) const override {
+    const double* row = noise.table.data() + static_cast<std::size_t>(first_step) * noise.words;
+    auto system = forms_.common();
+    run(rows_of(states), steps, noise.dt, p, [&](std::int64_t, auto&& pass) {
+      const auto w = forms_.template enter<S>(system, row, noise.dt);
+      row += noise.words;
+      pass(system, [w = w](int) { return w; });
+    });
+  }
+
+  [[gnu::flatten]] void finish(std::span<double> states, double dt) const override { close(rows_of(states), dt); }
+
+ private:
+  using own_system = std::remove_cvref_t<decltype(std::declval<const Forms&>().own())>;
+  static constexpr int dimension = own_system::dimension, channels = own_system::channels, pairs = pairs_of<channels>;
+  static constexpr int width = static_cast<int>(S::size());
+  static_assert(block_lanes % width == 0);
+
+  static wiener_levy<S, channels> levy(double dt) {
+    wiener_levy<S, channels> w;
+    w.dt = dt;
+    return w;
+  }
+
+  /// Where each component of the system lies in the states.
+  using rows = std::array<double*, dimension>;
+  rows rows_of(std::span<double> states) const {
+    rows out;
+    for (int k = 0; k < dimension; ++k) out[k] = states.data() + forms_.axis(k) * block_lanes;
+    return out;
+  }
+  static vec<S, dimension> load(const rows& from, int lane) {
+    vec<S, dimension> v;
+    for (int k = 0; k < dimension; ++k) v[k].copy_from(from[k] + lane, stdx::element_aligned);
+    return v;
+  }
+  static void store(const vec<S, dimension>& v, const rows& to, int lane) {
+    for (int k = 0; k < dimension; ++k) v[k].copy_to(to[k] + lane, stdx::element_aligned);
+  }
+
+  /// Every step of every lane. at(i, pass): calls pass(system, increment of a lane) for step i.
+  template <class At>
+  void run(const rows& states, std::int64_t steps, double dt, piece p, At at) const {
+    std::int64_t i = 0;
+    if constexpr (merges_on<Scheme, own_system>)
+      if (p.first && steps > 0) {
+        at(i, [&](const auto& system, auto increment) { over_lanes<half_step>(states, dt, system, increment); });
+        ++i;
+      }
+    for (; i < steps; ++i)
+      at(i, [&](const auto& system, auto increment) { over_lanes<whole_step>(states, dt, system, increment); });
+    if (p.last && steps > 0) close(states, dt);
+  }
+
+  template <class Opening, class System, class Increment>
+  static void over_lanes(const rows& states, double dt, const System& system, const Increment& increment) {
+#pragma GCC unroll 1  // the body is long enough
+    for (int lane = 0; lane < block_lanes; lane += width) {
+      auto mu = load(states, lane);
+      const auto w = increment(lane);
+      if constexpr (merges_on<Scheme, System>)
+        mu = Scheme::inner(system, Scheme::outer(system, mu, Opening{dt}), w);
       else
-        advance_lanes(states.data() + lane, increments.dt, increments.steps,
-                      reader<false>{increments.dw.data() + lane, increments.area.data() + lane});
+        mu = Scheme::step(system, mu, w);
+      store(mu, states, lane);
+    }
+  }
+
+  void close(const rows& states, double dt) const {
+    if constexpr (merges_on<Scheme, own_system>) {
+      const auto system = forms_.silent();
+#pragma GCC unroll 1
+      for (int lane = 0; lane < block_lanes; lane += width)
+        store(Scheme::outer(system, load(states, lane), half_step{dt}), states, lane);
+    }
+  }
+
+  Forms forms_;
+};
+
+/// The forms of any system: increments as they come, one branch-free zero where there is no noise.
+template <class System>
+class plain_forms {
+ public:
+  static constexpr int channels = System::channels, pairs = pairs_of<channels>;
+  explicit plain_forms(System system) : system_(std::move(system)) {}
+
+  int axis(int k) const { return k; }
+  const System& own() const { return system_; }
+  const System& silent() const { return system_; }
+  increment_view take(const increment_view& view, std::vector<double>&) const { return view; }
+
+  shared_steps share(const increment_view& path) const {
+    shared_steps out{path.dt, channels + pairs, {}};
+    out.table.resize(static_cast<std::size_t>(path.steps) * out.words);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(path.steps); ++i) {
+      for (std::size_t k = 0; k < channels && !path.dw.empty(); ++k)
+        out.table[i * out.words + k] = path.dw[i * channels + k];
+      for (std::size_t k = 0; k < pairs && !path.area.empty(); ++k)
+        out.table[i * out.words + channels + k] = path.area[i * pairs + k];
+    }
+    return out;
+  }
+  const System& common() const { return system_; }
+  template <class S>
+  wiener_levy<S, channels> enter(const System&, const double* row, double dt) const {
+    wiener_levy<S, channels> w;
+    w.dt = dt;
+    for (int k = 0; k < channels; ++k) w.dw[k] = S(row[k]);
+    for (int k = 0; k < pairs; ++k) w.area[k] = S(row[channels + k]);
+    return w;
   }
 
  private:
-  static constexpr int channels = System::channels, pairs = pairs_of<channels>;
-
-  /// Reads one step's increments after another: every lane its own, or one for all.
-  template <bool shared>
-  struct reader {
-    const double* dw;
-    const double* area;
-    static constexpr int stride = shared ? 1 : block_lanes;
-
-    template <int N>
-    static vec<S, N> take(const double*& at) {
-      vec<S, N> v;
-      for (int k = 0; k < N; ++k, at += stride)
-        if constexpr (shared)
-          v[k] = S(*at);
-        else
-          v[k].copy_from(at, stdx::element_aligned);
-      return v;
-    }
-  };
-
-  /// Flattened: one call left in this loop costs more than the step.
-  template <class Reader>
-  [[gnu::flatten]] void advance_lanes(double* states, double dt, int steps, Reader increments) const {
-    auto mu = load_lanes<S, System::dimension>(states);
-    for (int i = 0; i < steps; ++i) {
-      wiener_levy<S, channels> w;
-      w.dt = dt;
-      w.dw = Reader::template take<channels>(increments.dw);
-      if constexpr (needs_areas_on<Scheme, System>) w.area = Reader::template take<pairs>(increments.area);
-      mu = Scheme::step(system_, mu, w);
-    }
-    store_lanes(mu, states);
-  }
-
   System system_;
 };
 

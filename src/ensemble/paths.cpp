@@ -48,13 +48,7 @@ increment_view increment_buffer::fill(std::uint64_t seed, std::uint64_t first_pa
   if (!area_.empty())
     fill_normals({seed, noise_kind::area, first_path, first_step, steps, pairs_, active_ < 2 ? 0 : pairs_, dt / 2,
                   area_.data()});
-  return {dt, steps, false, dw_, area_};
-}
-
-increment_view increment_buffer::zero(int steps, double dt) {
-  std::ranges::fill(dw_, 0.0);
-  std::ranges::fill(area_, 0.0);
-  return {dt, steps, false, dw_, area_};
+  return {dt, steps, dw_, area_};
 }
 
 std::vector<double> replicated(std::span<const double> state) {

@@ -26,13 +26,14 @@ class increment_buffer {
 
   /// Steps first_step … of size dt.
   increment_view fill(std::uint64_t seed, std::uint64_t first_path, std::uint64_t first_step, int steps, double dt);
-  /// No noise at all.
-  increment_view zero(int steps, double dt);
 
  private:
   int channels_, active_, pairs_;
   std::vector<double> dw_, area_;
 };
+
+/// No noise at all: nothing is stored, and nothing drawn.
+inline increment_view silence(int steps, double dt) { return {dt, steps, {}, {}}; }
 
 /// Every lane starts at this state.
 std::vector<double> replicated(std::span<const double> state);

@@ -46,7 +46,7 @@ increment_view shared_increments::view(std::int64_t first_step, int steps) const
     if (all.empty()) return {};
     return std::span(all).subspan(static_cast<std::size_t>(first_step * rows), static_cast<std::size_t>(steps * rows));
   };
-  return {dt_, steps, true, part(dw_, channels_), part(area_, pairs_)};
+  return {dt_, steps, part(dw_, channels_), part(area_, pairs_)};
 }
 
 double shared_increments::bytes(const model& m, std::int64_t steps, bool with_areas) {

@@ -13,7 +13,7 @@
 namespace polhode {
 namespace {
 
-constexpr int chunk = 64;                       // steps of a block's own increments: they stay in the nearest caches
+constexpr int chunk = 16;                       // steps of a block's own increments: they stay in the nearest caches
 constexpr std::int64_t longest_slice = 65'536;  // steps between two words on progress
 
 std::int64_t blocks_of(const simulation_plan& p) { return (p.bodies + block_lanes - 1) / block_lanes; }
@@ -42,7 +42,10 @@ class ensemble_run {
       : model_(m), kernel_(k), plan_(p), progress_(progress), observer_(m, p.momentum) {
     noiseless_ = p.noise == ensemble_noise::none || m.active_channels() == 0;
     if (!noiseless_ && p.noise == ensemble_noise::common)
+{
       common_.emplace(m, p.seed, p.steps, p.dt, p.with_areas, p.threads);
+      common_steps_ = k.share(common_->view(0, static_cast<int>(p.steps)));
+    }
     out_.states.resize(static_cast<std::size_t>(m.dimension()) * static_cast<std::size_t>(p.bodies));
     out_.snapshots.resize(p.snapshots.size());
     for (auto& s : out_.snapshots) {
@@ -59,7 +62,6 @@ class ensemble_run {
 
   void run_piece(int piece) {
     increment_buffer noise(model_, chunk, plan_.with_areas);
-    const auto silence = noise.zero(chunk, plan_.dt);
     std::vector<std::vector<direction_bins>> seen(plan_.snapshots.size());
     const std::int64_t first = piece * blocks_a_piece(plan_);
     for (auto block = first; block < std::min(first + blocks_a_piece(plan_), blocks_of(plan_)); ++block) {
@@ -69,11 +71,13 @@ class ensemble_run {
         const bool last = i == plan_.snapshots.size();
         for (const auto stop = last ? plan_.steps : plan_.snapshots[i]; step < stop;) {
           const auto n = std::min(stop - step, longest_slice);
-          advance(states, block, step, n, noise, silence);
+          advance(states, block, step, n, noise);
           step += n;
           tell(n);
         }
-        observer_.observe(states, lanes_of(block), moments_[static_cast<std::size_t>(piece)][i],
+        auto seen_now = states;
+        if (!last) kernel_.finish(seen_now, plan_.dt);
+        observer_.observe(seen_now, lanes_of(block), moments_[static_cast<std::size_t>(piece)][i],
                           last ? nullptr : &seen[i]);
       }
       keep(states, block);
@@ -102,16 +106,16 @@ class ensemble_run {
   }
 
   void advance(std::vector<double>& states, std::int64_t block, std::int64_t step, std::int64_t steps,
-               increment_buffer& noise, const increment_view& silence) const {
-    if (common_) return kernel_.advance(states, common_->view(step, static_cast<int>(steps)));
+               increment_buffer& noise) const {
+    const auto part = [&](std::int64_t from, std::int64_t n) { return piece{from == 0, from + n == plan_.steps}; };
+    if (common_) return kernel_.advance(states, common_steps_, step, steps, part(step, steps));
+    if (noiseless_)
+      return kernel_.advance(states, silence(static_cast<int>(steps), plan_.dt), part(step, steps));
     for (std::int64_t done = 0; done < steps; done += chunk) {
       const int n = static_cast<int>(std::min<std::int64_t>(chunk, steps - done));
-      auto view = silence;
-      view.steps = n;
-      if (!noiseless_)
-        view = noise.fill(plan_.seed, static_cast<std::uint64_t>(block * block_lanes),
-                          static_cast<std::uint64_t>(step + done), n, plan_.dt);
-      kernel_.advance(states, view);
+      const auto view = noise.fill(plan_.seed, static_cast<std::uint64_t>(block * block_lanes),
+                                   static_cast<std::uint64_t>(step + done), n, plan_.dt);
+      kernel_.advance(states, view, part(step + done, n));
     }
   }
 
@@ -146,6 +150,7 @@ class ensemble_run {
   double done_ = 0;
   bool noiseless_ = false;
   std::optional<shared_increments> common_;
+  shared_steps common_steps_;
   std::vector<std::vector<ensemble_moments>> moments_;  // [piece][stop]
   std::mutex counting_, telling_;
   simulated out_;

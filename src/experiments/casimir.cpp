@@ -96,7 +96,7 @@ void run_exact(const context& c, report::results& out) {
   for (int chunk = 0; chunk < chunks; ++chunk) {
     const auto first = static_cast<std::uint64_t>(chunk) * chunk_steps;
     const auto view =
-        s.model->active_channels() > 0 ? noise.fill(c.seed, 0, first, chunk_steps, dt) : noise.zero(chunk_steps, dt);
+        s.model->active_channels() > 0 ? noise.fill(c.seed, 0, first, chunk_steps, dt) : silence(chunk_steps, dt);
     parallel_for(c.threads, static_cast<int>(runs.size()), [&](int k) {
       auto& r = runs[static_cast<std::size_t>(k)];
       r.stepper->advance(r.states, view);
@@ -130,7 +130,7 @@ squared_errors drift_by_level(const context& c, const scheme_entry& scheme, cons
       kernels[static_cast<std::size_t>(l)]->advance(
           states, m.active_channels() > 0
                       ? noise.fill(c.seed, static_cast<std::uint64_t>(block * block_lanes), 0, n, dt)
-                      : noise.zero(n, dt));
+                      : silence(n, dt));
       const auto d = drifts(m, states, c.subject.scene.momentum);
       for (int lane = 0; lane < block_lanes; ++lane)
         out.at(block * block_lanes + lane, l) = std::pow(d[static_cast<std::size_t>(lane)], 2);

@@ -30,7 +30,7 @@ trajectory follow(const subject& s, const scheme_entry& scheme, double horizon, 
   const double dt = horizon / steps;
   const auto stepper = scheme.make(dt);
   increment_buffer still(m, 1, scheme.needs_areas);
-  const auto view = still.zero(1, dt);
+  const auto view = silence(1, dt);
   auto states = replicated(s.scene.momentum);
   trajectory t;
   for (int i = 0;; ++i) {
@@ -159,7 +159,7 @@ void report_end(const subject& s, const scheme_entry& scheme, report::results& o
   const auto stepper = scheme.make(dt);
   increment_buffer still(*s.model, steps, scheme.needs_areas);
   auto states = replicated(s.scene.momentum);
-  stepper->advance(states, still.zero(steps, dt));
+  stepper->advance(states, silence(steps, dt));
   const auto end = lane_of(states, 0, s.model->dimension());
   // Energy of the direction reached, above the least on its sphere.
   const double e = length(end), above = (s.model->energy(end) * c * c / (e * e) - 0.5 * c * c / greatest) / range;

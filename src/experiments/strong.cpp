@@ -37,7 +37,7 @@ class increment_ladder {
       const int channels = m.channels(), pairs = channels * (channels - 1) / 2;
       levels_[l].dw.resize(static_cast<std::size_t>(steps * channels * block_lanes));
       levels_[l].area.resize(static_cast<std::size_t>(steps * pairs * block_lanes));
-      levels_[l].view = {grid.horizon / grid.steps[l], steps, false, levels_[l].dw, levels_[l].area};
+      levels_[l].view = {grid.horizon / grid.steps[l], steps, levels_[l].dw, levels_[l].area};
     }
   }
   const increment_view& level(std::size_t l) const { return levels_[l].view; }

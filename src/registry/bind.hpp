@@ -50,7 +50,7 @@ class model_of final : public model {
       }
   }
   std::unique_ptr<kernel> reference() const override {
-    return std::make_unique<kernel_of<driven_ode, System>>(system_);
+    return std::make_unique<kernel_of<driven_ode, plain_forms<System>>>(plain_forms(system_));
   }
 
  private:
@@ -62,12 +62,22 @@ class model_of final : public model {
   System system_;
 };
 
+template <class Scheme>
+struct scheme_tag {};
+
+/// The kernel of a scheme on a system at one step size, for states on the orbit of the momentum. A system with kernels of
+/// its own overloads this.
+template <class Scheme, class System>
+std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const System& system, const std::vector<double>&, double dt) {
+  return std::make_unique<kernel_of<Scheme, plain_forms<System>>>(plain_forms(prepared<Scheme>(system, dt)));
+}
+
 template <class Scheme, class System>
 void add_scheme(subject& out, const System& system) {
   if constexpr (requires { requires scheme_on<Scheme, System>; }) {
     out.schemes.push_back(
-        {Scheme::info, needs_areas_on<Scheme, System>, [system](double dt) -> std::unique_ptr<kernel> {
-           return std::make_unique<kernel_of<Scheme, System>>(prepared<Scheme>(system, dt));
+        {Scheme::info, needs_areas_on<Scheme, System>, [system, momentum = out.scene.momentum](double dt) -> std::unique_ptr<kernel> {
+           return kernel_for(scheme_tag<Scheme>{}, system, momentum, dt);
          }});
   } else {
     out.inapplicable.push_back({"", std::string(Scheme::info.name), "the system does not split into exact flows"});

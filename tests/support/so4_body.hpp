@@ -93,6 +93,16 @@ struct so4_body : constant_noise<so4> {
   vec<S, 6> free_flow(const vec<S, 6>& mu, double t) const {
     return flow([this](const auto& x) { return omega(x); }, mu, t);
   }
+  /// The coupling alone: mu_1 + mu_2 stays, and both turn about it. Exact.
+  template <class S>
+  vec<S, 6> first_turn(const vec<S, 6>& mu, double t) const {
+    const auto axis = S(t * coupling) * (so4::part(mu, 0) + so4::part(mu, 1));
+    return so4::exp_action(so4::joined(axis, axis), mu);
+  }
+  template <class S>
+  vec<S, 6> last_turn(const vec<S, 6>& mu, double t) const {
+    return flow([this](const auto& x) { return scaled(inverse_inertia, x); }, mu, t);
+  }
   template <class S>
   vec<S, 6> dissipation_flow(const vec<S, 6>& mu, double t) const {
     return flow([this](const auto& x) { return S(theta) * so4::coad(omega(x), x); }, mu, t);

@@ -10,6 +10,16 @@ namespace polhode {
 template <int M>
 inline constexpr int pairs_of = M*(M - 1) / 2;
 
+/// A step, or one of its equal parts: a time that converts to double, and a type on which a system bound to its step
+/// size can look up what it has computed in advance.
+template <int parts>
+struct part_of_step {
+  double dt = 0;
+  constexpr operator double() const { return dt / parts; }
+};
+using whole_step = part_of_step<1>;
+using half_step = part_of_step<2>;
+
 /// dt and the increments W(t + dt) - W(t) of M independent Wiener processes.
 template <class S, int M>
 struct wiener {

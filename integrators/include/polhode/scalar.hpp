@@ -117,19 +117,30 @@ S exponential(const S& x) {
   return select(x < S(-708.0), S(0.0), above);
 }
 
-/// Sine and cosine. Any finite argument; lanes beyond the reduction's reach go through the standard library.
+namespace detail {
+
+/// Lanes beyond the reduction's reach, by the standard library; out of line, as this is compiled at every call.
+template <class S>
+[[gnu::cold, gnu::noinline]] void correct_far(const S& x, sine_cosine<S>& result) {
+  if constexpr (is_pack<S>) {
+    for (std::size_t lane = 0; lane < S::size(); ++lane)
+      if (std::fabs(x[lane]) > reduction_limit) {
+        result.sin[lane] = std::sin(x[lane]);
+        result.cos[lane] = std::cos(x[lane]);
+      }
+  } else {
+    result = {std::sin(x), std::cos(x)};
+  }
+}
+
+}  // namespace detail
+
+/// Sine and cosine of any finite argument.
 template <class S>
 sine_cosine<S> sincos(const S& x) {
   auto result = detail::sincos_reduced(x);
-  const auto far = magnitude(x) > S(detail::reduction_limit);
-  if (any(x, far)) [[unlikely]] {
-    if constexpr (is_pack<S>) {
-      result.sin = select(far, S([&](auto lane) { return std::sin(x[lane]); }), result.sin);
-      result.cos = select(far, S([&](auto lane) { return std::cos(x[lane]); }), result.cos);
-    } else {
-      result = {std::sin(x), std::cos(x)};
-    }
-  }
+  if (any(x, magnitude(x) > S(detail::reduction_limit))) [[unlikely]]
+    detail::correct_far(x, result);
   return result;
 }
 

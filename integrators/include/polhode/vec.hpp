@@ -34,6 +34,38 @@ struct vec {
   }
 };
 
+/// Zero as a type: what is absent costs nothing. A step written for vectors drops the terms in which it appears.
+struct zero {
+  friend constexpr zero operator+(zero, zero) { return {}; }
+  template <class S>
+  friend constexpr const S& operator+(const S& s, zero) {
+    return s;
+  }
+  template <class S>
+  friend constexpr const S& operator+(zero, const S& s) {
+    return s;
+  }
+};
+
+/// The zero vector of any dimension.
+struct zero_vector {
+  constexpr zero operator[](int) const { return {}; }
+  friend constexpr zero_vector operator+(zero_vector, zero_vector) { return {}; }
+  friend constexpr zero_vector operator-(zero_vector) { return {}; }
+  template <class S, int N>
+  friend constexpr vec<S, N> operator+(const vec<S, N>& a, zero_vector) {
+    return a;
+  }
+  template <class S, int N>
+  friend constexpr vec<S, N> operator+(zero_vector, const vec<S, N>& a) {
+    return a;
+  }
+  template <class S>
+  friend constexpr zero_vector operator*(const S&, zero_vector) {
+    return {};
+  }
+};
+
 template <class S, int N>
 constexpr S dot(const vec<S, N>& a, const vec<S, N>& b) {
   S sum = a[0] * b[0];

@@ -23,6 +23,7 @@ struct so3 {
   static vec<S, 3> coad(const vec<S, 3>& xi, const vec<S, 3>& mu) {
     return cross(mu, xi);
   }
+  static zero_vector coad(zero_vector, const auto&) { return {}; }
 
   /// Ad*_exp(xi) mu = mu + sinc(t) mu x xi + (1 - cos t)/t^2 (mu x xi) x xi, t = |xi| (Rodrigues). Any finite xi whose
   /// square is finite. (1 - cos t)/t^2 is taken as sinc(t/2)^2 / 2, which does not cancel.
@@ -32,6 +33,11 @@ struct so3 {
     const auto [sin, cos] = sincos(half);
     const S sinc = select(half == S(0.0), S(1.0), S(sin / half));
     return rotated(S(sinc * cos), S(S(0.5) * sinc * sinc), xi, mu);
+  }
+
+  template <class S>
+  static vec<S, 3> exp_action(zero_vector, const vec<S, 3>& mu) {
+    return mu;
   }
 
   /// Cayley action: (1 - C/2)^-1 (1 + C/2) mu, C = coad(xi, .). A rotation by 2 atan(|xi|/2), no transcendental
@@ -78,7 +84,12 @@ struct so3 {
     return out;
   }
 
- private:
+  template <class S>
+  static vec<S, 3> cayley_action(zero_vector, const vec<S, 3>& mu) {
+    return mu;
+  }
+
+ protected:
   template <class S>
   static vec<S, 3> rotated(const S& first, const S& second, const vec<S, 3>& xi, const vec<S, 3>& mu) {
     const auto once = coad(xi, mu);

@@ -19,7 +19,8 @@ struct cayley_heun {
                                     .strong_order = {.commuting = 1, .general = 0.5},
                                     .weak_order = {.one_vector = 1, .isotropic = 1, .general = 1},
                                     .deterministic_order = 2,
-                                    .casimir = keeps_casimirs};
+                                    .casimir = keeps_casimirs,
+                                    .action = group_action::cayley};
 
   template <lie_poisson_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {

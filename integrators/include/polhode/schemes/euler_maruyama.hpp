@@ -23,8 +23,7 @@ struct euler_maruyama {
 
   template <lie_poisson_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
-    using g = typename System::algebra;
-    return mu + g::coad(generator(system, mu, w), mu) + S(w.dt) * system.ito_drift(mu);
+    return mu + motion(system, mu, w) + S(w.dt) * system.ito_drift(mu);
   }
 };
 

@@ -23,10 +23,8 @@ struct heun {
 
   template <lie_poisson_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
-    using g = typename System::algebra;
-    const auto first = g::coad(generator(system, mu, w), mu);
-    const auto predicted = mu + first;
-    return mu + S(0.5) * (first + g::coad(generator(system, predicted, w), predicted));
+    const auto first = motion(system, mu, w);
+    return mu + S(0.5) * (first + motion(system, mu + first, w));
   }
 };
 

@@ -29,6 +29,7 @@ struct implicit_midpoint {
                                     .weak_order = {.one_vector = 1, .isotropic = 1, .general = 1},
                                     .deterministic_order = 2,
                                     .casimir = keeps_casimirs,
+                                    .action = group_action::cayley,
                                     .implicit = true};
   static constexpr int max_iterations = 16;
   static constexpr double tolerance =
@@ -54,7 +55,7 @@ struct implicit_midpoint {
   /// (DF)^-1 F at m.
   template <class System, class S>
   static auto newton_correction(const System& system, const vec<S, System::dimension>& mu,
-                                const vec<S, System::dimension>& m, const vec<S, System::dimension>& noise, double dt) {
+                                const vec<S, System::dimension>& m, const auto& noise, double dt) {
     constexpr int n = System::dimension;
     using number = dual<S, n>;
     const auto x = seeded(m);

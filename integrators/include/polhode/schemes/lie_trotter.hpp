@@ -19,12 +19,13 @@ struct lie_trotter {
                                     .strong_order = {.commuting = 1, .general = 0.5},
                                     .weak_order = {.one_vector = 1, .isotropic = 1, .general = 1},
                                     .deterministic_order = 1,
-                                    .casimir = keeps_casimirs};
+                                    .casimir = keeps_casimirs,
+                                    .action = group_action::exponential};
 
   template <splittable_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
-    const auto drifted = system.dissipation_flow(system.free_flow(mu, w.dt), w.dt);
-    return System::algebra::exp_action(system.noise(w.dw), drifted);
+    const whole_step whole{w.dt};
+    return noise_flow(system, system.dissipation_flow(system.free_flow(mu, whole), whole), w);
   }
 };
 

@@ -25,8 +25,7 @@ struct milstein_no_area {
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
     using g = typename System::algebra;
     const auto b = system.noise(w.dw);
-    const auto noise = g::coad(b, mu);
-    return mu + g::coad(S(w.dt) * system.generator(mu), mu) + noise + S(0.5) * g::coad(b, noise);
+    return mu + motion(system, mu, w) + S(0.5) * g::coad(b, g::coad(b, mu));
   }
 };
 

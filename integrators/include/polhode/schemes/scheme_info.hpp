@@ -30,6 +30,9 @@ constexpr casimir_claim casimirs_drift(double noisy_order, double deterministic_
   return {false, noisy_order, deterministic_order};
 }
 
+/// The coordinate map by which a step acts on the orbit, if it does.
+enum class group_action { none, cayley, exponential };
+
 struct scheme_info {
   std::string_view name, title, source;
   polhode::calculus calculus;
@@ -37,6 +40,7 @@ struct scheme_info {
   weak_claim weak_order;
   int deterministic_order;
   casimir_claim casimir;
+  group_action action = group_action::none;
   bool implicit = false;
 };
 

@@ -23,29 +23,82 @@ concept lie_algebra = requires(const vec<double, G::dimension>& v) {
   G::casimirs(v);
 };
 
+/// A vector of the system's algebra, or the zero that stands for an absent term.
+template <class T, class System>
+concept element_of = std::same_as<T, state_of<System>> || std::same_as<T, zero_vector>;
+
 template <class System>
 concept lie_poisson_system = lie_algebra<typename System::algebra> &&
     requires(const System& system, const state_of<System>& mu, const wiener_levy<double, System::channels>& w) {
   { system.generator(mu) } -> std::same_as<state_of<System>>;
-  { system.noise(w.dw) } -> std::same_as<state_of<System>>;
-  { system.area_noise(w.area) } -> std::same_as<state_of<System>>;
-  { system.ito_drift(mu) } -> std::same_as<state_of<System>>;
+  { system.noise(w.dw) } -> element_of<System>;
+  { system.area_noise(w.area) } -> element_of<System>;
+  { system.ito_drift(mu) } -> element_of<System>;
   { system.energy(mu) } -> std::same_as<double>;
 };
 
-/// A system that splits into parts with exact flows; splitting schemes need it.
+/// A system that splits into parts with exact flows; splitting schemes need it. The free motion comes in two ways: whole,
+/// to second order, and as two turns, each the exact flow of its part of h plus a Casimir.
 template <class System>
 concept splittable_system = lie_poisson_system<System> &&
-    requires(const System& system, const state_of<System>& mu, double dt) {
-  { system.free_flow(mu, dt) } -> std::same_as<state_of<System>>;
-  { system.dissipation_flow(mu, dt) } -> std::same_as<state_of<System>>;
+    requires(const System& system, const state_of<System>& mu, half_step t) {
+  { system.free_flow(mu, t) } -> std::same_as<state_of<System>>;
+  { system.first_turn(mu, t) } -> std::same_as<state_of<System>>;
+  { system.last_turn(mu, t) } -> std::same_as<state_of<System>>;
+  { system.dissipation_flow(mu, t) } -> std::same_as<state_of<System>>;
 };
+
+// What a step is built of. A system that knows better (a term that is not there, a constant that is computed once) says
+// so by a member of the same name.
 
 /// xi = a(mu) dt + sum sigma_i dW^i over one step, a taken at mu.
 template <class System, class S>
 state_of<System, S> generator(const System& system, const state_of<System, S>& mu,
                               const wiener<S, System::channels>& w) {
-  return S(w.dt) * system.generator(mu) + system.noise(w.dw);
+  if constexpr (requires { system.generator_over(mu, w); })
+    return system.generator_over(mu, w);
+  else
+    return S(w.dt) * system.generator(mu) + system.noise(w.dw);
+}
+
+/// The part a(mu) dt of the same.
+template <class System, class S>
+auto drift(const System& system, const state_of<System, S>& mu, const wiener<S, System::channels>& w) {
+  if constexpr (requires { system.drift_over(mu, w); })
+    return system.drift_over(mu, w);
+  else
+    return S(w.dt) * system.generator(mu);
+}
+
+/// ad*_xi mu, xi = a(mu) dt + sum sigma_i dW^i: where what does not move mu may be left out of xi.
+template <class System, class S>
+auto motion(const System& system, const state_of<System, S>& mu, const wiener<S, System::channels>& w) {
+  if constexpr (requires { system.motion_over(mu, w); })
+    return system.motion_over(mu, w);
+  else
+    return System::algebra::coad(generator(system, mu, w), mu);
+}
+
+/// The noise alone, as one exponential: Ad*_exp(sum sigma_i dW^i) mu.
+template <class System, class S>
+state_of<System, S> noise_flow(const System& system, const state_of<System, S>& mu,
+                               const wiener<S, System::channels>& w) {
+  if constexpr (requires { system.noise_flow(mu, w); })
+    return system.noise_flow(mu, w);
+  else
+    return System::algebra::exp_action(system.noise(w.dw), mu);
+}
+
+/// Half the dissipation, the noise, half the dissipation.
+template <class System, class S>
+state_of<System, S> damped_noise_flow(const System& system, const state_of<System, S>& mu,
+                                      const wiener<S, System::channels>& w) {
+  if constexpr (requires { system.damped_noise_flow(mu, w); }) {
+    return system.damped_noise_flow(mu, w);
+  } else {
+    const half_step half{w.dt};
+    return system.dissipation_flow(noise_flow(system, system.dissipation_flow(mu, half), w), half);
+  }
 }
 
 }  // namespace polhode

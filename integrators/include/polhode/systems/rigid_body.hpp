@@ -86,11 +86,23 @@ struct rigid_body : constant_noise<so3> {
     return pi;
   }
 
+  /// The free motion as two turns, about the axes 1 and 3: h - |Pi|^2/2I_2 moves Pi as h does, as Pi x Pi = 0.
+  template <class S>
+  vec<S, 3> first_turn(vec<S, 3> pi, double t) const {
+    turn<0>(pi, t, inverse_inertia[1]);
+    return pi;
+  }
+  template <class S>
+  vec<S, 3> last_turn(vec<S, 3> pi, double t) const {
+    turn<2>(pi, t, inverse_inertia[1]);
+    return pi;
+  }
+
  private:
   template <int axis, class S>
-  void turn(vec<S, 3>& pi, double t) const {
+  void turn(vec<S, 3>& pi, double t, double shift = 0) const {
     constexpr int next = (axis + 1) % 3, last = (axis + 2) % 3;
-    const auto [sin, cos] = sincos(S(S(t * inverse_inertia[axis]) * pi[axis]));
+    const auto [sin, cos] = sincos(S(S(t * (inverse_inertia[axis] - shift)) * pi[axis]));
     const S a = pi[next], b = pi[last];
     pi[next] = a * cos + b * sin;
     pi[last] = b * cos - a * sin;

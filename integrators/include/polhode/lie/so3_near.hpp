@@ -1,0 +1,41 @@
+// so(3) for rotations that are mostly small: the coadjoint calculus of so3.hpp with exp by polynomials in |xi|^2, to the
+// same accuracy. A lane whose angle is larger takes the closed form, so a value never depends on its neighbours.
+#pragma once
+
+#include <polhode/chebyshev.hpp>
+#include <polhode/lie/so3.hpp>
+
+namespace polhode {
+
+/// Polynomials of that degree for |xi| < reach; their error is below 1e-16 (see cosine_polynomial).
+template <int degree, double reach>
+struct so3_near : so3 {
+  template <class S>
+  static vec<S, 3> exp_action(const vec<S, 3>& xi, const vec<S, 3>& mu) {
+    const S q = dot(xi, xi);
+    S first = evaluate(sinc, q), second = evaluate(cosc, q);
+    if (any(q, q > S(reach * reach))) [[unlikely]]
+      correct_far(q, first, second);
+    return rotated(first, second, xi, mu);
+  }
+  template <class S>
+  static vec<S, 3> exp_action(zero_vector, const vec<S, 3>& mu) {
+    return mu;
+  }
+
+ private:
+  /// Out of the loop's way: inlined it would be compiled, and its registers reserved, at every rotation.
+  template <class S>
+  [[gnu::cold, gnu::noinline]] static void correct_far(const S& q, S& first, S& second) {
+    const S half = S(0.5) * square_root(q);
+    const auto [sin, cos] = detail::sincos_reduced(half);
+    const S ratio = sin / half;
+    const auto far = q > S(reach * reach);
+    first = select(far, S(ratio * cos), first);
+    second = select(far, S(S(0.5) * ratio * ratio), second);
+  }
+  static constexpr auto sinc = cosine_polynomial<degree>(1, reach * reach);
+  static constexpr auto cosc = cosine_polynomial<degree>(2, reach * reach);
+};
+
+}  // namespace polhode

@@ -1,0 +1,267 @@
+// The rigid body bound to a step size and an orbit: the same mathematics as systems/rigid_body.hpp, with everything that
+// does not change from step to step computed once, absent parts absent, and no division in the step.
+//
+// For states on the orbit |Pi| = c for which it was made; others are integrated with this orbit's dissipation factors.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <polhode/chebyshev.hpp>
+#include <polhode/systems/body_parts.hpp>
+#include <polhode/systems/lie_poisson.hpp>
+#include <polhode/systems/noise_at.hpp>
+#include <polhode/systems/rigid_body.hpp>
+
+namespace polhode {
+
+/// Everything that depends on body, step size and orbit alone. Axes are numbered as the kernel numbers them.
+struct rigid_body_constants {
+  vec<double, 3> inverse_inertia;
+  double theta, dt, radius;
+  vec<double, 3> excess;     ///< 1/I_k - 1/I_2: the Casimir shift
+  vec<double, 3> kappa;      ///< dt / I_k
+  vec<double, 3> shifted;    ///< dt (1/I_k - 1/I_2)
+  vec<double, 3> gamma;      ///< theta dt (Pi x Omega)_k = gamma_k Pi_i Pi_j
+  std::array<vec<double, 3>, 2> damping;  ///< exp(-theta c^2 t (1/I_k - shift)) for the whole step and half of it
+  double least_square;       ///< the least |y|^2 after a whole step's damping
+
+  rigid_body_constants(const vec<double, 3>& inverse, double theta_, double dt_, double c, bool shift_by_least)
+      : inverse_inertia(inverse), theta(theta_), dt(dt_), radius(c) {
+    const double least = std::min({inverse[0], inverse[1], inverse[2]});
+    double smallest = 1;
+    for (int k = 0; k < 3; ++k) {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      excess[k] = inverse[k] - inverse[1];
+      kappa[k] = dt * inverse[k];
+      shifted[k] = dt * excess[k];
+      gamma[k] = theta * dt * (inverse[j] - inverse[i]);
+      const double rate = theta * c * c * (inverse[k] - (shift_by_least ? least : inverse[1]));
+      damping[0][k] = std::exp(-rate * dt);
+      damping[1][k] = std::exp(-rate * dt / 2);
+      smallest = std::min(smallest, damping[0][k]);
+    }
+    least_square = c * c * smallest * smallest;
+  }
+
+  /// Relative width of the range of |y|^2 after a whole step's damping.
+  double spread() const {
+    const double largest = std::max({damping[0][0], damping[0][1], damping[0][2]});
+    return radius * radius * largest * largest / least_square - 1;
+  }
+};
+
+/// parts, size: systems/body_parts.hpp; Noise: systems/noise_at.hpp.
+template <body_parts parts, rotation_size size, class Noise>
+class rigid_body_at : public Noise {
+ public:
+  using algebra = typename rotations<size>::algebra;
+  static constexpr int dimension = 3, channels = 3;
+
+  rigid_body_at(const rigid_body_constants& constants, const Noise& noise) : Noise(noise), k_(constants) {
+    if constexpr (polynomials) {
+      const double range = k_.spread() * k_.least_square;
+      norm_ = chebyshev_interpolation<rotations<size>::norm_degree>(
+          [&](long double e) { return k_.radius / std::sqrt(k_.least_square + e); }, std::max(range, 1e-300));
+    }
+  }
+
+  /// The same body with other noise: with that of one step which all paths share, say.
+  template <class Other>
+  auto with(const Other& noise) const {
+    return rigid_body_at<parts, size, Other>(k_, norm_, noise);
+  }
+
+  /// What all paths share of a step with sum sigma_i dW^i = b and sum A^ij [sigma_i, sigma_j] = area.
+  shared_step share(const vec<double, 3>& b, const vec<double, 3>& area) const {
+    shared_step out{b, area, {}, {}};
+    for (int j = 0; j < 3; ++j) {
+      vec<double, 3> e{};
+      e[j] = 1;
+      const auto turned = so3::exp_action(b, e), before = damped(e, half_step{});
+      const auto after = damped(so3::exp_action(b, before), half_step{});
+      for (int i = 0; i < 3; ++i) {
+        out.rotation[static_cast<std::size_t>(i)][j] = turned[i];
+        out.damped[static_cast<std::size_t>(i)][j] = after[i];
+      }
+    }
+    return out;
+  }
+
+  template <class S>
+  vec<S, 3> generator(const vec<S, 3>& pi) const {
+    const auto w = scaled(k_.inverse_inertia, pi);
+    if constexpr (parts.dissipation) return w + S(k_.theta) * cross(pi, w);
+    return w;
+  }
+
+  template <class S>
+  vec<S, 3> drift_over(const vec<S, 3>& pi, const wiener<S, 3>&) const {
+    return driven(pi, zero_vector{});
+  }
+  template <class S>
+  vec<S, 3> generator_over(const vec<S, 3>& pi, const wiener<S, 3>& w) const {
+    return driven(pi, this->noise(w.dw));
+  }
+  /// Pi x xi, xi without the multiple of Pi by which the Casimir shift differs from a(Pi) dt + B.
+  template <class S>
+  auto motion_over(const vec<S, 3>& pi, const wiener<S, 3>& w) const {
+    const auto b = this->noise(w.dw);
+    if constexpr (!parts.first_turn && !parts.last_turn) {
+      return algebra::coad(b, pi);
+    } else {
+      constexpr bool g = parts.dissipation;
+      const auto first = turning<parts.first_turn>(k_.shifted[0], pi[0], b[0]) +
+                         turned<g && parts.last_turn>(k_.gamma[0], pi[1], pi[2]);
+      const auto second = b[1] + turned<g>(k_.gamma[1], pi[2], pi[0]);
+      const auto third = turning<parts.last_turn>(k_.shifted[2], pi[2], b[2]) +
+                         turned<g && parts.first_turn>(k_.gamma[2], pi[0], pi[1]);
+      return algebra::coad(vec<S, 3>{{value_of<S>(first), value_of<S>(second), value_of<S>(third)}}, pi);
+    }
+  }
+
+  template <class S>
+  vec<S, 3> noise_flow(const vec<S, 3>& pi, const wiener<S, 3>& w) const {
+    if constexpr (Noise::shared)
+      return times(this->step.rotation, pi);
+    else
+      return algebra::exp_action(this->noise(w.dw), pi);
+  }
+
+  /// Both normalisations at the end: the rotation between them is linear and keeps lengths.
+  template <class S>
+  vec<S, 3> damped_noise_flow(const vec<S, 3>& pi, const wiener<S, 3>& w) const {
+    if constexpr (!parts.dissipation) return noise_flow(pi, w);
+    if constexpr (Noise::shared) return normalised(times(this->step.damped, pi));
+    return normalised(damped(noise_flow(damped(pi, half_step{}), w), half_step{}));
+  }
+
+  template <class S, int n>
+  vec<S, 3> dissipation_flow(const vec<S, 3>& pi, part_of_step<n> t) const {
+    if constexpr (!parts.dissipation) return pi;
+    return normalised(damped(pi, t));
+  }
+
+  template <class S, int n>
+  vec<S, 3> free_flow(vec<S, 3> pi, part_of_step<n>) const {
+    if constexpr (!parts.first_turn && !parts.last_turn) return pi;
+    turn<0>(pi, k_.kappa[0] / (2 * n));
+    turn<1>(pi, k_.kappa[1] / (2 * n));
+    turn<2>(pi, k_.kappa[2] / n);
+    turn<1>(pi, k_.kappa[1] / (2 * n));
+    turn<0>(pi, k_.kappa[0] / (2 * n));
+    return pi;
+  }
+  template <class S, int n>
+  vec<S, 3> first_turn(vec<S, 3> pi, part_of_step<n>) const {
+    if constexpr (parts.first_turn) turn<0>(pi, k_.shifted[0] / n);
+    return pi;
+  }
+  template <class S, int n>
+  vec<S, 3> last_turn(vec<S, 3> pi, part_of_step<n>) const {
+    if constexpr (parts.last_turn) turn<2>(pi, k_.shifted[2] / n);
+    return pi;
+  }
+
+  double energy(const vec<double, 3>& pi) const { return 0.5 * dot(pi, scaled(k_.inverse_inertia, pi)); }
+
+ private:
+  template <body_parts, rotation_size, class>
+  friend class rigid_body_at;
+  static constexpr bool polynomials = parts.dissipation && size != rotation_size::any;
+  static constexpr int norm_degree = [] {
+    if constexpr (polynomials) return rotations<size>::norm_degree;
+    return 0;
+  }();
+
+  rigid_body_at(const rigid_body_constants& constants, const polynomial<norm_degree>& norm, const Noise& noise)
+      : Noise(noise), k_(constants), norm_(norm) {}
+
+  template <class S>
+  static S value_of(const S& x) {
+    return x;
+  }
+  template <class S>
+  static S value_of(zero) {
+    return S(0.0);
+  }
+  /// b + coefficient x, or b where the term is absent.
+  template <bool present, class S, class B>
+  static auto turning(double coefficient, const S& x, const B& b) {
+    if constexpr (present)
+      return S(b + S(coefficient) * x);
+    else
+      return b;
+  }
+  template <bool present, class S>
+  static auto turned(double coefficient, const S& x, const S& y) {
+    if constexpr (present)
+      return S((S(coefficient) * x) * y);
+    else
+      return zero{};
+  }
+
+  /// a(Pi) dt + b, each component one chain of fused products.
+  template <class S, class B>
+  vec<S, 3> driven(const vec<S, 3>& pi, const B& b) const {
+    vec<S, 3> out;
+    for (int k = 0; k < 3; ++k)
+      out[k] = (b[k] + S(k_.kappa[k]) * pi[k]) +
+               turned<parts.dissipation>(k_.gamma[k], pi[(k + 1) % 3], pi[(k + 2) % 3]);
+    return out;
+  }
+
+  template <class S, int n>
+  vec<S, 3> damped(vec<S, 3> pi, part_of_step<n>) const {
+    const auto& factor = k_.damping[n - 1];
+    for (int k = 0; k < 3; ++k)
+      if (k != 1 || !polynomials) pi[k] = S(factor[k]) * pi[k];  // the shift by 1/I_2 makes the second factor 1
+    return pi;
+  }
+
+  /// c y / |y|.
+  template <class S>
+  vec<S, 3> normalised(const vec<S, 3>& y) const {
+    if constexpr (polynomials)
+      return evaluate(norm_, S(y[2] * y[2] + (y[1] * y[1] + (y[0] * y[0] - S(k_.least_square))))) * y;
+    else
+      return S(S(k_.radius) / square_root(dot(y, y))) * y;
+  }
+
+  template <class S>
+  static vec<S, 3> times(const std::array<vec<double, 3>, 3>& m, const vec<S, 3>& x) {
+    vec<S, 3> out;
+    for (int k = 0; k < 3; ++k) {
+      const auto& row = m[static_cast<std::size_t>(k)];
+      out[k] = S(row[0]) * x[0] + (S(row[1]) * x[1] + S(row[2]) * x[2]);
+    }
+    return out;
+  }
+
+  template <int axis, class S>
+  static void turn(vec<S, 3>& pi, double t) {
+    constexpr int next = (axis + 1) % 3, last = (axis + 2) % 3;
+    const S angle = S(t) * pi[axis];
+    S sin, cos;
+    if constexpr (size == rotation_size::any) {
+      const auto both = sincos(angle);
+      sin = both.sin;
+      cos = both.cos;
+    } else {
+      static constexpr double reach = rotations<size>::bounds.turn;
+      static constexpr auto sinc = cosine_polynomial<rotations<size>::sine_degree>(1, reach * reach);
+      static constexpr auto cosine = cosine_polynomial<rotations<size>::cosine_degree>(0, reach * reach);
+      const S q = angle * angle;
+      sin = angle * evaluate(sinc, q);
+      cos = evaluate(cosine, q);
+    }
+    const S a = pi[next], b = pi[last];
+    pi[next] = a * cos + b * sin;
+    pi[last] = b * cos - a * sin;
+  }
+
+  rigid_body_constants k_;
+  polynomial<norm_degree> norm_{};
+};
+
+}  // namespace polhode

@@ -1,0 +1,36 @@
+#include "registry/rigid_body_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+
+rotation_size rotation_size_of(const rigid_body& body, double radius, double dt) {
+  const auto& inverse = body.inverse_inertia;
+  const double most = std::max({inverse[0], inverse[1], inverse[2]}),
+               least = std::min({inverse[0], inverse[1], inverse[2]}), c = radius,
+               noise = (body.sigma() * body.sigma().transpose()).operatorNorm();
+  const double drift = dt * c * (most + 0.5 * body.theta * c * (most - least));
+  const rotation_bounds needed{dt * c * most, drift + 4.5 * std::sqrt(dt * noise),
+                               std::expm1(2 * body.theta * c * c * (most - least) * dt)};
+  const auto within = [&](const rotation_bounds& b) {
+    return needed.turn <= b.turn && needed.generator <= b.generator && needed.spread <= b.spread;
+  };
+  return within(rotations<rotation_size::small>::bounds)      ? rotation_size::small
+         : within(rotations<rotation_size::moderate>::bounds) ? rotation_size::moderate
+                                                              : rotation_size::any;
+}
+
+int first_axis_of(const rigid_body& body) {
+  for (int odd = 0; odd < 3; ++odd)
+    if (body.inverse_inertia[(odd + 1) % 3] == body.inverse_inertia[(odd + 2) % 3]) return (odd + 1) % 3;
+  return 0;
+}
+
+body_parts parts_of(const rigid_body& body) {
+  const auto& i = body.inverse_inertia;
+  const bool spherical = i[0] == i[1] && i[1] == i[2], symmetric = i[0] == i[1] || i[1] == i[2] || i[0] == i[2];
+  return {!symmetric, !spherical, body.theta > 0 && !spherical};
+}
+
+}  // namespace polhode

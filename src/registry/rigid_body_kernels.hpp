@@ -1,0 +1,67 @@
+// Chooses the rigid body's kernel for a scene and a step size, outside every loop.
+#pragma once
+
+#include <cmath>
+#include <memory>
+
+#include "registry/bind.hpp"
+#include "registry/rigid_body_choice.hpp"
+#include "registry/rigid_body_forms.hpp"
+
+namespace polhode {
+
+/// A system without flows: what a scheme that does not split can still step.
+struct unsplit_body : constant_noise<so3> {
+  using algebra = so3;
+  template <class S>
+  vec<S, 3> generator(const vec<S, 3>& pi) const {
+    return pi;
+  }
+  double energy(const vec<double, 3>&) const { return 0; }
+};
+template <class Scheme>
+inline constexpr bool splits = !scheme_on<Scheme, unsplit_body>;
+
+/// The others are made of sums, products and quotients: they have no rotations whose size matters.
+template <class Scheme>
+inline constexpr bool rotates = Scheme::info.action == group_action::exponential;
+
+/// Long steps hide their latency themselves.
+template <class Scheme, rotation_size size>
+using loop_scalar = std::conditional_t<Scheme::info.implicit || (rotates<Scheme> && size == rotation_size::any), pack,
+                                       loop_pack>;
+
+template <class Scheme, body_parts parts>
+std::unique_ptr<kernel> rigid_body_kernel(const rigid_body& body, double radius, double dt) {
+  const int axis = parts.first_turn ? 0 : first_axis_of(body);
+  const auto made = [&]<rotation_size size>() -> std::unique_ptr<kernel> {
+    using forms = rigid_body_forms<parts, size>;
+    return std::make_unique<kernel_of<Scheme, forms, loop_scalar<Scheme, size>>>(forms(body, dt, radius, axis));
+  };
+  if constexpr (rotates<Scheme>) {
+    const auto size = rotation_size_of(body, radius, dt);
+    if (size == rotation_size::small) return made.template operator()<rotation_size::small>();
+    if (size == rotation_size::moderate) return made.template operator()<rotation_size::moderate>();
+  }
+  return made.template operator()<rotation_size::any>();
+}
+
+/// Only the parts that the scheme can tell apart: one that moves by a(Pi) as a whole has no turns to leave out.
+template <class Scheme>
+std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const rigid_body& body, const std::vector<double>& momentum,
+                                   double dt) {
+  const auto prepared_body = prepared<Scheme>(body, dt);
+  const double radius = std::hypot(momentum[0], momentum[1], momentum[2]);
+  const auto parts = parts_of(body);
+  const auto made = [&]<body_parts p>() { return rigid_body_kernel<Scheme, p>(prepared_body, radius, dt); };
+  if constexpr (splits<Scheme>) {
+    if (!parts.last_turn) return made.template operator()<body_parts{false, false, false}>();
+    if (!parts.first_turn)
+      return parts.dissipation ? made.template operator()<body_parts{false, true, true}>()
+                               : made.template operator()<body_parts{false, true, false}>();
+  }
+  return parts.dissipation ? made.template operator()<body_parts{true, true, true}>()
+                           : made.template operator()<body_parts{true, true, false}>();
+}
+
+}  // namespace polhode
