@@ -3,8 +3,8 @@
 # of one set are linked into one relocatable object, and of its symbols only the entries polhode_* stay visible.
 option(POLHODE_ISA_LEVELS "Compile the inner loops for x86-64-v2, v3 and v4 and choose at start" ON)
 
-set(POLHODE_ISA_SOURCES ensemble/isa/normal_block.cpp registry/isa/rigid_body.cpp)
-set(POLHODE_UNCONTRACTED ensemble/isa/normal_block.cpp)  # the same bits on every instruction set
+set(POLHODE_ISA_SOURCES ensemble/isa/direction_bins.cpp ensemble/isa/normal_block.cpp registry/isa/rigid_body.cpp)
+set(POLHODE_UNCONTRACTED ensemble/isa/direction_bins.cpp ensemble/isa/normal_block.cpp)  # the same bits on every instruction set
 
 function(polhode_isa_objects target level)
   set(objects ${target}_${level})

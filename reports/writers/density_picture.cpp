@@ -7,36 +7,36 @@
 #include <cmath>
 #include <numbers>
 
-#include "reports/writers/numbers.hpp"
+#include "reports/writers/sphere_projection.hpp"
 #include "reports/writers/text.hpp"
 
 namespace polhode::report {
 namespace {
 
-using vector3 = std::array<double, 3>;
 constexpr double pi = std::numbers::pi;
 constexpr int width = 1200, height = 1170;
 constexpr int map_left = 60, map_top = 90, map_width = 1080, map_height = 540;
 constexpr int disc = 440, disc_top = 680, upper_left = 60, lower_left = 545;
 constexpr int bar_left = 1040, bar_top = 720, bar_width = 30, bar_height = 360;
-constexpr colour paper{255, 255, 255}, ink{20, 20, 20}, grey{110, 110, 110}, empty{30, 22, 44}, mark{255, 255, 255};
 
-/// The bin of a direction: Lambert's equal-area projection of each hemisphere, as ensemble_snapshot::picture says.
-std::uint32_t bin_of(const vector3& n, int side) {
-  const double scale = 0.5 / std::sqrt(1 + std::abs(n[2]));
-  const auto cell = [&](double u) { return std::clamp(static_cast<int>((u * scale + 0.5) * side), 0, side - 1); };
-  return static_cast<std::uint32_t>(((n[2] < 0 ? side : 0) + cell(n[1])) * side + cell(n[0]));
+// The palette: a few colours by name, what the sphere's rim looks like by the share that it covers, and the densities.
+constexpr shade paper = 0, ink = 1, grey = 2, empty = 3, first_rim = 4, first_density = 7;
+constexpr int densities = 256 - first_density;
+constexpr colour paper_colour{255, 255, 255}, ink_colour{20, 20, 20}, grey_colour{80, 80, 80}, empty_colour{30, 22, 44};
+
+std::vector<colour> palette() {
+  std::vector<colour> out{paper_colour, ink_colour, grey_colour, empty_colour};
+  for (int quarters = 1; quarters < 4; ++quarters) {
+    colour rim{};
+    for (std::size_t k = 0; k < 3; ++k)
+      rim[k] = static_cast<std::uint8_t>((quarters * empty_colour[k] + (4 - quarters) * paper_colour[k]) / 4);
+    out.push_back(rim);
+  }
+  for (int i = 0; i < densities; ++i) out.push_back(viridis(i / (densities - 1.0)));
+  return out;
 }
 
-/// From x, y in the unit disc, y upwards. Source: Snyder, Map Projections (1987), eqs. (31-6) to (31-8).
-vector3 from_mollweide(double x, double y) {
-  const double a = std::asin(y), z = std::clamp((2 * a + std::sin(2 * a)) / pi, -1.0, 1.0);
-  const double longitude = pi * x / std::cos(a), r = std::sqrt(1 - z * z);
-  return {r * std::cos(longitude), r * std::sin(longitude), z};
-}
-
-vector3 from_above(double x, double y) { return {x, y, std::sqrt(std::max(0.0, 1 - x * x - y * y))}; }
-vector3 from_below(double x, double y) { return {-x, y, -std::sqrt(std::max(0.0, 1 - x * x - y * y))}; }
+shade density_shade(double place) { return static_cast<shade>(first_density + std::lround(place * (densities - 1))); }
 
 /// Densities relative to bodies spread evenly, from black to yellow.
 struct colour_scale {
@@ -46,27 +46,32 @@ struct colour_scale {
 
 void draw_bar(raster& out, const colour_scale& scale) {
   for (int y = 0; y < bar_height; ++y)
-    out.fill(bar_left, bar_top + y, bar_width, 1, viridis(1 - (y + 0.5) / bar_height));
+    out.fill(bar_left, bar_top + y, bar_width, 1, density_shade(1 - (y + 0.5) / bar_height));
   out.fill(bar_left, bar_top + bar_height + 10, bar_width, 20, empty);
   out.text(bar_left + bar_width + 12, bar_top + bar_height + 13, "empty", 2, ink);
+  const bool roomy = scale.high < 1000 * scale.low;
   for (int decade = -12; decade <= 12; ++decade)
     for (int minor = 1; minor < 10; ++minor) {
       const double value = minor * std::pow(10.0, decade);
       if (value < scale.low || value > scale.high) continue;
+      const bool named = minor == 1 || (roomy && (minor == 2 || minor == 5));
       const int y = bar_top + static_cast<int>(std::lround((1 - scale.place(value)) * (bar_height - 1)));
-      out.fill(bar_left + bar_width, y, minor == 1 ? 9 : 5, minor == 1 ? 2 : 1, ink);
-      if (minor > 1) continue;
-      out.text(bar_left + bar_width + 14, y - 6, "10", 2, ink);
-      out.text(bar_left + bar_width + 40, y - 12, std::to_string(decade), 1, ink);
+      out.fill(bar_left + bar_width, y - 1, named ? 9 : 5, 2, ink);
+      if (named) out.text(bar_left + bar_width + 14, y - 7, fmt::format("{:.3g}", value), 2, ink);
     }
-  out.text(bar_left - 40, bar_top - 44, "density", 2, ink);
-  out.text(bar_left - 40, bar_top - 22, "(uniform = 1)", 2, ink);
+  out.text(bar_left - 40, bar_top - 54, "density", 2, ink);
+  out.text(bar_left - 40, bar_top - 34, "(uniform = 1)", 2, ink);
 }
 
+/// White on dark, as the name may stand on any density.
 void mark_axis(raster& out, int x, int y, std::string_view name) {
-  out.fill(x - 5, y, 11, 1, mark);
-  out.fill(x, y - 5, 1, 11, mark);
-  out.text(x + 8, y + 5, name, 2, mark);
+  for (const int edge : {2, 0}) {
+    const shade c = edge > 0 ? empty : paper;
+    out.fill(x - 7 - edge, y - 1 - edge, 14 + 2 * edge, 2 + 2 * edge, c);
+    out.fill(x - 1 - edge, y - 7 - edge, 2 + 2 * edge, 14 + 2 * edge, c);
+    for (int dx = -edge; dx <= edge; ++dx)
+      for (int dy = -edge; dy <= edge; ++dy) out.text(x + 9 + dx, y + 6 + dy, name, 2, c);
+  }
 }
 
 /// Where the axes of the body pierce the sphere.
@@ -83,9 +88,10 @@ void draw_titles(raster& out, const simulation& s, const ensemble_snapshot& show
   const auto first = fmt::format("{}: {}, dt = {:.6g}, t = {:.6g}", one_line(s.scene.name).substr(0, 40), s.scheme.name,
                                  s.dt, shown.state.time);
   std::string sigma;
-  for (const auto& v : s.scene.sigma) sigma += fmt::format("({:.4g} {:.4g} {:.4g})", v[0], v[1], v[2]);
+  for (const auto& v : s.scene.sigma)
+    sigma += fmt::format("{}({:.4g}, {:.4g}, {:.4g})", sigma.empty() ? "" : " ", v[0], v[1], v[2]);
   const auto& i = s.scene.inertia;
-  const auto second = fmt::format("I = ({:.6g} {:.6g} {:.6g})   theta = {:.6g}   sigma = {}", i[0], i[1], i[2],
+  const auto second = fmt::format("I = ({:.6g}, {:.6g}, {:.6g})   theta = {:.6g}   sigma = {}", i[0], i[1], i[2],
                                   s.scene.theta, sigma.empty() ? "0" : sigma);
   const auto third = fmt::format("{} bodies ({} lost)   {} noise   {} start   seed {}", s.bodies, shown.state.lost,
                                  s.noise, s.start, s.provenance.seed);
@@ -96,48 +102,55 @@ void draw_titles(raster& out, const simulation& s, const ensemble_snapshot& show
   out.text(lower_left + disc / 2 - raster::text_width("pi3 < 0", 2) / 2, disc_top + disc + 14, "pi3 < 0", 2, ink);
 }
 
-colour blended(colour over, double share) {
-  for (std::size_t k = 0; k < 3; ++k)
-    over[k] = static_cast<std::uint8_t>(std::lround(share * over[k] + (1 - share) * paper[k]));
-  return over;
-}
-
 }  // namespace
 
-density_picture::density_picture(int side) : side_(side) {
-  add_disc(map_left, map_top, map_width, map_height, from_mollweide);
-  add_disc(upper_left, disc_top, disc, disc, from_above);
-  add_disc(lower_left, disc_top, disc, disc, from_below);
+density_picture::density_picture(int side) {
+  pixels_.reserve(std::size_t{map_width} * map_height + std::size_t{2} * disc * disc);
+  add_disc(map_left, map_top, map_width, map_height, [&](double y, auto& row) { mollweide_row(side, y, row); });
+  add_disc(upper_left, disc_top, disc, disc, [&](double y, auto& row) { upper_row(side, y, row); });
+  add_disc(lower_left, disc_top, disc, disc, [&](double y, auto& row) { lower_row(side, y, row); });
 }
 
-template <class Direction>
-void density_picture::add_disc(int left, int top, int w, int h, Direction direction) {
-  for (int j = 0; j < h; ++j)
-    for (int i = 0; i < w; ++i) {
-      pixel p{left + i, top + j, 0, {}};
-      for (int s = 0; s < samples; ++s) {
-        const double x = 2 * (i + 0.25 + 0.5 * (s % 2)) / w - 1, y = 1 - 2 * (j + 0.25 + 0.5 * (s / 2)) / h;
-        if (x * x + y * y < 1) p.bins[p.inside++] = bin_of(direction(x, y), side_);
-      }
-      if (p.inside > 0) pixels_.push_back(p);
+/// Four samples a pixel: of two rows, two neighbours each.
+template <class Bins>
+void density_picture::add_disc(int left, int top, int w, int h, Bins bins_of_row) {
+  std::vector<std::uint32_t> first(static_cast<std::size_t>(2 * w)), second(first);
+  for (int j = 0; j < h; ++j) {
+    bins_of_row(1 - (2 * j + 0.5) / h, first);
+    bins_of_row(1 - (2 * j + 1.5) / h, second);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(w); ++i) {
+      const auto place = static_cast<std::uint32_t>((top + j) * width + left) + static_cast<std::uint32_t>(i);
+      const std::array bins{first[2 * i], first[2 * i + 1], second[2 * i], second[2 * i + 1]};
+      const auto inside = samples - static_cast<int>(std::ranges::count(bins, outside));
+      if (inside == samples)
+        pixels_.push_back({place, bins});
+      else if (inside > 0)
+        rim_.push_back({place, inside});
     }
+  }
 }
 
 raster density_picture::paint(const simulation& s, const ensemble_snapshot& shown) const {
   const double bodies = static_cast<double>(std::max<std::int64_t>(1, s.bodies - shown.state.lost));
-  const double even = bodies / (0.5 * pi * side_ * side_);  // bodies in a bin where all are spread evenly
-  const auto density = [&](const pixel& p) {
-    double sum = 0;
-    for (int i = 0; i < p.inside; ++i) sum += shown.picture[p.bins[i]];
-    return sum / (p.inside * even);
-  };
-  colour_scale scale{0.5 / even, 20 / even};
-  for (const auto& p : pixels_) scale.high = std::max(scale.high, density(p));
-  raster out(width, height, paper);
+  const double even = bodies / (0.5 * pi * shown.side * shown.side);  // bodies in a bin where all are spread evenly
+  std::vector<std::uint64_t> sums;
+  sums.reserve(pixels_.size());
   for (const auto& p : pixels_) {
-    const double d = density(p);
-    out.set(p.x, p.y, blended(d > 0 ? viridis(scale.place(d)) : empty, static_cast<double>(p.inside) / samples));
+    std::uint64_t sum = 0;
+    for (const auto bin : p.bins) sum += shown.picture[bin];
+    sums.push_back(sum);
   }
+  const auto most = static_cast<double>(*std::ranges::max_element(sums));
+  const colour_scale scale{0.5 / even, std::max(10.0, most / samples) / even};
+  const auto shade_of = [&](std::uint64_t sum) {
+    return sum == 0 ? empty : density_shade(scale.place(static_cast<double>(sum) / (samples * even)));
+  };
+  std::array<shade, 256> usual{};  // most pixels see a few bodies only
+  for (std::size_t sum = 0; sum < usual.size(); ++sum) usual[sum] = shade_of(sum);
+  raster out(width, height, palette());
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    out.pixels[pixels_[i].place] = sums[i] < usual.size() ? usual[sums[i]] : shade_of(sums[i]);
+  for (const auto& p : rim_) out.pixels[p.place] = static_cast<shade>(first_rim + p.inside - 1);
   draw_bar(out, scale);
   mark_axes(out);
   draw_titles(out, s, shown);

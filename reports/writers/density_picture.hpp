@@ -2,6 +2,7 @@
 // two hemispheres seen from outside (orthographic).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,16 +18,20 @@ class density_picture {
   raster paint(const simulation&, const ensemble_snapshot&) const;
 
  private:
-  static constexpr int samples = 4;
+  static constexpr int samples = 4;  // a pixel
   struct pixel {
-    int x, y, inside;  ///< how many of the samples are on the sphere
-    std::uint32_t bins[samples];
+    std::uint32_t place;  ///< in the raster
+    std::array<std::uint32_t, samples> bins;
   };
-  template <class Direction>
-  void add_disc(int left, int top, int width, int height, Direction direction);
+  struct rim_pixel {
+    std::uint32_t place;
+    int inside;  ///< how many of the samples are on the sphere
+  };
+  template <class Bins>
+  void add_disc(int left, int top, int width, int height, Bins bins_of_row);
 
-  int side_;
   std::vector<pixel> pixels_;
+  std::vector<rim_pixel> rim_;
 };
 
 }  // namespace polhode::report

@@ -24,22 +24,40 @@ std::string header(std::string_view type, std::initializer_list<std::size_t> sha
   return out + text;
 }
 
+/// A header, and room for the values.
+template <class T>
+std::string room_for(std::string_view type, std::size_t count, std::initializer_list<std::size_t> shape) {
+  std::string out = header(type, shape);
+  out.resize(out.size() + count * sizeof(T));
+  return out;
+}
+
+template <class T>
+void put(T value, char* at) {
+  std::memcpy(at, &value, sizeof value);
+  if constexpr (std::endian::native == std::endian::big) std::reverse(at, at + sizeof value);
+}
+
 template <class T>
 std::string array(std::string_view type, std::span<const T> values, std::initializer_list<std::size_t> shape) {
-  std::string out = header(type, shape);
-  const auto start = out.size();
-  out.resize(start + values.size_bytes());
-  if (!values.empty()) std::memcpy(out.data() + start, values.data(), values.size_bytes());
-  if constexpr (std::endian::native == std::endian::big)
-    for (auto at = out.begin() + static_cast<std::ptrdiff_t>(start); at != out.end(); at += sizeof(T))
-      std::reverse(at, at + sizeof(T));
+  std::string out = room_for<T>(type, values.size(), shape);
+  char* at = out.data() + out.size() - values.size_bytes();
+  for (const T value : values) {
+    put(value, at);
+    at += sizeof value;
+  }
   return out;
 }
 
 }  // namespace
 
-std::string to_npy(std::span<const double> values, std::initializer_list<std::size_t> shape) {
-  return array("<f8", values, shape);
+std::string to_npy_rows(std::span<const double> columns, std::size_t count) {
+  const std::size_t rows = columns.size() / count;
+  std::string out = room_for<double>("<f8", columns.size(), {rows, count});
+  char* at = out.data() + out.size() - columns.size_bytes();
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t k = 0; k < count; ++k, at += sizeof(double)) put(columns[k * rows + i], at);
+  return out;
 }
 
 std::string to_npy(std::span<const std::uint32_t> values, std::initializer_list<std::size_t> shape) {

@@ -9,8 +9,10 @@
 
 namespace polhode::report {
 
+/// From [column][row], so many columns: an array of rows.
+std::string to_npy_rows(std::span<const double> columns, std::size_t count);
+
 /// The product of the shape is the number of values.
-std::string to_npy(std::span<const double>, std::initializer_list<std::size_t> shape);
 std::string to_npy(std::span<const std::uint32_t>, std::initializer_list<std::size_t> shape);
 
 }  // namespace polhode::report

@@ -1,4 +1,4 @@
-// A picture as a PNG file: eight bits a colour, the same bytes for the same pixels.
+// A picture as a PNG file: a palette, the same bytes for the same pixels.
 #pragma once
 
 #include <string>

@@ -3,27 +3,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "reports/writers/font.hpp"
 
 namespace polhode::report {
 
-raster::raster(int w, int h, colour background)
-    : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3) {
-  fill(0, 0, w, h, background);
+raster::raster(int w, int h, std::vector<colour> colours)
+    : width(w),
+      height(h),
+      palette(std::move(colours)),
+      pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+
+void raster::fill(int x, int y, int w, int h, shade c) {
+  const int left = std::max(x, 0), right = std::min(x + w, width);
+  for (int j = std::max(y, 0); j < std::min(y + h, height) && left < right; ++j)
+    std::fill_n(pixels.begin() + static_cast<std::ptrdiff_t>(j) * width + left, right - left, c);
 }
 
-void raster::set(int x, int y, colour c) {
-  if (x < 0 || y < 0 || x >= width || y >= height) return;
-  std::ranges::copy(c, pixels.begin() + (static_cast<std::ptrdiff_t>(y) * width + x) * 3);
-}
-
-void raster::fill(int x, int y, int w, int h, colour c) {
-  for (int j = y; j < y + h; ++j)
-    for (int i = x; i < x + w; ++i) set(i, j, c);
-}
-
-void raster::text(int x, int y, std::string_view text, int scale, colour c) {
+void raster::text(int x, int y, std::string_view text, int scale, shade c) {
   for (const char letter : text) {
     const auto& columns = glyph_of(letter);
     for (int i = 0; i < glyph_width; ++i)

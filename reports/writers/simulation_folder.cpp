@@ -10,11 +10,8 @@
 #include <vector>
 
 #include "reports/model/errors.hpp"
-#include "reports/writers/density_picture.hpp"
 #include "reports/writers/disk.hpp"
-#include "reports/writers/npy.hpp"
-#include "reports/writers/numbers.hpp"
-#include "reports/writers/png.hpp"
+#include "reports/writers/simulation_files.hpp"
 #include "reports/writers/simulation_json.hpp"
 #include "reports/writers/text.hpp"
 
@@ -22,7 +19,6 @@ namespace polhode::report {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::int64_t most_rows = 100'000;  // beyond that text is a burden
 
 std::string quoted(const fs::path& path) { return "'" + one_line(path.string()) + "'"; }
 
@@ -106,42 +102,7 @@ class made_parents {
   std::vector<fs::path> made_;
 };
 
-std::string final_csv(const simulation& s) {
-  const auto dimension = s.final.components.size(), bodies = static_cast<std::size_t>(s.bodies);
-  std::string out;
-  for (std::size_t k = 0; k < dimension; ++k) out += fmt::format("{}pi{}", k == 0 ? "" : ",", k + 1);
-  for (std::size_t i = 0; i < bodies; ++i)
-    for (std::size_t k = 0; k < dimension; ++k) out += (k == 0 ? "\n" : ",") + shortest(s.states[k * bodies + i]);
-  return out + '\n';
-}
-
-std::string final_npy(const simulation& s) {
-  const auto dimension = s.final.components.size(), bodies = static_cast<std::size_t>(s.bodies);
-  std::vector<double> rows(s.states.size());
-  for (std::size_t k = 0; k < dimension; ++k)
-    for (std::size_t i = 0; i < bodies; ++i) rows[i * dimension + k] = s.states[k * bodies + i];
-  return to_npy(rows, {bodies, dimension});
-}
-
-void write_files(const fs::path& folder, const simulation& s, const fs::path& known_as) {
-  const auto write = [&](const std::string& name, const std::string& content) {
-    disk::write_file(folder / name, content, known_as / name);
-  };
-  write(final_name(s), s.bodies > most_rows ? final_npy(s) : final_csv(s));
-  write("summary.json", to_json(s));
-  if (s.snapshots.empty()) return;
-  const density_picture picture(s.snapshots.front().side);
-  for (const auto& shown : s.snapshots) {
-    const auto name = fmt::format("snapshot_{:.10g}", shown.state.time);
-    write(name + ".npy",
-          to_npy(shown.counts, {static_cast<std::size_t>(shown.heights), static_cast<std::size_t>(shown.longitudes)}));
-    write(name + ".png", to_png(picture.paint(s, shown)));
-  }
-}
-
 }  // namespace
-
-std::string final_name(const simulation& s) { return s.bodies > most_rows ? "final.npy" : "final.csv"; }
 
 void check_simulation_folder(const fs::path& out) { usable(out); }
 
@@ -152,7 +113,7 @@ void write_simulation(const fs::path& out, const simulation& s) {
   const auto name = path.filename().string();
   disk::remove_stale(parent, name);
   const disk::staging staged(parent / disk::staging_name(name), out);
-  write_files(staged.path(), s, out);
+  write_simulation_files(staged.path(), s, out);
   disk::sync_directory(staged.path(), out);
   if (!disk::move_if_free(staged.path(), path, out)) {
     usable(out);  // somebody may have put something there meanwhile

@@ -16,7 +16,4 @@ void write_simulation(const std::filesystem::path& out, const simulation&);
 /// The same refusals, before the work starts. Creates nothing.
 void check_simulation_folder(const std::filesystem::path& out);
 
-/// "final.csv" or "final.npy".
-std::string final_name(const simulation&);
-
 }  // namespace polhode::report

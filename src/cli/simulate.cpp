@@ -18,6 +18,7 @@
 #include "registry/text.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/writers/numbers.hpp"
+#include "reports/writers/simulation_files.hpp"
 #include "reports/writers/simulation_folder.hpp"
 #include "reports/writers/simulation_json.hpp"
 

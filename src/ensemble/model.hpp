@@ -22,6 +22,9 @@ class model {
   virtual double energy(std::span<const double> mu) const = 0;
   virtual double dissipation_rate(std::span<const double> mu) const = 0;  ///< -dh/dt without noise
   virtual std::vector<double> casimirs(std::span<const double> mu) const = 0;
+  /// Both for a block, [component][lane]: energies [lane], Casimirs [casimir][lane].
+  virtual void conserved(std::span<const double> states, std::span<double> energies,
+                         std::span<double> casimirs) const = 0;
   virtual void drift(std::span<const double> mu, std::span<double> out) const = 0;  ///< ad*_a(mu) mu
   /// Chen's relation over groups of `factor` steps: [step][channel][lane] in and out. An input without areas is a
   /// piecewise linear path.

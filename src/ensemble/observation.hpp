@@ -19,24 +19,26 @@ struct ensemble_moments {
   void merge(const ensemble_moments&);
 };
 
-/// The bins that a body's direction falls into.
-struct direction_bins {
-  std::uint32_t longitude, hemisphere;
-};
-
+/// Looks at one block after another. Not for two threads at once: it works in its own room.
 class ensemble_observer {
  public:
   /// Every body starts on the orbit of that momentum.
   ensemble_observer(const model&, std::span<const double> momentum);
 
-  /// Adds the first `lanes` of a block; directions only where they are wanted.
-  void observe(std::span<const double> states, int lanes, ensemble_moments&, std::vector<direction_bins>* seen) const;
-  ensemble_moments nothing() const;
+  /// Adds the first `lanes` of a block.
+  void observe(std::span<const double> states, int lanes, ensemble_moments&);
+
+  static ensemble_moments nothing(const model&);
 
  private:
+  /// Of the lanes that were found.
+  running_moments moments_of(const double* row);
+
   const model& model_;
   std::vector<double> start_casimirs_;
   double casimir_scale_ = 0;
+  std::vector<double> energies_, casimirs_, values_;
+  std::vector<int> found_;  ///< lanes that are not lost
 };
 
 }  // namespace polhode

@@ -1,11 +1,12 @@
 #include "ensemble/simulation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <mutex>
 #include <optional>
 
+#include "ensemble/direction_bins.hpp"
+#include "ensemble/normal_block.hpp"
 #include "ensemble/paths.hpp"
 #include "ensemble/shared_increments.hpp"
 #include "ensemble/sphere_bins.hpp"
@@ -21,28 +22,32 @@ std::int64_t blocks_of(const simulation_plan& p) { return (p.bodies + block_lane
 /// Blocks that one thread takes at a time: by the ensemble alone, as sums are merged piece by piece.
 std::int64_t blocks_a_piece(const simulation_plan& p) { return std::clamp<std::int64_t>(blocks_of(p) / 1024, 1, 64); }
 
-std::vector<double> start_of(const simulation_plan& p, std::int64_t block) {
-  if (p.start == ensemble_start::momentum) return replicated(p.momentum);
+/// On the sphere through the momentum every body starts in the direction of three normals at its own address.
+void start(const simulation_plan& p, std::int64_t block, std::vector<double>& states) {
+  if (p.start == ensemble_start::momentum) {
+    states = replicated(p.momentum);
+    return;
+  }
   double radius = 0;
   for (const double x : p.momentum) radius = std::hypot(radius, x);
-  std::vector<double> states(3 * block_lanes);
-  for (int lane = 0; lane < block_lanes; ++lane) {
-    const auto path = static_cast<std::uint64_t>(block * block_lanes + lane);
-    const auto x = normals<3>({p.seed, noise_kind::initial_state, path, 0});
-    const double length = std::sqrt(dot(x, x));
-    for (int k = 0; k < 3; ++k) states[static_cast<std::size_t>(k * block_lanes + lane)] = radius * x[k] / length;
+  const auto first = static_cast<std::uint64_t>(block * block_lanes);
+  fill_normals({p.seed, noise_kind::initial_state, first, 0, 1, 3, 3, 1, states.data()});
+  double *x = states.data(), *y = x + block_lanes, *z = y + block_lanes;
+  for (int i = 0; i < block_lanes; ++i) {
+    const double length = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+    x[i] = radius * x[i] / length;
+    y[i] = radius * y[i] / length;
+    z[i] = radius * z[i] / length;
   }
-  return states;
 }
 
 /// Everything that the pieces share.
 class ensemble_run {
  public:
   ensemble_run(const model& m, const kernel& k, const simulation_plan& p, const std::function<void(double)>& progress)
-      : model_(m), kernel_(k), plan_(p), progress_(progress), observer_(m, p.momentum) {
+      : model_(m), kernel_(k), plan_(p), progress_(progress), counting_(p.snapshots.size()) {
     noiseless_ = p.noise == ensemble_noise::none || m.active_channels() == 0;
-    if (!noiseless_ && p.noise == ensemble_noise::common)
-{
+    if (!noiseless_ && p.noise == ensemble_noise::common) {
       common_.emplace(m, p.seed, p.steps, p.dt, p.with_areas, p.threads);
       common_steps_ = k.share(common_->view(0, static_cast<int>(p.steps)));
     }
@@ -53,7 +58,7 @@ class ensemble_run {
       s.picture.resize(hemisphere_bins::count);
     }
     moments_.resize(static_cast<std::size_t>(pieces()),
-                    std::vector<ensemble_moments>(p.snapshots.size() + 1, observer_.nothing()));
+                    std::vector<ensemble_moments>(p.snapshots.size() + 1, ensemble_observer::nothing(model_)));
   }
 
   int pieces() const {
@@ -62,10 +67,13 @@ class ensemble_run {
 
   void run_piece(int piece) {
     increment_buffer noise(model_, chunk, plan_.with_areas);
-    std::vector<std::vector<direction_bins>> seen(plan_.snapshots.size());
+    ensemble_observer observer(model_, plan_.momentum);
+    auto states = replicated(plan_.momentum);
+    std::vector<double> seen;
+    auto& moments = moments_[static_cast<std::size_t>(piece)];
     const std::int64_t first = piece * blocks_a_piece(plan_);
     for (auto block = first; block < std::min(first + blocks_a_piece(plan_), blocks_of(plan_)); ++block) {
-      auto states = start_of(plan_, block);
+      start(plan_, block, states);
       std::int64_t step = 0;
       for (std::size_t i = 0; i <= plan_.snapshots.size(); ++i) {
         const bool last = i == plan_.snapshots.size();
@@ -75,19 +83,18 @@ class ensemble_run {
           step += n;
           tell(n);
         }
-        auto seen_now = states;
-        if (!last) kernel_.finish(seen_now, plan_.dt);
-        observer_.observe(seen_now, lanes_of(block), moments_[static_cast<std::size_t>(piece)][i],
-                          last ? nullptr : &seen[i]);
+        seen = states;
+        if (step < plan_.steps) kernel_.finish(seen, plan_.dt);
+        observer.observe(seen, lanes_of(block), moments[i]);
+        if (!last) count(seen, lanes_of(block), i);
       }
       keep(states, block);
     }
-    count(seen);
   }
 
   simulated result() {
-    out_.final = observer_.nothing();
-    for (auto& s : out_.snapshots) s.moments = observer_.nothing();
+    out_.final = ensemble_observer::nothing(model_);
+    for (auto& s : out_.snapshots) s.moments = ensemble_observer::nothing(model_);
     for (const auto& piece : moments_)
       for (std::size_t i = 0; i < piece.size(); ++i)
         (i < out_.snapshots.size() ? out_.snapshots[i].moments : out_.final).merge(piece[i]);
@@ -119,14 +126,17 @@ class ensemble_run {
     }
   }
 
-  /// Counts commute, so one histogram for all threads does, filled a piece at a time.
-  void count(const std::vector<std::vector<direction_bins>>& seen) {
-    const std::lock_guard lock(counting_);
-    for (std::size_t i = 0; i < seen.size(); ++i)
-      for (const auto& d : seen[i]) {
-        ++out_.snapshots[i].counts[d.longitude];
-        ++out_.snapshots[i].picture[d.hemisphere];
-      }
+  /// Counts commute, so one histogram for all threads does, a block at a time.
+  void count(std::span<const double> states, int lanes, std::size_t snapshot) {
+    direction_bins bins;
+    find_bins(states.data(), bins);
+    auto& out = out_.snapshots[snapshot];
+    const std::lock_guard lock(counting_[snapshot]);
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane) {
+      if (bins.longitude[lane] < 0) continue;
+      ++out.counts[static_cast<std::size_t>(bins.longitude[lane])];
+      ++out.picture[static_cast<std::size_t>(bins.hemisphere[lane])];
+    }
   }
 
   void keep(std::span<const double> states, std::int64_t block) {
@@ -146,13 +156,13 @@ class ensemble_run {
   const kernel& kernel_;
   const simulation_plan& plan_;
   const std::function<void(double)>& progress_;
-  ensemble_observer observer_;
   double done_ = 0;
   bool noiseless_ = false;
   std::optional<shared_increments> common_;
   shared_steps common_steps_;
   std::vector<std::vector<ensemble_moments>> moments_;  // [piece][stop]
-  std::mutex counting_, telling_;
+  std::vector<std::mutex> counting_;                    // [snapshot]
+  std::mutex telling_;
   simulated out_;
 };
 

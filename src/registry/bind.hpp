@@ -29,6 +29,14 @@ class model_of final : public model {
     const auto c = System::algebra::casimirs(state(mu));
     return {c.c.begin(), c.c.end()};
   }
+  [[gnu::flatten]] void conserved(std::span<const double> states, std::span<double> energies,
+                                  std::span<double> casimirs) const override {
+    for (int lane = 0; lane < block_lanes; lane += static_cast<int>(pack::size())) {
+      const auto mu = load_lanes<pack, n>(states.data() + lane);
+      pack(system_.energy(mu)).copy_to(energies.data() + lane, stdx::element_aligned);
+      store_lanes(System::algebra::casimirs(mu), casimirs.data() + lane);
+    }
+  }
   void drift(std::span<const double> mu, std::span<double> out) const override {
     const auto x = state(mu);
     std::ranges::copy(System::algebra::coad(system_.generator(x), x).c, out.begin());

@@ -18,7 +18,7 @@ def read_npy(path):
 
 
 def read_png(path):
-    """Size and the unpacked rows; every checksum is held."""
+    """Size, depth, kind of colour and the unpacked rows; every checksum is held."""
     data = read(path)
     assert data[:8] == b'\x89PNG\r\n\x1a\n'
     at, chunks = 8, []
@@ -137,7 +137,7 @@ class Files(Case):
         self.assertEqual(sorted(os.listdir(self.path('out'))), ['final.csv', 'snapshot_0.5.npy', 'snapshot_0.5.png', 'snapshot_2.npy', 'snapshot_2.png', 'summary.json'])
         for name in ('snapshot_0.5.png', 'snapshot_2.png'):
             (width, height, depth, colours), rows = read_png(self.path('out', name))
-            self.assertEqual((depth, colours, len(rows)), (8, 2, height * (3 * width + 1)))
+            self.assertEqual((depth, colours, len(rows)), (8, 3, height * (width + 1)))
             self.assertGreater(len(set(rows)), 100)
 
     def test_a_folder_of_ours_is_exchanged(self):

@@ -1,0 +1,9 @@
+#include "ensemble/direction_bins.hpp"
+
+#include "ensemble/isa_entry.hpp"
+
+namespace polhode {
+
+void find_bins(const double* states, direction_bins& out) { by_isa(POLHODE_ENTRIES(polhode_find_bins_))(states, out); }
+
+}  // namespace polhode

@@ -1,0 +1,99 @@
+#include "reports/writers/density_picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <polhode/vec.hpp>
+
+#include "ensemble/sphere_bins.hpp"
+#include "reports/writers/npy.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr int side = hemisphere_bins::side;
+constexpr double pi = std::numbers::pi;
+
+struct place {
+  double x, y;
+};
+
+/// The middle of the pixels that show a density; the marks of the axes are none.
+place middle(const report::raster& picture, int left, int right, int top, int bottom) {
+  place sum{0, 0};
+  double count = 0;
+  for (int y = top; y < bottom; ++y)
+    for (int x = left; x < right; ++x)
+      if (picture.pixels[static_cast<std::size_t>(y * picture.width + x)] >= 7) {
+        sum.x += x + 0.5;
+        sum.y += y + 0.5;
+        ++count;
+      }
+  return {sum.x / count, sum.y / count};
+}
+
+report::raster picture_of(const vec<double, 3>& n) {
+  report::simulation s;
+  s.bodies = 1;
+  s.scheme.name = "strang";
+  report::ensemble_snapshot shot;
+  shot.side = side;
+  shot.picture.resize(hemisphere_bins::count);
+  shot.picture[static_cast<std::size_t>(hemisphere_bins::of(n[0], n[1], n[2]))] = 1;
+  return report::density_picture(side).paint(s, shot);
+}
+
+/// Snyder (1987), eqs. (31-1) to (31-4), by bisection: the other way round than the picture is made.
+place mollweide(double longitude, double z) {
+  double low = -pi / 2, high = pi / 2;
+  for (int i = 0; i < 60; ++i) {
+    const double a = 0.5 * (low + high);
+    (2 * a + std::sin(2 * a) < pi * z ? low : high) = a;
+  }
+  return {60 + 540 * (1 + longitude / pi * std::cos(low)), 90 + 270 * (1 - std::sin(low))};
+}
+
+TEST(DensityPicture, ShowsABodyWhereItIs) {
+  for (const double z : {-0.9, -0.3, 0.2, 0.7})
+    for (const double longitude : {-2.9, -1.2, -0.4, 0.3, 1.1, 2.5}) {
+      const double r = std::sqrt(1 - z * z);
+      const vec<double, 3> n{{r * std::cos(longitude), r * std::sin(longitude), z}};
+      const auto picture = picture_of(n);
+      const auto map = middle(picture, 60, 1140, 90, 630), expected = mollweide(longitude, z);
+      EXPECT_NEAR(map.x, expected.x, 2.5) << z << ' ' << longitude;
+      EXPECT_NEAR(map.y, expected.y, 2.5) << z << ' ' << longitude;
+      const int left = z > 0 ? 60 : 545;
+      const auto disc = middle(picture, left, left + 440, 680, 1120);
+      EXPECT_NEAR(disc.x, left + 220 * (1 + (z > 0 ? n[0] : -n[0])), 2) << z << ' ' << longitude;
+      EXPECT_NEAR(disc.y, 680 + 220 * (1 - n[1]), 2) << z << ' ' << longitude;
+    }
+}
+
+TEST(DensityPicture, ReachesTheLastColourAndNoFurther) {
+  report::simulation s;
+  s.bodies = 4'000'000'000;
+  report::ensemble_snapshot shot;
+  shot.side = side;
+  shot.picture.assign(hemisphere_bins::count, 1);
+  for (int y = 220; y < 292; ++y)
+    for (int x = 220; x < 292; ++x) shot.picture[static_cast<std::size_t>(y * side + x)] = 4'000'000'000 / (72 * 72);
+  const auto picture = report::density_picture(side).paint(s, shot);
+  EXPECT_EQ(picture.palette.size(), 256u);
+  EXPECT_EQ(picture.pixels[static_cast<std::size_t>((680 + 195) * picture.width + 60 + 245)], 255);
+}
+
+TEST(Npy, TurnsColumnsIntoRows) {
+  const std::vector<double> columns{1, 2, 3, 10, 20, 30};  // two columns
+  const auto file = report::to_npy_rows(columns, 2);
+  EXPECT_NE(file.find("'descr': '<f8', 'fortran_order': False, 'shape': (3, 2, )"), std::string::npos);
+  ASSERT_EQ(file.size() % 64, 48u);
+  const std::string ten("\0\0\0\0\0\0\x24\x40", 8), one("\0\0\0\0\0\0\xF0\x3F", 8);
+  EXPECT_EQ(file.substr(file.size() - 48, 16), one + ten);
+}
+
+}  // namespace
+}  // namespace polhode
