@@ -1,4 +1,5 @@
 // ns per path, step and core of every scheme, beside the peak of the core and what others write; see ci/bench --help.
+// --check holds the yardsticks to what they stand beside, and measures nothing.
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
 
@@ -34,6 +35,7 @@ int main(int argc, char** argv) {
   arguments.push_back(nullptr);
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
+  fmt::print(stderr, "polhode_bench: every loop in several repetitions, interleaved; tables come at the end\n");
   const auto measured = run_registered();
   if (!measured.empty()) print_summary(measured);
   benchmark::Shutdown();

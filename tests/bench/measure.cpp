@@ -61,8 +61,9 @@ class collector : public benchmark::BenchmarkReporter {
     const auto place = [](const run_list& runs) {
       return std::tuple(runs.front().family_index, runs.front().per_family_instance_index);
     };
-    std::ranges::sort(runs_, {}, place);
-    for (const auto& runs : runs_) shown_.ReportRuns(table_ ? least(runs) : runs);
+    std::ranges::stable_sort(runs_, {}, place);
+    for (const auto& runs : runs_)
+      if (const auto rows = table_ ? least(runs) : runs; !rows.empty()) shown_.ReportRuns(rows);
     shown_.Finalize();
   }
   bool table() const { return table_; }
@@ -76,8 +77,10 @@ class collector : public benchmark::BenchmarkReporter {
   }
   static run_list least(const run_list& runs) {
     run_list kept;
-    std::ranges::copy_if(runs, std::back_inserter(kept), [](const Run& r) { return r.aggregate_name == "min"; });
-    return kept.empty() ? runs : kept;
+    std::ranges::copy_if(runs, std::back_inserter(kept), [](const Run& run) {
+      return run.error_occurred || run.repetitions <= 1 || run.aggregate_name == "min";
+    });
+    return kept;
   }
 
   benchmark::BenchmarkReporter& shown_;

@@ -8,10 +8,11 @@
 
 namespace polhode::bench {
 
-/// Additions and multiplications of one path and step, a fused one counted as two, of the leanest form known on the
-/// scene `paper`: 1/I_2 taken from every 1/I, small-angle polynomials, Strang's halves joined and, with common noise, D
-/// N D as one matrix. Normals are not counted: they are overhead. Nominal: the same whatever a kernel really executes,
-/// so that shares stay comparable.
+/// Nominal additions and multiplications of one path and step on the scene `paper`, a fused one counted as two: 1/I_2
+/// taken from every 1/I, small-angle polynomials, Strang's halves joined and, with common noise, D N D as one matrix.
+/// Normals are not counted. Fixed numbers, so that shares of the peak stay comparable from kernel to kernel; one that
+/// shares more subexpressions executes fewer (isa/heun_by_hand.cpp: 48), so this is no count of what a kernel executes,
+/// and a share can exceed what its FMA units really do.
 inline std::optional<double> nominal_flops(std::string_view scheme, ensemble_noise noise) {
   struct row {
     std::string_view scheme;

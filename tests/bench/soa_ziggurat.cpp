@@ -16,43 +16,36 @@ struct arrays {
   alignas(64) std::array<double, soa_paths> x, y, z;
 };
 
-/// n(lane) gives the three components of sigma dW.
-template <class Noise>
-void heun_step(arrays& p, Noise n, double dt) {
-  const auto slope = [dt](double x, double y, double z, double n1, double n2, double n3, double out[3]) {
-    const double w1 = i1 * x, w2 = i2 * y, w3 = i3 * z;
-    const double a = dt * (w1 + theta * (y * w3 - z * w2)) + n1;
-    const double b = dt * (w2 + theta * (z * w1 - x * w3)) + n2;
-    const double c = dt * (w3 + theta * (x * w2 - y * w1)) + n3;
-    out[0] = y * c - z * b;
-    out[1] = z * a - x * c;
-    out[2] = x * b - y * a;
-  };
-#pragma omp simd
-  for (int k = 0; k < soa_paths; ++k) {
-    const double x = p.x[k], y = p.y[k], z = p.z[k];
-    double f[3], g[3];
-    slope(x, y, z, n.x(k), n.y(k), n.z(k), f);
-    slope(x + f[0], y + f[1], z + f[2], n.x(k), n.y(k), n.z(k), g);
-    p.x[k] = x + 0.5 * (f[0] + g[0]);
-    p.y[k] = y + 0.5 * (f[1] + g[1]);
-    p.z[k] = z + 0.5 * (f[2] + g[2]);
-  }
+struct triple {
+  double x, y, z;
+};
+
+triple cross(triple a, triple b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+
+/// Pi x (dt (Omega + theta Pi x Omega) + noise).
+triple slope(triple p, triple noise, double dt) {
+  const triple w{i1 * p.x, i2 * p.y, i3 * p.z}, d = cross(p, w);
+  return cross(
+      p, {dt * (w.x + theta * d.x) + noise.x, dt * (w.y + theta * d.y) + noise.y, dt * (w.z + theta * d.z) + noise.z});
 }
 
-struct one_for_all {
-  double a, b, c;
-  double x(int) const { return a; }
-  double y(int) const { return b; }
-  double z(int) const { return c; }
-};
+triple heun_step(triple p, triple noise, double dt) {
+  const triple f = slope(p, noise, dt), g = slope({p.x + f.x, p.y + f.y, p.z + f.z}, noise, dt);
+  return {p.x + 0.5 * (f.x + g.x), p.y + 0.5 * (f.y + g.y), p.z + 0.5 * (f.z + g.z)};
+}
 
-struct one_each {
-  const arrays& n;
-  double x(int k) const { return n.x[k]; }
-  double y(int k) const { return n.y[k]; }
-  double z(int k) const { return n.z[k]; }
-};
+/// noise(path) gives sigma dW.
+template <class Noise>
+void advance(arrays& p, Noise noise, double dt) {
+  double *x = p.x.data(), *y = p.y.data(), *z = p.z.data();
+#pragma omp simd
+  for (int k = 0; k < soa_paths; ++k) {
+    const triple next = heun_step({x[k], y[k], z[k]}, noise(k), dt);
+    x[k] = next.x;
+    y[k] = next.y;
+    z[k] = next.z;
+  }
+}
 
 void draw(arrays& n, double scale) {
   static boost::random::mt19937_64 generator(1);
@@ -69,16 +62,23 @@ std::vector<double> soa_ziggurat_heun(ensemble_noise noise, momentum start, std:
   p.x.fill(start[0]);
   p.y.fill(start[1]);
   p.z.fill(start[2]);
-  for (int i = 0; i < steps; ++i)
+  for (int i = 0; i < steps; ++i) {
     if (noise == ensemble_noise::independent) {
       draw(n, sigma * std::sqrt(dt));
-      heun_step(p, one_each{n}, dt);
-    } else if (noise == ensemble_noise::common) {
-      const auto* w = common.data() + 3 * i;
-      heun_step(p, one_for_all{sigma * w[0], sigma * w[1], sigma * w[2]}, dt);
+      advance(
+          p,
+          [x = n.x.data(), y = n.y.data(), z = n.z.data()](int k) {
+            return triple{x[k], y[k], z[k]};
+          },
+          dt);
     } else {
-      heun_step(p, one_for_all{0, 0, 0}, dt);
+      triple w{0, 0, 0};
+      if (noise == ensemble_noise::common)
+        w = {sigma * common[3 * i], sigma * common[3 * i + 1], sigma * common[3 * i + 2]};
+      advance(
+          p, [w](int) { return w; }, dt);
     }
+  }
   std::vector<double> out;
   for (const auto* row : {&p.x, &p.y, &p.z}) out.insert(out.end(), row->begin(), row->end());
   return out;
