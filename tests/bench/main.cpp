@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   fmt::print(stderr, "polhode_bench: every loop in several repetitions, interleaved; tables come at the end\n");
   const auto measured = run_registered();
-  if (!measured.empty()) print_summary(measured);
+  if (!measured) return 2;
+  if (!measured->empty()) print_summary(*measured);
   benchmark::Shutdown();
 }

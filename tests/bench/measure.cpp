@@ -108,10 +108,10 @@ std::optional<timing> timings::of(const std::string& name) const {
   return at == least_.end() ? std::nullopt : std::optional(at->second);
 }
 
-timings run_registered() {
+std::optional<timings> run_registered() {
   const std::unique_ptr<benchmark::BenchmarkReporter> shown(benchmark::CreateDefaultDisplayReporter());
   collector collected(*shown);
-  benchmark::RunSpecifiedBenchmarks(&collected);
+  if (benchmark::RunSpecifiedBenchmarks(&collected) == 0) return std::nullopt;
   return collected.table() ? collected.taken() : timings{};
 }
 

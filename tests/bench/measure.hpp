@@ -34,7 +34,8 @@ class timings {
 };
 
 /// Runs what was registered and the command line selects. Prints its table, on standard output, in the order of
-/// registration; empty where no loop ran or standard output is not for tables (--benchmark_format).
-timings run_registered();
+/// registration. Empty where no loop ran or standard output is not for tables (--benchmark_format); nothing where the
+/// command line selects nothing.
+std::optional<timings> run_registered();
 
 }  // namespace polhode::bench
