@@ -1,0 +1,107 @@
+#include "bench/catalogue.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include "bench/ensemble_loop.hpp"
+#include "bench/yardsticks.hpp"
+#include "registry/scene.hpp"
+
+namespace polhode::bench {
+namespace {
+
+const report::scene& paper() {
+  static const report::scene scene = load_scene("paper");
+  return scene;
+}
+momentum start() { return {paper().momentum[0], paper().momentum[1], paper().momentum[2]}; }
+
+void add_peaks() {
+  for (const isa level : usable_isas()) add(peak_key(level), [level] { return peak_loop(level); });
+}
+
+void add_schemes() {
+  const auto add_one = [](const std::string& scheme, ensemble_noise noise, const scene_feature& f, isa level) {
+    add(scheme_key(scheme, noise, f.name, level), [=] { return scheme_loop(level, f.scene, scheme, noise); });
+  };
+  const auto features = scene_features();
+  for (const auto& scheme : scheme_names())
+    for (const auto noise : all_noises)
+      for (const isa level : usable_isas()) add_one(scheme, noise, features.front(), level);
+  for (const auto scheme : main_schemes)
+    for (const auto noise : all_noises)
+      for (std::size_t i = 1; i < features.size(); ++i)
+        add_one(std::string(scheme), noise, features[i], usable_isas().back());
+}
+
+template <class F>
+loop kept(double items, F f, const char* unit = "path_step") {
+  return {items, [f] { benchmark::DoNotOptimize(f()); }, unit};
+}
+
+void add_yardsticks() {
+  static const shared_increments common(*bind_rigid_body(paper()).model, seed, steps, dt, false, 1);
+  const auto w = common.view(0, steps).dw;
+  for (std::size_t i = 0; i < main_schemes.size(); ++i)
+    for (const auto noise : all_noises)
+      add(eigen_key(main_schemes[i], noise), [=] {
+        return kept(steps, [=] { return eigen_std(static_cast<yard_scheme>(i), noise, start(), w, steps, dt); });
+      });
+  for (const auto noise : all_noises)
+    add(soa_key(noise),
+        [=] { return kept(steps * soa_paths, [=] { return soa_ziggurat_heun(noise, start(), w, steps, dt); }); });
+  add(odeint_key, [] { return kept(steps, [] { return odeint_rk4(start(), steps, dt); }); });
+  for (const isa level : usable_isas())
+    add(by_hand_key(level), [level] { return by_hand_loop(level, paper(), steps, dt); });
+}
+
+void add_normals() {
+  constexpr int count = 4096;
+  for (const isa level : usable_isas()) add(normals_key(level), [level] { return own_normals_loop(level, paper()); });
+  const std::pair<const char*, double (*)(int)> others[] = {{"normals/std", sum_of_std_normals},
+                                                            {"normals/boost_ziggurat", sum_of_boost_normals},
+                                                            {"normals/gsl_ziggurat", sum_of_gsl_normals}};
+  for (const auto& [name, sum] : others)
+    add(name, [sum = sum] {
+      return kept(
+          count, [sum] { return sum(count); }, "normal");
+    });
+}
+
+void add_threads() {
+  for (const auto scheme : main_schemes)
+    for (const auto noise : {ensemble_noise::common, ensemble_noise::independent})
+      for (const int threads : {1, 2})
+        add(
+            threads_key(scheme, noise, threads), [=] { return threads_loop(threads, paper(), scheme, noise); }, true);
+}
+
+}  // namespace
+
+std::vector<scene_feature> scene_features() {
+  std::vector<scene_feature> features(5, {"paper", paper()});
+  features[1].name = "theta_zero";
+  features[1].scene.theta = 0;
+  features[2].name = "two_equal";
+  features[2].scene.inertia = {1, 1, 3};
+  features[3].name = "three_equal";
+  features[3].scene.inertia = {1, 1, 1};
+  features[4].name = "general_sigma";
+  features[4].scene.sigma = {{0.5, 0.1, 0}, {0, 0.4, 0.2}, {0.1, 0, 0.3}};
+  return features;
+}
+
+std::vector<std::string> scheme_names() {
+  std::vector<std::string> names;
+  for (const auto& scheme : bind_rigid_body(paper()).schemes) names.emplace_back(scheme.info.name);
+  return names;
+}
+
+void register_everything() {
+  add_peaks();
+  add_schemes();
+  add_yardsticks();
+  add_normals();
+  add_threads();
+}
+
+}  // namespace polhode::bench
