@@ -84,9 +84,43 @@ struct verdict {
   std::string reason;
 };
 
+/// Work of the inner loops.
+struct counters {
+  std::uint64_t normals_drawn = 0;  ///< standard normals, for increments and areas
+  std::uint64_t path_steps = 0;     ///< steps, each path counted
+  std::uint64_t kernels_run = 0;    ///< calls of a kernel
+  bool operator==(const counters&) const = default;
+};
+
+/// Work that was not done, as far as it is known.
+struct saved {
+  counters work;
+  double cpu_seconds = 0;
+};
+
 /// Something that a scene does not need or cannot answer. An empty scheme means all of them.
 struct skip {
   std::string experiment, scheme, reason;
+  report::saved saved = {};
+};
+
+/// Something inside an experiment that this scene does not need: what, why, and what leaving it out saved.
+struct saving {
+  std::string experiment, scheme, what, reason;
+  report::saved saved;
+};
+
+/// What an experiment says of a scheme, taken from an earlier run on the same inputs by the same build.
+struct reuse {
+  std::string experiment, scheme;
+  std::string computed;  ///< UTC, ISO 8601
+  report::saved saved;   ///< its share of the run that computed it
+};
+
+/// What this run did itself. A result is what one experiment says of one scheme.
+struct work_done {
+  counters work;
+  std::uint64_t experiments_run = 0, results_computed = 0, results_reused = 0;
 };
 
 /// What an experiment asks, in one sentence, and what it states about its own method.
@@ -104,6 +138,9 @@ struct results {
   std::vector<fit> fits;
   std::vector<verdict> verdicts;
   std::vector<skip> skipped;
+  std::vector<saving> savings;
+  std::vector<reuse> reused;
+  work_done done;
 };
 
 }  // namespace polhode::report

@@ -1,11 +1,8 @@
 #include "reports/writers/folder.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <fstream>
 #include <memory>
 #include <set>
@@ -18,6 +15,7 @@
 #include "reports/writers/json.hpp"
 #include "reports/writers/junit.hpp"
 #include "reports/writers/markdown.hpp"
+#include "reports/writers/output_folder.hpp"
 #include "reports/writers/text.hpp"
 
 namespace polhode::report {
@@ -32,8 +30,6 @@ struct written_file {
 constexpr written_file files[] = {{"results.json", to_json},      {"measurements.csv", measurements_csv},
                                   {"verdicts.csv", verdicts_csv}, {"report.html", to_html},
                                   {"report.md", to_markdown},     {"junit.xml", to_junit}};
-
-std::string quoted(const fs::path& path) { return "'" + one_line(path.string()) + "'"; }
 
 bool is_written_file(const fs::path& path) {
   return std::any_of(std::begin(files), std::end(files),
@@ -53,28 +49,6 @@ bool is_report(const fs::directory_entry& entry) {
   return looks_like_results({beginning, static_cast<std::size_t>(json.gcount())});
 }
 
-// The path that is really meant: absolute, links followed, no trailing slash.
-fs::path settled(const fs::path& out) {
-  if (out.empty()) throw input_error("output folder: the name is empty; give the name of a folder");
-  std::error_code error;
-  if (fs::is_symlink(out, error) && !fs::exists(out, error))
-    throw input_error(fmt::format("output folder {}: is a link to nowhere; give a folder or a new name", quoted(out)));
-  fs::path path = fs::weakly_canonical(fs::absolute(out), error);
-  if (error) disk::fail(out, error.value());
-  return path.has_filename() ? path : path.parent_path();
-}
-
-bool stands(const fs::path& path) {
-  std::error_code error;
-  const auto status = fs::status(path, error);
-  if (error && status.type() != fs::file_type::not_found) disk::fail(path, error.value());
-  return fs::exists(status);
-}
-
-void require_writable(const fs::path& folder, const fs::path& known_as) {
-  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) disk::fail(known_as, errno);
-}
-
 void require_ours(const fs::path& folder, const fs::path& known_as) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
@@ -89,11 +63,7 @@ void require_ours(const fs::path& folder, const fs::path& known_as) {
 
 // Throws unless reports can be put there; `path` is the settled form of `out`.
 void require_usable(const fs::path& path, const fs::path& out) {
-  fs::path nearest = path;
-  while (!stands(nearest)) nearest = nearest.parent_path();
-  if (!fs::is_directory(nearest))
-    throw input_error(
-        fmt::format("output folder {}: {} is not a folder; give a folder or a new name", quoted(out), quoted(nearest)));
+  const auto nearest = nearest_folder(path, out);
   if (nearest == path) require_ours(path, out);
   require_writable(nearest, nearest == path ? out : nearest);
 }
@@ -102,29 +72,6 @@ void write_files(const fs::path& folder, const results& r, const fs::path& known
   for (const auto& file : files) disk::write_file(folder / file.name, file.text(r), known_as / file.name);
   disk::sync_directory(folder, known_as);
 }
-
-// Folders that were missing above the output; gone again unless kept.
-class made_parents {
- public:
-  made_parents() = default;
-  void make(const fs::path& folder) {
-    std::vector<fs::path> missing;
-    for (fs::path one = folder; !stands(one); one = one.parent_path()) missing.push_back(one);
-    for (; !missing.empty(); missing.pop_back()) {
-      disk::make_directory(missing.back(), missing.back());
-      made_.push_back(missing.back());
-    }
-  }
-  ~made_parents() {
-    for (; !made_.empty(); made_.pop_back()) ::rmdir(made_.back().c_str());
-  }
-  made_parents(const made_parents&) = delete;
-  made_parents& operator=(const made_parents&) = delete;
-  void keep() { made_.clear(); }
-
- private:
-  std::vector<fs::path> made_;
-};
 
 // Every scene is staged before the first one is exchanged: a full disk leaves the old reports untouched.
 void write_into(const fs::path& path, std::span<const results> all, const fs::path& out) {
@@ -142,8 +89,7 @@ void write_into(const fs::path& path, std::span<const results> all, const fs::pa
 
 void write_new(const fs::path& path, std::span<const results> all, const fs::path& out) {
   const fs::path parent = path.parent_path();
-  made_parents parents;
-  parents.make(parent);
+  made_parents parents(parent);
   const auto name = path.filename().string();
   disk::remove_stale(parent, name);
   const disk::staging staged(parent / disk::staging_name(name), out);

@@ -21,7 +21,7 @@ std::string to_html(const results& r) {
   const auto experiments = experiment_names(r);
   for (std::size_t i = 0; i < experiments.size(); ++i) html::put_experiment(out, r, experiments[i], i);
   html::put_schemes(out, r);
-  html::put_skipped(out, r);
+  html::put_left_out(out, r);
   html::put_provenance(out, r.provenance);
   return out + "</main>\n</body>\n</html>\n";
 }

@@ -1,5 +1,6 @@
 // The end of the page: what the schemes claim, what was skipped and why, and where the numbers come from.
 #include "reports/writers/html_parts.hpp"
+#include "reports/writers/left_out.hpp"
 #include "reports/writers/numbers.hpp"
 #include "reports/writers/text.hpp"
 
@@ -12,6 +13,10 @@ std::string casimir(const scheme& s) {
 
 void put_fact(std::string& out, std::string_view term, const std::string& value) {
   put(out, "<div><dt>{}</dt><dd>{}</dd></div>\n", term, value.empty() ? "–" : escape_html(value));
+}
+
+std::string_view class_of(enum left_out::kind kind) {
+  return kind == left_out::kind::skip ? "skip" : kind == left_out::kind::saving ? "saving" : "reuse";
 }
 
 }  // namespace
@@ -37,15 +42,19 @@ void put_schemes(std::string& out, const results& r) {
   out += "</tbody>\n</table>\n</div>\n</section>\n";
 }
 
-void put_skipped(std::string& out, const results& r) {
-  if (r.skipped.empty()) return;
-  out +=
-      "<section>\n<h2>What was skipped, and why</h2>\n<div class=\"wide\">\n<table class=\"list\">\n"
-      "<thead><tr><th>experiment</th><th>scheme</th><th>reason</th></tr></thead>\n<tbody>\n";
-  for (const auto& s : r.skipped)
-    put(out, "<tr class=\"skip\"><th scope=\"row\">{}</th><td>{}</td><td class=\"why\">{}</td></tr>\n",
-        escape_html(s.experiment), s.scheme.empty() ? "every scheme" : escape_html(s.scheme), escape_html(s.reason));
-  out += "</tbody>\n</table>\n</div>\n</section>\n";
+void put_left_out(std::string& out, const results& r) {
+  put(out, "<section>\n<h2>What was not computed, and why</h2>\n<p class=\"key\">{}</p>\n", work_sentence(r));
+  if (const auto rows = left_out_of(r); !rows.empty()) {
+    out +=
+        "<div class=\"wide\">\n<table class=\"list\">\n"
+        "<thead><tr><th>experiment</th><th>scheme</th><th>reason</th><th>saved</th></tr></thead>\n<tbody>\n";
+    for (const auto& row : rows)
+      put(out, "<tr class=\"{}\"><th scope=\"row\">{}</th><td>{}</td><td class=\"why\">{}</td><td>{}</td></tr>\n",
+          class_of(row.kind), escape_html(row.experiment), escape_html(row.schemes), escape_html(row.reason),
+          row.saved.empty() ? "–" : row.saved);
+    out += "</tbody>\n</table>\n</div>\n";
+  }
+  out += "</section>\n";
 }
 
 void put_provenance(std::string& out, const provenance& p) {

@@ -28,7 +28,7 @@ void put_header(std::string& out, const results&);
 void put_board(std::string& out, const results&);
 void put_experiment(std::string& out, const results&, const std::string& name, std::size_t index);
 void put_schemes(std::string& out, const results&);
-void put_skipped(std::string& out, const results&);
+void put_left_out(std::string& out, const results&);
 void put_provenance(std::string& out, const provenance&);
 
 }  // namespace polhode::report::html

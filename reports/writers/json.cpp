@@ -1,73 +1,18 @@
 #include "reports/writers/json.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "reports/writers/json_values.hpp"
 #include "reports/writers/numbers.hpp"
 
 namespace polhode::report {
 namespace {
-
-using json = nlohmann::ordered_json;
-
-json number(std::optional<double> value) { return finite(value) ? json(*value) : json(nullptr); }
-
-template <class Range>
-json numbers(const Range& values) {
-  json list = json::array();
-  for (const double value : values) list.push_back(number(value));
-  return list;
-}
 
 template <class Row, class Write>
 json list_of(const std::vector<Row>& rows, Write write) {
   json list = json::array();
   for (const auto& row : rows) list.push_back(write(row));
   return list;
-}
-
-json to_value(const provenance& p) {
-  return {{"version", p.version},
-          {"commit", p.commit},
-          {"compiler", p.compiler},
-          {"flags", p.flags},
-          {"cpu", p.cpu},
-          {"isa", p.isa},
-          {"threads", p.threads},
-          {"seed", p.seed},
-          {"effort", p.effort},
-          {"started", p.started},
-          {"wall_seconds", number(p.wall_seconds)},
-          {"cpu_seconds", number(p.cpu_seconds)}};
-}
-
-json to_value(const scene& s) {
-  return {{"name", s.name},
-          {"system", s.system},
-          {"inertia", numbers(s.inertia)},
-          {"theta", number(s.theta)},
-          {"sigma", list_of(s.sigma, [](const auto& vector) { return numbers(vector); })},
-          {"momentum", numbers(s.momentum)},
-          {"horizon", number(s.horizon)},
-          {"steps", s.steps}};
-}
-
-json to_value(const scheme& s) {
-  return {{"name", s.name},
-          {"title", s.title},
-          {"source", s.source},
-          {"calculus", s.calculus},
-          {"implicit", s.implicit},
-          {"areas", s.areas},
-          {"claims",
-           {{"strong_commuting", number(s.strong_commuting)},
-            {"strong_general", number(s.strong_general)},
-            {"deterministic_order", s.deterministic_order},
-            {"casimir_exact", s.casimir_exact},
-            {"casimir_order", number(s.casimir_order)},
-            {"weak_one_vector", number(s.weak_one_vector)},
-            {"weak_isotropic", number(s.weak_isotropic)},
-            {"weak_general", number(s.weak_general)}}}};
 }
 
 json to_value(const experiment& e) { return {{"name", e.name}, {"question", e.question}, {"notes", e.notes}}; }
@@ -109,7 +54,39 @@ json to_value(const verdict& v) {
           {"reason", reason_of(v)}};
 }
 
-json to_value(const skip& s) { return {{"experiment", s.experiment}, {"scheme", s.scheme}, {"reason", s.reason}}; }
+json to_value(const counters& c) {
+  return {{"normals_drawn", c.normals_drawn}, {"path_steps", c.path_steps}, {"kernels_run", c.kernels_run}};
+}
+
+json to_value(const saved& s) {
+  auto out = to_value(s.work);
+  out["cpu_seconds"] = number(s.cpu_seconds);
+  return out;
+}
+
+json to_value(const skip& s) {
+  return {{"experiment", s.experiment}, {"scheme", s.scheme}, {"reason", s.reason}, {"saved", to_value(s.saved)}};
+}
+
+json to_value(const saving& s) {
+  return {{"experiment", s.experiment},
+          {"scheme", s.scheme},
+          {"what", s.what},
+          {"reason", s.reason},
+          {"saved", to_value(s.saved)}};
+}
+
+json to_value(const reuse& r) {
+  return {{"experiment", r.experiment}, {"scheme", r.scheme}, {"computed", r.computed}, {"saved", to_value(r.saved)}};
+}
+
+json to_value(const work_done& d) {
+  auto out = to_value(d.work);
+  out["experiments_run"] = d.experiments_run;
+  out["results_computed"] = d.results_computed;
+  out["results_reused"] = d.results_reused;
+  return out;
+}
 
 std::string compact(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
@@ -133,7 +110,7 @@ std::string laid_out(const json& document) {
 std::string to_json(const results& r) {
   const auto row = [](const auto& value) { return to_value(value); };
   json document;
-  document["schema"] = {{"name", std::string(schema_name)}, {"version", schema_version}};
+  document["schema"] = schema_of(schema_name);
   document["provenance"] = to_value(r.provenance);
   document["scene"] = to_value(r.scene);
   document["schemes"] = list_of(r.schemes, row);
@@ -142,20 +119,12 @@ std::string to_json(const results& r) {
   document["fits"] = list_of(r.fits, row);
   document["verdicts"] = list_of(r.verdicts, row);
   document["skipped"] = list_of(r.skipped, row);
+  document["savings"] = list_of(r.savings, row);
+  document["reused"] = list_of(r.reused, row);
+  document["counters"] = to_value(r.done);
   return laid_out(document);
 }
 
-bool looks_like_results(std::string_view beginning) {
-  std::string expected = "{\"schema\":{\"name\":\"";
-  expected += schema_name;
-  expected += '"';
-  std::size_t matched = 0;
-  for (const char c : beginning) {
-    if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
-    if (c != expected[matched]) return false;
-    if (++matched == expected.size()) return true;
-  }
-  return false;
-}
+bool looks_like_results(std::string_view beginning) { return begins_with_schema(beginning, schema_name); }
 
 }  // namespace polhode::report

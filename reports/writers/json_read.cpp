@@ -1,82 +1,13 @@
 // Reading back what json.cpp wrote: every complaint names the place in the document.
 #include <fmt/format.h>
 
-#include <cstdint>
-#include <limits>
-#include <nlohmann/json.hpp>
-#include <utility>
-
 #include "reports/model/errors.hpp"
 #include "reports/writers/json.hpp"
+#include "reports/writers/json_node.hpp"
 #include "reports/writers/text.hpp"
 
 namespace polhode::report {
 namespace {
-
-using json = nlohmann::ordered_json;
-
-[[noreturn]] void refuse(const std::string& where, std::string_view wanted) {
-  throw input_error(fmt::format("results: {}: expected {}", where.empty() ? "the document" : where, wanted));
-}
-
-// A place in the document that knows its own name.
-struct node {
-  const json& value;
-  std::string where;
-
-  node operator[](const char* key) const {
-    if (!value.is_object()) refuse(where, "an object");
-    const auto found = value.find(key);
-    const std::string inner = where.empty() ? key : where + "." + key;
-    if (found == value.end()) refuse(inner, "this key to be there");
-    return {*found, inner};
-  }
-
-  std::optional<double> maybe_number() const {
-    if (value.is_null()) return std::nullopt;
-    if (!value.is_number()) refuse(where, "a number or null");
-    return value.get<double>();
-  }
-  double number() const { return maybe_number().value_or(std::numeric_limits<double>::quiet_NaN()); }
-
-  template <class Integer>
-  Integer integer() const {
-    // The parser keeps what is not negative as unsigned, the rest as signed.
-    bool inside = false;
-    if (value.is_number_unsigned())
-      inside = std::in_range<Integer>(value.get<std::uint64_t>());
-    else if (value.is_number_integer())
-      inside = std::in_range<Integer>(value.get<std::int64_t>());
-    if (!inside) refuse(where, fmt::format("a whole number of at most {}", std::numeric_limits<Integer>::max()));
-    return value.get<Integer>();
-  }
-
-  bool flag() const {
-    if (!value.is_boolean()) refuse(where, "true or false");
-    return value.get<bool>();
-  }
-
-  std::string text() const {
-    if (!value.is_string()) refuse(where, "a string");
-    return value.get<std::string>();
-  }
-
-  template <class Read>
-  auto list(Read read) const {
-    if (!value.is_array()) refuse(where, "a list");
-    std::vector<decltype(read(*this))> rows;
-    rows.reserve(value.size());
-    for (std::size_t i = 0; i < value.size(); ++i)
-      rows.push_back(read(node{value[i], fmt::format("{}[{}]", where, i)}));
-    return rows;
-  }
-
-  std::array<double, 3> triple() const {
-    if (!value.is_array() || value.size() != 3) refuse(where, "three numbers");
-    const auto all = list([](const node& n) { return n.number(); });
-    return {all[0], all[1], all[2]};
-  }
-};
 
 verdict_kind kind_from(const node& n) {
   const std::string text = n.text();
@@ -87,18 +18,9 @@ verdict_kind kind_from(const node& n) {
 }
 
 provenance provenance_from(const node& n) {
-  return {n["version"].text(),
-          n["commit"].text(),
-          n["compiler"].text(),
-          n["flags"].text(),
-          n["cpu"].text(),
-          n["isa"].text(),
-          n["threads"].integer<int>(),
-          n["seed"].integer<std::uint64_t>(),
-          n["effort"].text(),
-          n["started"].text(),
-          n["wall_seconds"].number(),
-          n["cpu_seconds"].number()};
+  return {n["version"].text(), n["commit"].text(),  n["compiler"].text(),        n["flags"].text(),
+          n["cpu"].text(),     n["isa"].text(),     n["threads"].integer<int>(), n["seed"].integer<std::uint64_t>(),
+          n["effort"].text(),  n["started"].text(), n["wall_seconds"].number(),  n["cpu_seconds"].number()};
 }
 
 scene scene_from(const node& n) {
@@ -155,7 +77,30 @@ verdict verdict_from(const node& n) {
           n["high"].maybe_number(),     kind_from(n["verdict"]),      n["reason"].text()};
 }
 
-skip skip_from(const node& n) { return {n["experiment"].text(), n["scheme"].text(), n["reason"].text()}; }
+counters counters_from(const node& n) {
+  return {n["normals_drawn"].integer<std::uint64_t>(), n["path_steps"].integer<std::uint64_t>(),
+          n["kernels_run"].integer<std::uint64_t>()};
+}
+
+saved saved_from(const node& n) { return {counters_from(n), n["cpu_seconds"].number()}; }
+
+skip skip_from(const node& n) {
+  const auto known = n.maybe("saved");
+  return {n["experiment"].text(), n["scheme"].text(), n["reason"].text(), known ? saved_from(*known) : saved{}};
+}
+
+saving saving_from(const node& n) {
+  return {n["experiment"].text(), n["scheme"].text(), n["what"].text(), n["reason"].text(), saved_from(n["saved"])};
+}
+
+reuse reuse_from(const node& n) {
+  return {n["experiment"].text(), n["scheme"].text(), n["computed"].text(), saved_from(n["saved"])};
+}
+
+work_done work_from(const node& n) {
+  return {counters_from(n), n["experiments_run"].integer<std::uint64_t>(),
+          n["results_computed"].integer<std::uint64_t>(), n["results_reused"].integer<std::uint64_t>()};
+}
 
 json parsed(std::string_view text) {
   try {
@@ -178,10 +123,21 @@ results from_json(std::string_view text) {
            fmt::format("\"{}\", found \"{}\"", schema_name, shortened(one_line(schema["name"].text()), 40)));
   if (const int version = schema["version"].integer<int>(); version != schema_version)
     refuse("schema.version", fmt::format("{}, found {}", schema_version, version));
-  return {provenance_from(root["provenance"]),         scene_from(root["scene"]),
-          root["schemes"].list(scheme_from),           root["experiments"].list(experiment_from),
-          root["measurements"].list(measurement_from), root["fits"].list(fit_from),
-          root["verdicts"].list(verdict_from),         root["skipped"].list(skip_from)};
+  results r{provenance_from(root["provenance"]),
+            scene_from(root["scene"]),
+            root["schemes"].list(scheme_from),
+            root["experiments"].list(experiment_from),
+            root["measurements"].list(measurement_from),
+            root["fits"].list(fit_from),
+            root["verdicts"].list(verdict_from),
+            root["skipped"].list(skip_from),
+            {},
+            {},
+            {}};
+  if (const auto savings = root.maybe("savings")) r.savings = savings->list(saving_from);
+  if (const auto reused = root.maybe("reused")) r.reused = reused->list(reuse_from);
+  if (const auto counted = root.maybe("counters")) r.done = work_from(*counted);
+  return r;
 }
 
 }  // namespace polhode::report

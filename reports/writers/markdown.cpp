@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "reports/writers/board.hpp"
+#include "reports/writers/left_out.hpp"
 #include "reports/writers/numbers.hpp"
 #include "reports/writers/series.hpp"
 #include "reports/writers/text.hpp"
@@ -117,12 +118,13 @@ void append_measurements(std::string& out, const results& r) {
   out += '\n';
 }
 
-void append_skipped(std::string& out, const results& r) {
-  if (r.skipped.empty()) return;
-  out += "## Skipped\n\n";
-  append_head(out, {"experiment", "scheme", "reason"});
-  for (const auto& s : r.skipped)
-    append_row(out, {safe(s.experiment), s.scheme.empty() ? "every scheme" : safe(s.scheme), safe(s.reason)});
+void append_left_out(std::string& out, const results& r) {
+  out += fmt::format("## What was not computed, and why\n\n{}\n\n", work_sentence(r));
+  const auto rows = left_out_of(r);
+  if (rows.empty()) return;
+  append_head(out, {"experiment", "scheme", "reason", "saved"});
+  for (const auto& row : rows)
+    append_row(out, {safe(row.experiment), safe(row.schemes), safe(row.reason), row.saved.empty() ? "–" : row.saved});
   out += '\n';
 }
 
@@ -164,7 +166,7 @@ std::string to_markdown(const results& r) {
   std::string out =
       fmt::format("# polhode: {}\n\n**{}** {}\n\n", safe(r.scene.name), headline(counts), sentence(counts));
   for (const auto& name : experiment_names(r)) append_experiment(out, r, name);
-  append_skipped(out, r);
+  append_left_out(out, r);
   append_fits(out, r);
   append_scene(out, r.scene);
   append_provenance(out, r.provenance);

@@ -1,26 +1,21 @@
 #include "reports/writers/simulation_folder.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <fstream>
 #include <string_view>
 #include <vector>
 
 #include "reports/model/errors.hpp"
 #include "reports/writers/disk.hpp"
+#include "reports/writers/output_folder.hpp"
 #include "reports/writers/simulation_files.hpp"
 #include "reports/writers/simulation_json.hpp"
-#include "reports/writers/text.hpp"
 
 namespace polhode::report {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string quoted(const fs::path& path) { return "'" + one_line(path.string()) + "'"; }
 
 bool is_our_file(std::string_view name) {
   const bool snapshot = name.starts_with("snapshot_") && (name.ends_with(".npy") || name.ends_with(".png"));
@@ -52,55 +47,17 @@ void require_ours(const fs::path& folder, const fs::path& known_as) {
   if (any && !begins_as_ours(folder / "summary.json")) refuse("summary.json");
 }
 
-bool stands(const fs::path& path) {
-  std::error_code error;
-  const auto status = fs::status(path, error);
-  if (error && status.type() != fs::file_type::not_found) disk::fail(path, error.value());
-  return fs::exists(status);
-}
-
 /// The path that is really meant, once nothing speaks against writing there.
 fs::path usable(const fs::path& out) {
-  if (out.empty()) throw input_error("output folder: the name is empty; give the name of a folder");
-  std::error_code error;
-  if (fs::is_symlink(out, error) && !fs::exists(out, error))
-    throw input_error(fmt::format("output folder {}: is a link to nowhere; give a folder or a new name", quoted(out)));
-  fs::path path = fs::weakly_canonical(fs::absolute(out), error);
-  if (error) disk::fail(out, error.value());
-  if (!path.has_filename()) path = path.parent_path();
-  fs::path nearest = path;
-  while (!stands(nearest)) nearest = nearest.parent_path();
-  if (!fs::is_directory(nearest))
-    throw input_error(
-        fmt::format("output folder {}: {} is not a folder; give a folder or a new name", quoted(out), quoted(nearest)));
+  const auto path = settled(out);
+  const auto nearest = nearest_folder(path, out);
   if (nearest == path) require_ours(path, out);
   // A folder is exchanged through its neighbour, so its parent must be open to us.
   const auto parent = nearest == path ? path.parent_path() : nearest;
-  if (::faccessat(AT_FDCWD, parent.c_str(), W_OK | X_OK, AT_EACCESS) != 0) disk::fail(parent, errno);
+  require_writable(parent, parent);
   return path;
 }
 
-/// Folders that were missing above the output; gone again unless kept.
-class made_parents {
- public:
-  explicit made_parents(const fs::path& folder) {
-    std::vector<fs::path> missing;
-    for (fs::path one = folder; !stands(one); one = one.parent_path()) missing.push_back(one);
-    for (; !missing.empty(); missing.pop_back()) {
-      disk::make_directory(missing.back(), missing.back());
-      made_.push_back(missing.back());
-    }
-  }
-  ~made_parents() {
-    for (; !made_.empty(); made_.pop_back()) ::rmdir(made_.back().c_str());
-  }
-  made_parents(const made_parents&) = delete;
-  made_parents& operator=(const made_parents&) = delete;
-  void keep() { made_.clear(); }
-
- private:
-  std::vector<fs::path> made_;
-};
 
 }  // namespace
 

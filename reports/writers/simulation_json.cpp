@@ -2,17 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
-#include "reports/writers/json.hpp"
-#include "reports/writers/numbers.hpp"
+#include "reports/writers/json_values.hpp"
 
 namespace polhode::report {
 namespace {
-
-using json = nlohmann::ordered_json;
-
-json number(double value) { return finite(value) ? json(value) : json(nullptr); }
 
 json to_value(const mean_and_deviation& m) { return {{"mean", number(m.mean)}, {"deviation", number(m.deviation)}}; }
 
@@ -23,27 +16,15 @@ json to_value(const ensemble_state& s) {
   return out;
 }
 
-/// Provenance, scene and scheme read as they do in results.json.
-json as_in_results(const simulation& s) {
-  results r;
-  r.provenance = s.provenance;
-  r.scene = s.scene;
-  r.schemes = {s.scheme};
-  return json::parse(to_json(r));
-}
-
-std::string beginning_of_ours() { return fmt::format("{{\"schema\":{{\"name\":\"{}\"", simulation_schema_name); }
-
 }  // namespace
 
 std::string to_json(const simulation& s) {
-  auto shared = as_in_results(s);
-  shared["provenance"].erase("effort");
   json out;
-  out["schema"] = {{"name", std::string(simulation_schema_name)}, {"version", schema_version}};
-  out["provenance"] = shared["provenance"];
-  out["scene"] = shared["scene"];
-  out["scheme"] = shared["schemes"][0];
+  out["schema"] = schema_of(simulation_schema_name);
+  out["provenance"] = to_value(s.provenance);
+  out["provenance"].erase("effort");
+  out["scene"] = to_value(s.scene);
+  out["scheme"] = to_value(s.scheme);
   out["dt"] = s.dt;
   out["steps"] = s.steps;
   out["bodies"] = s.bodies;
@@ -63,15 +44,6 @@ std::string to_json(const simulation& s) {
   return out.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
 }
 
-bool looks_like_simulation(std::string_view beginning) {
-  const auto expected = beginning_of_ours();
-  std::size_t matched = 0;
-  for (const char c : beginning) {
-    if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
-    if (c != expected[matched]) return false;
-    if (++matched == expected.size()) return true;
-  }
-  return false;
-}
+bool looks_like_simulation(std::string_view beginning) { return begins_with_schema(beginning, simulation_schema_name); }
 
 }  // namespace polhode::report

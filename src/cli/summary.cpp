@@ -9,6 +9,7 @@
 
 #include "cli/layout.hpp"
 #include "registry/text.hpp"
+#include "reports/writers/numbers.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -71,7 +72,8 @@ std::string table(std::span<const row> rows, std::size_t width) {
   return out + '\n';
 }
 
-std::string number(const std::optional<double>& x) { return x ? fmt::format("{:.4g}", *x) : "none"; }
+/// A number that is not finite comes back from a file as none.
+std::string number(const std::optional<double>& x) { return report::finite(x) ? fmt::format("{:.4g}", *x) : "none"; }
 
 std::string described(const report::verdict& v) {
   auto out = fmt::format("{}: {} {}: {}", name_of(v.kind), v.experiment, v.scheme, v.claim);
@@ -106,6 +108,18 @@ std::string skipped_experiments(const report::results& r, std::size_t width) {
   return out;
 }
 
+std::string reuse(const report::results& r, std::size_t width) {
+  if (r.reused.empty()) return "";
+  double seconds = 0;
+  for (const auto& one : r.reused) seconds += one.saved.cpu_seconds;
+  return wrapped(
+             fmt::format("{} of {} results were computed earlier, which saves {} of CPU time; --fresh computes anew",
+                         r.done.results_reused, r.done.results_reused + r.done.results_computed,
+                         report::shown_duration(seconds)),
+             width, 2) +
+         '\n';
+}
+
 std::string totals(std::span<const row> rows, std::size_t width) {
   const auto& names = headings_for(width);
   std::string out;
@@ -122,7 +136,7 @@ std::string totals(std::span<const row> rows, std::size_t width) {
 std::string summary(const report::results& r, std::size_t width) {
   const auto rows = count(r);
   auto out = wrapped(fmt::format("{} ({})", one_line(r.scene.name), r.scene.system), width) + '\n';
-  out += table(rows, width) + skipped_experiments(r, width) + not_holding(r, width);
+  out += table(rows, width) + skipped_experiments(r, width) + not_holding(r, width) + reuse(r, width);
   return out + totals(rows, width);
 }
 

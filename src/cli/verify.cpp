@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "cli/arguments.hpp"
+#include "cli/cache.hpp"
 #include "cli/progress.hpp"
 #include "cli/signals.hpp"
 #include "cli/summary.hpp"
@@ -31,7 +32,7 @@ struct arguments {
   std::vector<std::string> scenes;
   std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto",
                                     format = "text";
-  bool fresh = false, quiet = false;
+  bool fresh = false, no_cache = false, quiet = false;
 };
 
 verify_options checked_options(const arguments& given) {
@@ -72,6 +73,12 @@ std::vector<report::results> run_all(std::span<const scene> scenes, const verify
   return all;
 }
 
+/// Null with --no-cache.
+std::unique_ptr<report::result_folder> cache_for(const arguments& given, const std::filesystem::path& out) {
+  using access = report::result_folder::access;
+  return given.no_cache ? nullptr : open_cache(given.fresh ? access::rewrite : access::use, out);
+}
+
 std::string json_of(std::span<const report::results> all) {
   if (all.size() == 1) return report::to_json(all.front()) + '\n';
   std::string out = "[";
@@ -92,18 +99,23 @@ std::string text_of(std::span<const report::results> all, const std::filesystem:
 
 int run(const arguments& given) {
   const auto output = format_option(given.format);
-  const auto options = checked_options(given);
+  auto options = checked_options(given);
   const auto scenes = checked_scenes(given);
   for (const auto& scene : scenes) check_options(scene, options);
   if (given.out.empty()) throw input_error("--out '': accepted: the folder to be written");
   const std::filesystem::path out{given.out};
   report::check_output_folder(out);
+  const auto cache = cache_for(given, out);
+  options.store = cache.get();
 
   const auto all = run_all(scenes, options, given.quiet);
   {
     const defer_signals whole;
     report::write_report(out, all);
   }
+  if (cache && !cache->trouble().empty())
+    print_error(
+        fmt::format("results are not kept for the next run: {}: {}", cache_folder().string(), cache->trouble()));
   if (output == format::json)
     print(json_of(all));
   else if (!given.quiet)
@@ -127,7 +139,8 @@ command add_verify(CLI::App& app) {
   parser->add_option("--seed", given->seed, "Seed of the noise [1]")->type_name("N");
   parser->add_option("--isa", given->isa, "Instruction set: auto, v2, v3, v4 [auto]")->type_name("NAME");
   parser->add_option("--format", given->format, "On standard output: text, json [text]")->type_name("F");
-  parser->add_flag("--fresh", given->fresh, "Compute anew; nothing is cached yet");
+  parser->add_flag("--fresh", given->fresh, "Compute all anew and replace what is cached");
+  parser->add_flag("--no-cache", given->no_cache, "Neither use the cache nor write to it");
   parser->add_flag("-q,--quiet", given->quiet, "No summary, no progress");
   return {parser, [given] { return run(*given); }};
 }

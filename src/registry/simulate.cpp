@@ -9,8 +9,10 @@
 #include <cmath>
 #include <ctime>
 
+#include "ensemble/isa.hpp"
 #include "ensemble/simulation.hpp"
 #include "ensemble/sphere_bins.hpp"
+#include "registry/isa_option.hpp"
 #include "registry/memory.hpp"
 #include "registry/nearest.hpp"
 #include "registry/provenance.hpp"
@@ -87,6 +89,7 @@ struct prepared_run {
 };
 
 prepared_run prepare(const scene& s, const simulate_options& o) {
+  apply_isa(o.isa);
   prepared_run r{bind_scene(s), nullptr, {}};
   auto& p = r.plan;
   r.scheme = &chosen_scheme(r.subject, o.scheme);
@@ -145,6 +148,7 @@ report::simulation frame_of(const scene& s, const prepared_run& r) {
   out.provenance = build_provenance();
   out.provenance.seed = p.seed;
   out.provenance.threads = p.threads;
+  out.provenance.isa = name_of(active_isa());
   out.scene = s;
   const auto all = list_schemes();
   out.scheme = *std::ranges::find(all, std::string(r.scheme->info.name), &report::scheme::name);

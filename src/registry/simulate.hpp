@@ -18,6 +18,7 @@ struct simulate_options {
   std::vector<double> snapshots;  ///< times; each is moved to the nearest step
   std::uint64_t seed = 1;
   int threads = 1;
+  std::string isa = "auto";  ///< as in verify_options
 };
 
 /// Throws input_error, before any work, on what cannot be run.

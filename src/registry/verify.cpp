@@ -8,8 +8,10 @@
 #include <ctime>
 
 #include "ensemble/isa.hpp"
+#include "registry/isa_option.hpp"
 #include "registry/nearest.hpp"
 #include "registry/provenance.hpp"
+#include "registry/run_experiment.hpp"
 #include "registry/systems.hpp"
 #include "reports/model/errors.hpp"
 
@@ -74,7 +76,7 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
     if (const auto reason = e.cannot_say(s))
       out.skipped.push_back({e.info.name, "", *reason});
     else
-      e.run({s, options.effort, options.threads, options.seed, tell}, out);
+      run_experiment(e, {s, options.effort, options.threads, options.seed, tell}, options.store, out);
     before += e.weight;
   }
   if (progress) progress(1, "done");
@@ -87,18 +89,6 @@ void add_skipped_verdicts(report::results& out) {
       if (skip.scheme.empty() || skip.scheme == scheme.name)
         out.verdicts.push_back(
             {skip.experiment, scheme.name, "", {}, {}, {}, {}, report::verdict_kind::skipped, skip.reason});
-}
-
-void apply_isa(const std::string& wanted) {
-  if (wanted == "auto") return;
-  const auto usable = usable_isas();
-  const auto level = isa_named(wanted);
-  if (!level || std::ranges::find(usable, *level) == usable.end()) {
-    std::vector<std::string_view> names{"auto"};
-    for (const isa i : usable) names.push_back(name_of(i));
-    throw input_error(fmt::format("--isa: \"{}\" is not to be had here; accepted: {}", wanted, fmt::join(names, ", ")));
-  }
-  choose_isa(*level);
 }
 
 }  // namespace
@@ -120,15 +110,8 @@ void check_options(const scene& s, const verify_options& options) {
 report::results verify_subject(subject s, const verify_options& options, const progress_sink& progress) {
   gsl_set_error_handler_off();  // GSL's failures come back as values here, not as abort()
   auto experiments = all_experiments();
-  const auto select = [wanted = options.schemes](subject& x) {
-    keep_wanted(x.schemes, wanted, "scheme", [](const scheme_entry& e) { return e.info.name; });
-  };
-  select(s);
-  s.with = [select, with = s.with](const report::scene& other) {
-    auto x = with(other);
-    select(x);
-    return x;
-  };
+  keep_wanted(s.schemes, options.schemes, "scheme", [](const scheme_entry& e) { return e.info.name; });
+  if (!options.schemes.empty()) s = restricted(std::move(s), options.schemes);
   keep_wanted(experiments, options.experiments, "experiment", [](const experiment& e) { return e.info.name; });
 
   report::results out;

@@ -9,6 +9,7 @@
 
 #include "experiments/experiment.hpp"
 #include "registry/scene.hpp"
+#include "reports/model/result_store.hpp"
 #include "reports/model/results.hpp"
 
 namespace polhode {
@@ -20,6 +21,7 @@ struct verify_options {
   int threads = 1;
   std::uint64_t seed = 1;
   std::string isa = "auto";  ///< instruction set of the inner loops; auto: the widest that this machine has
+  report::result_store* store = nullptr;  ///< keeps results from run to run; for schemes of the registry only
 };
 
 /// The scene's system with every scheme that applies to it. Throws input_error on an unknown system.

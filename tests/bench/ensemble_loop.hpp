@@ -18,7 +18,7 @@
 namespace polhode::bench {
 
 inline constexpr double dt = 0.01;
-inline constexpr int steps = 256, chunk = 64;  ///< of a call, and of increments drawn at a time
+inline constexpr int steps = 256, chunk = 16;  ///< of a call, and of increments drawn at a time
 inline constexpr std::uint64_t seed = 1;
 
 class ensemble_block {
@@ -33,32 +33,30 @@ class ensemble_block {
     if (entry == bound_.schemes.end()) throw std::invalid_argument("no scheme " + std::string(scheme));
     kernel_ = entry->make(dt);
     own_.emplace(*bound_.model, chunk, entry->needs_areas);
-    if (noise == ensemble_noise::common) common_.emplace(*bound_.model, seed, steps, dt, entry->needs_areas, 1);
+    if (noise == ensemble_noise::common)
+      common_ = kernel_->share(shared_increments(*bound_.model, seed, steps, dt, entry->needs_areas, 1).view(0, steps));
   }
 
   /// Sets every path to the scene's momentum and advances it by `steps`; the increments of own noise are drawn here.
   const std::vector<double>& advance() {
     choose_isa(level_);
     states_ = replicated(bound_.scene.momentum);
-    if (common_) {
-      kernel_->advance(states_, common_->view(0, steps));
-    } else {
-      for (int done = 0; done < steps; done += chunk, step_ += chunk) kernel_->advance(states_, own_increments());
-    }
+    if (noise_ == ensemble_noise::common) kernel_->advance(states_, common_, 0, steps);
+    if (noise_ == ensemble_noise::none) kernel_->advance(states_, silence(steps, dt));
+    if (noise_ == ensemble_noise::independent)
+      for (int done = 0; done < steps; done += chunk, step_ += chunk)
+        kernel_->advance(states_, own_->fill(seed, 0, step_, chunk, dt), {done == 0, done + chunk == steps});
     return states_;
   }
 
  private:
-  increment_view own_increments() {
-    return noise_ == ensemble_noise::none ? own_->zero(chunk, dt) : own_->fill(seed, 0, step_, chunk, dt);
-  }
 
   isa level_;
   ensemble_noise noise_;
   subject bound_;
   std::unique_ptr<kernel> kernel_;
   std::optional<increment_buffer> own_;
-  std::optional<shared_increments> common_;
+  shared_steps common_;
   std::vector<double> states_;
   std::uint64_t step_ = 0;
 };

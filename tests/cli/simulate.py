@@ -77,7 +77,7 @@ class Errors(Case):
                 ('dt', '7', ['horizon = 2']), ('dt', '1e-12', ['steps']), ('dt', '1e-300', ['steps']), ('bodies', '0', ['--bodies']), ('bodies', '-5', ['--bodies']), ('bodies', '1e3', ['1e3']),
                 ('bodies', '4000000000', ['MiB']), ('noise', 'comon', ["'common'", 'independent', 'none']), ('start', 'here', ['uniform', 'momentum']), ('format', 'xml', ['json']),
                 ('snapshots', '0', ['--snapshots']), ('snapshots', '1,2.5', ['--snapshots', '2.5', 'horizon = 2']), ('snapshots', '1,,2', ['1,,2']), ('snapshots', 'x', ['x']),
-                ('seed', '-1', ['--seed']), ('threads', '0', ['--threads']), ('out', '', ['--out'])):
+                ('isa', 'v9', ['--isa', 'v9', 'auto']), ('seed', '-1', ['--seed']), ('threads', '0', ['--threads']), ('out', '', ['--out'])):
             self.refused(names, **{option: value})
         self.refused(['papr', "'paper'"], scene='papr')
 
@@ -172,6 +172,14 @@ class Meaning(Case):
         self.good('wild.toml', scheme='euler_maruyama', dt=1, noise='independent', snapshots='25', bodies=40)
         s = self.summary()
         self.assertEqual((s['lost'], s['final']['energy']['mean'] in (None, 0)), (40, True))
+
+    def test_the_instruction_set_is_recorded(self):
+        self.good()
+        widest = self.summary()['provenance']['isa']
+        self.assertIn(widest, ('v4', 'v3', 'v2', 'portable'))
+        if widest == 'portable': self.skipTest('one instruction set here')
+        self.good(isa='v2')
+        self.assertEqual(self.summary()['provenance']['isa'], 'v2')
 
     def test_json_is_the_summary(self):
         out = self.good(format='json')

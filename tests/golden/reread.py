@@ -129,6 +129,11 @@ def compare_page(results, folder):
     assert page.verdicts == [v['verdict'] for e in order(results) for v in results['verdicts'] if v['experiment'] == e]
     assert page.counts.get('fit', 0) == len(results['fits'])
     assert page.counts.get('skip', 0) == len(results['skipped'])
+    assert page.counts.get('saving', 0) == len(results['savings'])
+    assert page.counts.get('reuse', 0) == len({(r['experiment'], r['computed']) for r in results['reused']})
+    assert results['counters']['results_reused'] == len(results['reused'])
+    for row in results['savings'] + results['reused']:
+        assert row.get('reason', row.get('computed')) in text
     assert page.counts.get('scheme', 0) == len(results['schemes'])
     for verdict in results['verdicts']:
         assert verdict['verdict'] in text and ' '.join(verdict['reason'].split('\r')) in text

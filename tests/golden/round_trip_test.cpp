@@ -35,6 +35,7 @@ class maker {
     return {text(),  text(), text(), text(),       maybe(), maybe(),           maybe(),
             maybe(), text(), text(), "s" + text(), maybe(), random_() % 2 == 0};
   }
+  report::counters work() { return {random_(), random_(), random_()}; }
   report::results made() {
     report::results r;
     r.provenance = {text(), text(), text(), text(), text(), text(), 3, random_(), text(), text(), number(), number()};
@@ -47,8 +48,11 @@ class maker {
       r.fits.push_back({text(), text(), text(), text(), number(), number(), number(), number(), text()});
       r.verdicts.push_back({text(), text(), text(), maybe(), maybe(), maybe(), maybe(),
                             static_cast<report::verdict_kind>(random_() % 4), text()});
-      r.skipped.push_back({text(), text(), text()});
+      r.skipped.push_back({text(), text(), text(), {work(), number()}});
+      r.savings.push_back({text(), text(), text(), text(), {work(), number()}});
+      r.reused.push_back({text(), text(), text(), {work(), number()}});
     }
+    r.done = {work(), random_(), random_(), random_()};
     return r;
   }
 
@@ -75,7 +79,14 @@ TEST(round_trip, random_results_come_back_bit_for_bit) {
       EXPECT_TRUE(a.scheme == b.scheme && a.status == b.status && a.fitted == b.fitted && a.observable == b.observable);
       EXPECT_TRUE(same(after.fits[i].prefactor, before.fits[i].prefactor) &&
                   after.verdicts[i].kind == before.verdicts[i].kind);
+      EXPECT_EQ(after.skipped[i].saved.work, before.skipped[i].saved.work);
+      EXPECT_EQ(after.savings[i].what, before.savings[i].what);
+      EXPECT_EQ(after.savings[i].saved.work, before.savings[i].saved.work);
+      EXPECT_EQ(after.reused[i].computed, before.reused[i].computed);
+      EXPECT_TRUE(same(after.reused[i].saved.cpu_seconds, before.reused[i].saved.cpu_seconds));
     }
+    EXPECT_EQ(after.done.work, before.done.work);
+    EXPECT_EQ(after.done.results_reused, before.done.results_reused);
   }
 }
 
@@ -93,6 +104,20 @@ TEST(round_trip, what_is_not_finite_is_null_with_a_status) {
     ++unfinished;
   }
   EXPECT_EQ(unfinished, 3);
+}
+
+// Documents of the same schema that were written before these keys were.
+TEST(round_trip, keys_that_came_later_may_be_missing) {
+  auto older = sample();
+  older.savings.clear();
+  older.reused.clear();
+  older.done = {};
+  auto text = to_json(older);
+  const auto expected = text;
+  text.erase(text.find(",\n\"savings\""), std::string::npos);
+  const std::string of_skips = R"(,"saved":{"normals_drawn":0,"path_steps":0,"kernels_run":0,"cpu_seconds":0.0})";
+  for (auto at = text.find(of_skips); at != text.npos; at = text.find(of_skips)) text.erase(at, of_skips.size());
+  EXPECT_EQ(to_json(from_json(text + "}")), expected);
 }
 
 void expect_refused(const std::string& text) {
@@ -125,6 +150,7 @@ TEST(round_trip, foreign_text_is_refused) {
   expect_refused(changed("\"verdict\":\"refuted\"", "\"verdict\":\"fine\""));
   expect_refused(changed("\"inertia\":[1.0,2.0,3.0]", "\"inertia\":[1.0,2.0]"));
   expect_refused(changed("\"fitted\":false", "\"fitted\":0"));
+  expect_refused(changed("\"results_reused\":3", "\"results_reused\":-3"));
 }
 
 }  // namespace

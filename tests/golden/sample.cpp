@@ -89,6 +89,12 @@ void add_verdicts(results& r) {
        verdict_kind::inconclusive, ""},
       {"casimir", "lie_heun", "Casimir exact", {}, {}, {}, {}, verdict_kind::holds, "below the rounding bound"}};
   r.skipped = {{"gibbs", "", "σ = 0: there is no stationary law"}, {"strong", hostile, "no increments of its kind"}};
+  r.savings = {{"casimir", "", "Lévy areas <b>", "no selected scheme | asks for them", {{1'230'000, 0, 0}, 0}},
+               {"energy", hostile, "noise", "σ = 0", {}}};
+  r.reused = {{"strong", "heun", "2024-02-28T08:00:00Z", {{12'345'678'901, 4'000, 12}, 75.5}},
+              {"strong", "lie_heun", "2024-02-28T08:00:00Z", {{12'345'678'901, 4'000, 12}, 75.5}},
+              {"strong", hostile, "2024-02-27T08:00:00Z", {{}, 0.25}}};
+  r.done = {{18'446'744'073'709'551'615u, 9'999, 3}, 2, 4, 3};
 }
 
 }  // namespace

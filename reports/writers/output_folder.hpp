@@ -1,0 +1,38 @@
+// What every command that writes a folder asks of it first. Each refusal names the folder as the user gave it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace polhode::report {
+
+/// In quotes, on one line.
+std::string quoted(const std::filesystem::path&);
+
+/// Whether anything is there; throws output_error where the system will not say.
+bool stands(const std::filesystem::path&);
+
+/// The path that is really meant: absolute, links followed, no trailing slash. Throws input_error for an empty name and
+/// for a link to nowhere.
+std::filesystem::path settled(const std::filesystem::path& out);
+
+/// `path`, or the nearest above it that stands; throws input_error where that is no folder.
+std::filesystem::path nearest_folder(const std::filesystem::path& path, const std::filesystem::path& out);
+
+void require_writable(const std::filesystem::path& folder, const std::filesystem::path& known_as);
+
+/// Makes the folders that are missing down to `folder`; they are gone again unless kept.
+class made_parents {
+ public:
+  explicit made_parents(const std::filesystem::path& folder);
+  ~made_parents();
+  made_parents(const made_parents&) = delete;
+  made_parents& operator=(const made_parents&) = delete;
+  void keep() { made_.clear(); }
+
+ private:
+  std::vector<std::filesystem::path> made_;
+};
+
+}  // namespace polhode::report

@@ -1,0 +1,132 @@
+#include "registry/run_experiment.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <iterator>
+#include <optional>
+
+#include "registry/cache_key.hpp"
+#include "registry/provenance.hpp"
+
+namespace polhode {
+namespace {
+
+using names = std::vector<std::string>;
+
+bool contains(const names& all, std::string_view name) { return std::ranges::find(all, name) != all.end(); }
+
+/// Appends the rows whose scheme is wanted; savings are of a run and not of a scheme.
+template <class Wanted>
+void append_rows(const report::results& from, Wanted wanted, report::results& to) {
+  const auto append = [&](auto rows) {
+    std::ranges::copy_if(from.*rows, std::back_inserter(to.*rows), [&](const auto& row) { return wanted(row.scheme); });
+  };
+  append(&report::results::measurements);
+  append(&report::results::fits);
+  append(&report::results::verdicts);
+  append(&report::results::skipped);
+}
+
+/// What the inner loops of this program have done so far.
+report::counters work_so_far() { return {}; }
+
+report::counters operator-(const report::counters& a, const report::counters& b) {
+  return {a.normals_drawn - b.normals_drawn, a.path_steps - b.path_steps, a.kernels_run - b.kernels_run};
+}
+
+void add(const report::counters& more, report::counters& sum) {
+  sum.normals_drawn += more.normals_drawn;
+  sum.path_steps += more.path_steps;
+  sum.kernels_run += more.kernels_run;
+}
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+report::results compute(const experiment& e, const context& c, const names& schemes) {
+  const auto s = restricted(c.subject, schemes);
+  report::results out;
+  out.provenance = build_provenance();
+  const auto work = work_so_far();
+  const double cpu = cpu_seconds();
+  e.run({s, c.effort, c.threads, c.seed, c.progress}, out);
+  out.provenance.cpu_seconds = cpu_seconds() - cpu;
+  out.done.work = work_so_far() - work;
+  return out;
+}
+
+/// One scheme's part of a run, as it is kept: its rows, those of no scheme, and an equal share of the work.
+report::results part_of(const report::results& run, const names& computed, const std::string& scheme) {
+  report::results part;
+  part.provenance = run.provenance;
+  append_rows(
+      run, [&](const std::string& of) { return of == scheme || !contains(computed, of); }, part);
+  const auto shares = computed.size();
+  part.provenance.cpu_seconds /= static_cast<double>(shares);
+  part.done.work = {run.done.work.normals_drawn / shares, run.done.work.path_steps / shares,
+                    run.done.work.kernels_run / shares};
+  return part;
+}
+
+/// What one scheme's result is kept under, and the result once it is there.
+struct entry {
+  std::string scheme, key;
+  std::optional<report::results> part;
+};
+
+std::vector<entry> ask(const experiment& e, const context& c, report::result_store* store) {
+  std::vector<entry> entries;
+  for (const auto& scheme : c.subject.schemes) {
+    entry one{std::string(scheme.info.name), store ? cache_key(c, e.info.name, scheme.info.name) : "", {}};
+    if (!one.key.empty()) one.part = store->load(one.key);
+    entries.push_back(std::move(one));
+  }
+  return entries;
+}
+
+void compute_missing(const experiment& e, const context& c, report::result_store* store, std::vector<entry>& entries,
+                     report::results& out) {
+  names missing;
+  for (const auto& one : entries)
+    if (!one.part) missing.push_back(one.scheme);
+  if (missing.empty()) return;
+  const auto run = compute(e, c, missing);
+  for (auto& one : entries) {
+    if (one.part) continue;
+    one.part = part_of(run, missing, one.scheme);
+    if (!one.key.empty()) store->save(one.key, *one.part);
+  }
+  out.savings.insert(out.savings.end(), run.savings.begin(), run.savings.end());
+  add(run.done.work, out.done.work);
+  ++out.done.experiments_run;
+  out.done.results_computed += missing.size();
+}
+
+report::reuse reused(const experiment& e, const entry& one) {
+  const auto& p = *one.part;
+  return {e.info.name, one.scheme, p.provenance.started, {p.done.work, p.provenance.cpu_seconds}};
+}
+
+}  // namespace
+
+subject restricted(subject s, const names& schemes) {
+  std::erase_if(s.schemes, [&](const scheme_entry& e) { return !contains(schemes, e.info.name); });
+  s.with = [schemes, with = s.with](const report::scene& other) { return restricted(with(other), schemes); };
+  return s;
+}
+
+void run_experiment(const experiment& e, const context& c, report::result_store* store, report::results& out) {
+  auto entries = ask(e, c, store);
+  for (const auto& one : entries)
+    if (one.part) out.reused.push_back(reused(e, one));
+  out.done.results_reused = out.reused.size();
+  compute_missing(e, c, store, entries, out);
+  for (const auto& one : entries) {
+    if (&one == &entries.front())
+      append_rows(
+          *one.part, [&](const std::string& scheme) { return scheme != one.scheme; }, out);
+    append_rows(
+        *one.part, [&](const std::string& scheme) { return scheme == one.scheme; }, out);
+  }
+}
+
+}  // namespace polhode

@@ -1,0 +1,169 @@
+// What a second run computes again, by counters; and that it says what a first run says, bit for bit.
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <set>
+
+#include "ensemble/isa.hpp"
+#include "registry/cache_key.hpp"
+#include "unit/cache_fixture.hpp"
+
+namespace polhode {
+namespace {
+
+using namespace test;
+struct Cache : cache_of_a_test {};
+
+TEST_F(Cache, ASecondRunComputesNothingAndSaysTheSame) {
+  const auto first = run(), second = run();
+  EXPECT_EQ(first.done.experiments_run, 2u);
+  EXPECT_EQ(first.done.results_computed, 6u);
+  EXPECT_EQ(first.reused.size(), 0u);
+  EXPECT_EQ(second.done.experiments_run, 0u);
+  EXPECT_EQ(second.done.results_computed, 0u);
+  EXPECT_EQ(second.done.results_reused, 6u);
+  EXPECT_EQ(second.done.work, report::counters{});
+  EXPECT_EQ(said(second), said(first));
+  double saved = 0;
+  for (const auto& one : second.reused) {
+    EXPECT_GE(one.computed, first.provenance.started);
+    EXPECT_LE(one.computed, second.provenance.started);
+    saved += one.saved.cpu_seconds;
+  }
+  EXPECT_GT(saved, 0);
+  EXPECT_LE(saved, first.provenance.cpu_seconds * (1 + 1e-9));
+}
+
+TEST_F(Cache, OnlyWhatIsNewIsComputed) {
+  options.schemes = {"heun", "strang"};
+  EXPECT_EQ(counted(), (counts{2, 4, 0}));
+  options.schemes = {"heun", "magnus", "strang"};
+  EXPECT_EQ(counted(), (counts{2, 2, 4})) << "one scheme more";
+  options.experiments = {"casimir", "energy", "gibbs"};
+  EXPECT_EQ(counted(), (counts{1, 3, 6})) << "one experiment more";
+  options.schemes = {"magnus"};
+  EXPECT_EQ(counted(), (counts{0, 0, 3})) << "fewer schemes";
+}
+
+/// The subject, its kernels counted as they are made, by scheme and whatever verify() says.
+subject counted_subject(subject s, std::map<std::string, std::atomic<int>>& made) {
+  for (auto& scheme : s.schemes)
+    scheme.make = [&count = made[std::string(scheme.info.name)], make = scheme.make](double dt) {
+      ++count;
+      return make(dt);
+    };
+  s.with = [&made, with = s.with](const report::scene& other) { return counted_subject(with(other), made); };
+  return s;
+}
+
+TEST_F(Cache, KernelsAreMadeForWhatIsNewOnly) {
+  const auto made = [&] {
+    std::map<std::string, std::atomic<int>> count;
+    result_folder store(folder);
+    options.store = &store;
+    verify_subject(counted_subject(bind_scene(scene), count), options);
+    std::vector<std::string> names;
+    for (const auto& [name, times] : count)
+      if (times > 0) names.push_back(name);
+    return names;
+  };
+  using names = std::vector<std::string>;
+  options.schemes = {"heun", "strang"};
+  EXPECT_EQ(made(), (names{"heun", "strang"}));
+  EXPECT_EQ(made(), names{});
+  options.schemes = {"heun", "magnus", "strang"};
+  EXPECT_EQ(made(), names{"magnus"});
+  scene.sigma[0][0] = 0.25;
+  EXPECT_EQ(made(), options.schemes);
+}
+
+TEST_F(Cache, EveryInputCounts) {
+  options.experiments = {"energy"};
+  options.schemes = {"heun"};
+  const counts computed{1, 1, 0}, reused{0, 0, 1};
+  EXPECT_EQ(counted(), computed);
+  const auto changed = [&](const char* what, auto change) {
+    const auto scene_before = scene;
+    const auto options_before = options;
+    change();
+    EXPECT_EQ(counted(), computed) << what;
+    EXPECT_EQ(counted(), reused) << what;
+    scene = scene_before;
+    options = options_before;
+    EXPECT_EQ(counted(), reused) << "back from " << what;
+  };
+  changed("sigma", [&] { scene.sigma[1][1] = 0.5000000000000001; });
+  changed("no sigma", [&] { scene.sigma.clear(); });
+  changed("theta", [&] { scene.theta = 0.25; });
+  changed("inertia", [&] { scene.inertia[2] = 3.5; });
+  changed("momentum", [&] { scene.momentum[0] = 0.61; });
+  changed("horizon", [&] { scene.horizon = 1; });
+  changed("steps", [&] { scene.steps.push_back(128); });
+  changed("seed", [&] { options.seed = 2; });
+  changed("effort", [&] { options.effort = effort::standard; });
+}
+
+TEST_F(Cache, NameAndThreadsDoNot) {
+  const auto first = run();
+  scene.name = "another";
+  options.threads = 1;
+  auto second = run();
+  EXPECT_EQ(second.done.results_computed, 0u);
+  EXPECT_EQ(second.scene.name, "another");
+  second.scene.name = first.scene.name;
+  EXPECT_EQ(said(second), said(first));
+}
+
+// The ground on which a result is kept scheme by scheme. Every experiment of the list is held to it.
+TEST_F(Cache, NoSchemeChangesWhatIsSaidOfAnother) {
+  options.experiments.clear();
+  // drifting, exact with areas, exact without
+  const auto together = verify(scene, options);
+  auto rows = together;
+  rows.measurements.clear(), rows.fits.clear(), rows.verdicts.clear(), rows.skipped.clear();
+  const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  const auto schemes = options.schemes;
+  for (const auto& scheme : schemes) {
+    options.schemes = {scheme};
+    const auto alone = verify(scene, options);
+    append(rows.measurements, alone.measurements);
+    append(rows.fits, alone.fits);
+    append(rows.verdicts, alone.verdicts);
+    append(rows.skipped, alone.skipped);
+  }
+  const auto sorted = [](report::results r) {
+    const auto by_experiment = [](const auto& a, const auto& b) { return a.experiment < b.experiment; };
+    const auto by_scheme = [](const auto& a, const auto& b) { return a.scheme < b.scheme; };
+    const auto sort = [&](auto& all) {
+      std::ranges::stable_sort(all, by_scheme);
+      std::ranges::stable_sort(all, by_experiment);
+    };
+    sort(r.measurements), sort(r.fits), sort(r.verdicts), sort(r.skipped);
+    return said(r);
+  };
+  EXPECT_EQ(sorted(rows), sorted(together));
+}
+
+TEST_F(Cache, AKeySaysFromWhatItWasMade) {
+  const auto subject = bind_scene(scene);
+  const auto key = cache_key({subject}, "energy", "heun");
+  for (const auto* part : {"experiment energy\n", "scheme heun\n", "effort standard\n", "seed 1\n", "isa ",
+                           "inertia [1, 2, 3]\n", "theta 0.5\n", "momentum [0.6, 0.48, 0.64]\n", "version ", "commit ",
+                           "flags ", "CRC-64 ", "libraries ", "cpu "})
+    EXPECT_NE(key.find(part), key.npos) << part << "in\n" << key;
+  EXPECT_EQ(key.find(scene.name), key.npos);
+}
+
+TEST_F(Cache, InstructionSetsAreKeptApart) {
+  const auto before = active_isa();
+  std::set<std::string> keys;
+  for (const auto level : usable_isas()) {
+    choose_isa(level);
+    keys.insert(cache_key({bind_scene(scene)}, "energy", "heun"));
+  }
+  choose_isa(before);
+  EXPECT_EQ(keys.size(), usable_isas().size());
+}
+
+}  // namespace
+}  // namespace polhode
