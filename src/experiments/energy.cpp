@@ -157,9 +157,10 @@ void report_end(const subject& s, const scheme_entry& scheme, report::results& o
   }
   const int steps = static_cast<int>(time / dt);
   const auto stepper = scheme.make(dt);
-  increment_buffer still(*s.model, steps, scheme.needs_areas);
+  constexpr int chunk = 1000;
+  increment_buffer still(*s.model, chunk, scheme.needs_areas);
   auto states = replicated(s.scene.momentum);
-  stepper->advance(states, still.zero(steps, dt));
+  for (int left = steps; left > 0; left -= chunk) stepper->advance(states, still.zero(std::min(left, chunk), dt));
   const auto end = lane_of(states, 0, s.model->dimension());
   // Energy of the direction reached, above the least on its sphere.
   const double e = length(end), above = (s.model->energy(end) * c * c / (e * e) - 0.5 * c * c / greatest) / range;
