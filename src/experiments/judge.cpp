@@ -33,6 +33,10 @@ report::verdict judge_order(const claim& c, double expected, const std::optional
   }
   v.reason = fmt::format("order {:.3f} [{:.3f}, {:.3f}] against {:g} +- {:g}", fit->order, fit->low, fit->high,
                          expected, order_margin);
+  if (v.kind == verdict_kind::refuted && !fit->settled) {
+    v.kind = verdict_kind::inconclusive;
+    v.reason += ", but the slope still changes between the finest levels";
+  }
   return v;
 }
 

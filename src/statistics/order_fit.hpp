@@ -3,7 +3,8 @@
 // The rule on levels is fixed in advance: levels at the rounding floor and levels that are not finite are left out; of
 // the rest the finest six are taken; the coarsest of these is left out as pre-asymptotic while it lies off the line
 // through the others by more than 0.05 in log2 and more than three standard errors. At least four levels stay, or there
-// is no fit.
+// is no fit. Where the coarsest of those that stay is still off by more than 0.05 (its 95 % interval, paths resampled)
+// the slope has not settled.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +22,7 @@ struct order_fit {
   double prefactor = 0;                 ///< value = prefactor * dt^order
   std::vector<bool> used;               ///< per level
   std::string rule;                     ///< what was left out, and why
+  bool settled = true;                  ///< no curvature is seen
 };
 
 /// Values without sampling error. The interval is Student's, from the scatter about the line.
