@@ -85,7 +85,7 @@ void report_long_run(const long_run& run, double dt, report::results& out) {
 
 void run_exact(const context& c, report::results& out) {
   const auto& s = c.subject;
-  const int chunks = by_effort(c.effort, 1000, 10'000, 10'000);
+  const int chunks = by_effort(c.effort, 1000, 2500, 10'000);
   const double dt = s.scene.horizon / static_cast<double>(s.scene.steps.back());
   std::vector<long_run> runs;
   for (const auto& scheme : s.schemes)

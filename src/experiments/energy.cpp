@@ -88,14 +88,16 @@ void judge_at_floor(const error_series& e, double expected, report::verdict& v) 
     v.reason = fmt::format("exact on this scene: every error below {:.1e}", std::ranges::max(e.floors));
     return;
   }
+  std::size_t top = 0;  // the coarsest above its floor: a single step has no residual
+  while (e.values[top] <= e.floors[top]) ++top;
   double least = 0;
-  for (std::size_t j = 1; j <= first; ++j)
-    least = std::max(
-        least, std::log2((e.values[0] - e.floors[0] / 10) / (e.values[j] + e.floors[j] / 10)) / static_cast<double>(j));
+  for (std::size_t j = top + 1; j <= first && j < e.values.size(); ++j)
+    least = std::max(least, std::log2((e.values[top] - e.floors[top] / 10) / (e.values[j] + e.floors[j] / 10)) /
+                                static_cast<double>(j - top));
   if (least >= expected - order_margin) v.kind = report::verdict_kind::holds;
   v.low = least;
   v.reason = fmt::format("reaches the rounding floor {:.1e} in {} halvings: order at least {:.2f}", e.floors[first],
-                         first, least);
+                         first - top, least);
 }
 
 /// An error series with its order.

@@ -117,7 +117,10 @@ struct finding {
 finding find(const context& c, const scheme_entry& scheme, std::span<const double> dt, const squared_errors& errors) {
   const double claimed = strong_order_on(scheme.info, c.subject.model->noise());
   finding f{fit_order(dt, errors, 1e-13 * length(c.subject.scene.momentum), c.seed), {}};
-  if (f.fit) f.error = fit_error_model(dt, errors, f.fit->used, claimed, c.seed);
+  if (!f.fit) return f;
+  // What hides the term of the claimed order is its cross term with the next and the square of that.
+  const int powers = f.fit->order > claimed + order_margin ? 3 : 2;
+  f.error = fit_error_model(dt, errors, f.fit->used, claimed, c.seed, powers);
   return f;
 }
 
