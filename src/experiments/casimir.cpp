@@ -12,7 +12,7 @@
 #include "experiments/experiment.hpp"
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
-#include "experiments/progress_counter.hpp"
+#include "experiments/sequential.hpp"
 #include "statistics/order_fit.hpp"
 
 namespace polhode {
@@ -85,7 +85,7 @@ void report_long_run(const long_run& run, double dt, report::results& out) {
 
 void run_exact(const context& c, report::results& out) {
   const auto& s = c.subject;
-  const int chunks = by_effort(c.effort, 1000, 10'000, 10'000);
+  const int chunks = by_effort(c.effort, 1000, 2500, 10'000);
   const double dt = s.scene.horizon / static_cast<double>(s.scene.steps.back());
   std::vector<long_run> runs;
   for (const auto& scheme : s.schemes)
@@ -114,54 +114,82 @@ void run_exact(const context& c, report::results& out) {
   }
 }
 
-/// Squared drift of each path at each level.
-squared_errors drift_by_level(const context& c, const scheme_entry& scheme, const level_grid& grid, int blocks) {
-  const auto& m = *c.subject.model;
-  const int levels = static_cast<int>(grid.steps.size()), paths = blocks * block_lanes;
-  squared_errors out{paths, levels, std::vector<double>(static_cast<std::size_t>(paths * levels))};
+/// One scheme of those that drift, at every level.
+struct drift_sample {
+  const scheme_entry* scheme;
   std::vector<std::unique_ptr<kernel>> kernels;
-  for (const double dt : grid.dt()) kernels.push_back(scheme.make(dt));
-  parallel_for(c.threads, blocks, [&](int block) {
-    increment_buffer noise(m, grid.steps.back(), scheme.needs_areas);
-    for (int l = 0; l < levels; ++l) {
-      const int n = grid.steps[static_cast<std::size_t>(l)];
+  squared_errors squares;
+  std::optional<order_fit> fit;
+};
+
+/// Squared drifts of one block of paths of the open schemes.
+void run_block(const context& c, const level_grid& grid, std::span<const int> open, int block,
+               std::vector<drift_sample>& samples) {
+  const auto& m = *c.subject.model;
+  const bool areas =
+      std::ranges::any_of(open, [&](int k) { return samples[static_cast<std::size_t>(k)].scheme->needs_areas; });
+  increment_buffer noise(m, grid.steps.back(), areas);
+  const int first_path = block * block_lanes;
+  for (std::size_t l = 0; l < grid.steps.size(); ++l) {
+    const int n = grid.steps[l];
+    const double dt = grid.horizon / n;
+    const auto view = m.active_channels() > 0 ? noise.fill(c.seed, static_cast<std::uint64_t>(first_path), 0, n, dt)
+                                              : silence(n, dt);
+    for (const int k : open) {
+      auto& sample = samples[static_cast<std::size_t>(k)];
       auto states = replicated(c.subject.scene.momentum);
-      const double dt = grid.horizon / n;
-      kernels[static_cast<std::size_t>(l)]->advance(
-          states, m.active_channels() > 0
-                      ? noise.fill(c.seed, static_cast<std::uint64_t>(block * block_lanes), 0, n, dt)
-                      : silence(n, dt));
+      sample.kernels[l]->advance(states, view);
       const auto d = drifts(m, states, c.subject.scene.momentum);
       for (int lane = 0; lane < block_lanes; ++lane)
-        out.at(block * block_lanes + lane, l) = std::pow(d[static_cast<std::size_t>(lane)], 2);
+        sample.squares.at(first_path + lane, static_cast<int>(l)) = std::pow(d[static_cast<std::size_t>(lane)], 2);
     }
-  });
-  return out;
+  }
+}
+
+void report_drift(const drift_sample& sample, std::span<const double> dt, bool noisy, report::results& out) {
+  const auto& info = sample.scheme->info;
+  const series s{
+      "casimir", std::string(info.name), "drift", "casimir", "relative", noisy ? "sampled" : "deterministic"};
+  std::vector<report::measurement> points;
+  for (int l = 0; l < sample.squares.levels; ++l) {
+    const auto m = level_mean(sample.squares, l);
+    points.push_back(measured(s, dt[static_cast<std::size_t>(l)], std::sqrt(m.mean),
+                              std::sqrt(std::max(0.0, m.mean - 1.96 * m.error)), std::sqrt(m.mean + 1.96 * m.error)));
+  }
+  record_fit(out, s, sample.fit, std::move(points));
+  out.verdicts.push_back(judge_order({s.experiment, s.scheme, "order of the Casimir drift"},
+                                     noisy ? info.casimir.noisy_order : info.casimir.deterministic_order, sample.fit,
+                                     true));
 }
 
 void run_drifting(const context& c, report::results& out) {
+  constexpr double floor = 1e-13;
   const bool noisy = c.subject.model->noise() != noise_class::none;
   const auto grid = asymptotic_levels(c.subject, 256);
   const auto dt = grid.dt();
+  const sampling_plan plan{noisy ? 320 : 1, noisy ? by_effort(c.effort, 640, 2048, 8192) : 1};
+  const int paths = blocks_of(plan.most) * block_lanes, levels = static_cast<int>(dt.size());
+  std::vector<drift_sample> samples;
   for (const auto& scheme : c.subject.schemes) {
     if (scheme.info.casimir.exact) continue;
-    const auto squares = drift_by_level(c, scheme, grid, noisy ? by_effort(c.effort, 40, 128, 512) : 1);
-    const series s{"casimir",  std::string(scheme.info.name),      "drift", "casimir",
-                   "relative", noisy ? "sampled" : "deterministic"};
-    std::vector<report::measurement> points;
-    std::vector<double> rms;
-    for (int l = 0; l < squares.levels; ++l) {
-      const auto m = level_mean(squares, l);
-      rms.push_back(std::sqrt(m.mean));
-      points.push_back(measured(s, dt[static_cast<std::size_t>(l)], rms.back(),
-                                std::sqrt(std::max(0.0, m.mean - 1.96 * m.error)), std::sqrt(m.mean + 1.96 * m.error)));
-    }
-    constexpr double floor = 1e-13;
-    const auto fit = noisy ? fit_order(dt, squares, floor, c.seed) : fit_order(dt, rms, floor);
-    record_fit(out, s, fit, std::move(points));
-    out.verdicts.push_back(
-        judge_order({s.experiment, s.scheme, "order of the Casimir drift"},
-                    noisy ? scheme.info.casimir.noisy_order : scheme.info.casimir.deterministic_order, fit, true));
+    samples.push_back(
+        {&scheme, {}, {paths, levels, std::vector<double>(static_cast<std::size_t>(paths * levels))}, {}});
+    for (const double h : dt) samples.back().kernels.push_back(scheme.make(h));
+  }
+  const auto sizes = sample_until_tight(
+      c, plan, static_cast<int>(samples.size()),
+      [&](int block, std::span<const int> open) { run_block(c, grid, open, block, samples); },
+      [&](int scheme, int so_far) {
+        auto& [_, kernels, squares, fit] = samples[static_cast<std::size_t>(scheme)];
+        squares.paths = so_far;
+        std::vector<double> rms;
+        for (int l = 0; l < levels; ++l) rms.push_back(std::sqrt(level_mean(squares, l).mean));
+        fit = noisy ? fit_order(dt, squares, floor, c.seed) : fit_order(dt, rms, floor);
+        return !fit || half_width(*fit) <= tight_order;  // without a fit more paths would not help
+      });
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    report_drift(samples[k], dt, noisy, out);
+    if (noisy) note_sample_size(out, "casimir", samples[k].scheme->info.name, sizes[k]);
   }
 }
 

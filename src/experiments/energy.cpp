@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ensemble/paths.hpp"
 #include "experiments/experiment.hpp"
@@ -16,7 +17,7 @@
 namespace polhode {
 namespace {
 
-constexpr double rounding = 1e-13;  // of the state's size, the energy's size: the floor of every fit
+constexpr double rounding = 1e-13;  // of the energy's size: what counts as no rise
 constexpr double end_bound = 1e-6;  // of the energy's range: how near the least energy a path must end
 constexpr int least_axis_time_scales = 60;
 
@@ -29,7 +30,6 @@ trajectory follow(const subject& s, const scheme_entry& scheme, double horizon, 
   const auto& m = *s.model;
   const double dt = horizon / steps;
   const auto stepper = scheme.make(dt);
-  increment_buffer still(m, 1, scheme.needs_areas);
   const auto view = silence(1, dt);
   auto states = replicated(s.scene.momentum);
   trajectory t;
@@ -53,33 +53,61 @@ double law_residual(const trajectory& t, double dt) {
   return worst;
 }
 
-/// Too few levels above the rounding floor for a fit. The fall from the coarsest level into the floor still bounds the
-/// order from below; errors at the floor throughout are exactness on this scene.
-void judge_at_floor(std::span<const double> values, double floor, double expected, report::verdict& v) {
-  std::size_t first = values.size();  // the first level from which on all is at the floor
-  while (first > 0 && values[first - 1] <= floor) --first;
-  if (first == values.size()) return;
+/// The floor of every fit, in units of the state's or the energy's size: ten times what the references (5e-15) and the
+/// rounding of so many steps, a random walk, leave.
+double relative_floor(double steps) {
+  return 10 * (5e-15 + 0.8 * std::numeric_limits<double>::epsilon() * std::sqrt(steps));
+}
+
+/// Errors at every level of a grid, and the floor of each.
+struct error_series {
+  std::vector<double> dt, values, floors;
+
+  error_series(const level_grid& grid, std::vector<double> errors, double size)
+      : dt(grid.dt()), values(std::move(errors)) {
+    for (const int n : grid.steps) floors.push_back(size * relative_floor(n));
+  }
+  /// The fit takes no notice of what is at its floor.
+  std::optional<order_fit> fit() const {
+    auto above = values;
+    for (std::size_t i = 0; i < above.size(); ++i)
+      if (above[i] <= floors[i]) above[i] = 0;
+    return fit_order(dt, above, 0);
+  }
+};
+
+/// Too few levels above the floor for a fit. Errors at the floor throughout are exactness on this scene. Else the fall
+/// from the coarsest level to another, each known to a tenth of its floor, bounds the order from below.
+void judge_at_floor(const error_series& e, double expected, report::verdict& v) {
+  std::size_t first = e.values.size();  // the first level from which on all is at the floor
+  while (first > 0 && e.values[first - 1] <= e.floors[first - 1]) --first;
+  if (first == e.values.size()) return;
   if (first == 0) {
     v.kind = report::verdict_kind::holds;
-    v.reason = fmt::format("exact on this scene: every error below {:.1e}", floor);
+    v.reason = fmt::format("exact on this scene: every error below {:.1e}", std::ranges::max(e.floors));
     return;
   }
-  const double least = std::log2(values[0] / floor) / static_cast<double>(first);
+  std::size_t top = 0;  // the coarsest above its floor: a single step has no residual
+  while (e.values[top] <= e.floors[top]) ++top;
+  double least = 0;
+  for (std::size_t j = top + 1; j <= first && j < e.values.size(); ++j)
+    least = std::max(least, std::log2((e.values[top] - e.floors[top] / 10) / (e.values[j] + e.floors[j] / 10)) /
+                                static_cast<double>(j - top));
   if (least >= expected - order_margin) v.kind = report::verdict_kind::holds;
   v.low = least;
-  v.reason =
-      fmt::format("reaches the rounding floor {:.1e} in {} halvings: order at least {:.2f}", floor, first, least);
+  v.reason = fmt::format("reaches the rounding floor {:.1e} in {} halvings: order at least {:.2f}", e.floors[first],
+                         first - top, least);
 }
 
 /// An error series with its order.
-void report_order(const series& s, const std::string& text, std::span<const double> dt, std::span<const double> values,
-                  double floor, double expected, report::results& out) {
-  const auto fit = fit_order(dt, values, floor);
+void report_order(const series& s, const std::string& text, const error_series& e, double expected,
+                  report::results& out) {
+  const auto fit = e.fit();
   std::vector<report::measurement> points;
-  for (std::size_t i = 0; i < dt.size(); ++i) points.push_back(measured(s, dt[i], values[i]));
+  for (std::size_t i = 0; i < e.dt.size(); ++i) points.push_back(measured(s, e.dt[i], e.values[i]));
   record_fit(out, s, fit, std::move(points));
   auto v = judge_order({s.experiment, s.scheme, text}, expected, fit, true);
-  if (!fit) judge_at_floor(values, floor, expected, v);
+  if (!fit) judge_at_floor(e, expected, v);
   out.verdicts.push_back(v);
 }
 
@@ -110,8 +138,8 @@ struct runs_of_levels {
 };
 
 /// True when the order is found to be the claimed one or more, or too little is above the floor.
-bool order_is_clear(const level_grid& grid, std::span<const double> values, double floor, double expected) {
-  const auto fit = fit_order(grid.dt(), values, floor);
+bool order_is_clear(const error_series& e, double expected) {
+  const auto fit = e.fit();
   return !fit || judge_order({}, expected, fit, true).kind == report::verdict_kind::holds;
 }
 
@@ -122,22 +150,18 @@ void report_convergence(const subject& s, const scheme_entry& scheme, const leve
   constexpr int most_steps = 1 << 17;
   const std::string name(scheme.info.name);
   const double order = scheme.info.deterministic_order;
-  const double state_floor = 10 * rounding * length(truth);
-  const double energy_floor = 10 * rounding * std::fabs(s.model->energy(s.scene.momentum));
+  const double energy = std::fabs(s.model->energy(s.scene.momentum));
   runs_of_levels runs{{first.horizon, {}}, {}, {}, {}};
+  const auto path = [&] { return error_series(runs.grid, runs.state_error, length(truth)); };
+  const auto law = [&] { return error_series(runs.grid, runs.residual, energy); };
   for (const int n : first.steps) runs.add(s, scheme, n, truth);
-  while (runs.grid.steps.back() <= most_steps / 2 &&
-         !(order_is_clear(runs.grid, runs.state_error, state_floor, order) &&
-           order_is_clear(runs.grid, runs.residual, energy_floor, order)))
+  while (runs.grid.steps.back() <= most_steps / 2 && !(order_is_clear(path(), order) && order_is_clear(law(), order)))
     runs.add(s, scheme, 2 * runs.grid.steps.back(), truth);
-  const auto dt = runs.grid.dt();
   report_order({"energy", name, what + "state_error", "state", "|mu|", method},
-               what.empty() ? "order of the path" : "order of the free path", dt, runs.state_error, state_floor, order,
-               out);
+               what.empty() ? "order of the path" : "order of the free path", path(), order, out);
   report_order({"energy", name, what + "law_residual", "energy", "energy", "deterministic"},
-               what.empty() ? "order of the energy law" : "order of the free energy", dt, runs.residual, energy_floor,
-               order, out);
-  if (s.scene.theta > 0) report_monotony(name, runs.finest.energy, dt.back(), energy_floor / 10, out);
+               what.empty() ? "order of the energy law" : "order of the free energy", law(), order, out);
+  if (s.scene.theta > 0) report_monotony(name, runs.finest.energy, runs.grid.dt().back(), rounding * energy, out);
 }
 
 /// Runs until every motion has died out and looks where it ended.
@@ -157,7 +181,6 @@ void report_end(const subject& s, const scheme_entry& scheme, report::results& o
   }
   const int steps = static_cast<int>(time / dt);
   const auto stepper = scheme.make(dt);
-  increment_buffer still(*s.model, steps, scheme.needs_areas);
   auto states = replicated(s.scene.momentum);
   stepper->advance(states, silence(steps, dt));
   const auto end = lane_of(states, 0, s.model->dimension());

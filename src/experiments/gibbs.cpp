@@ -12,7 +12,7 @@
 #include "experiments/experiment.hpp"
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
-#include "experiments/progress_counter.hpp"
+#include "experiments/sequential.hpp"
 #include "experiments/vectors.hpp"
 #include "references/gibbs.hpp"
 #include "statistics/sample.hpp"
@@ -24,7 +24,8 @@ constexpr double moment_margin = 0.1;        // of the standard deviation of the
 constexpr double uniform_deviation = 0.298;  // of Pi_k^2 / c^2 on the uniform sphere: sqrt(4/45)
 constexpr double ks_bound = 0.05;            // Kolmogorov-Smirnov distance allowed
 constexpr int observations = 4;
-constexpr double most_steps = 10'000;  // of a path, before sampling is too dear to be offered
+constexpr double tight_share = 1.0 / 3;  // of a margin: the half-width at which sampling stops
+constexpr double most_steps = 10'000;    // of a path, before sampling is too dear to be offered
 
 /// The least eigenvalue of sum sigma_i sigma_i^T: sigma^2 where the noise is isotropic, else its weakest direction.
 double noise_strength(const report::scene& s) {
@@ -50,13 +51,11 @@ double step_size(const subject& s) { return 0.04 / fastest_rate(s); }
 
 struct design {
   double dt, burn, spacing;
-  int blocks;
 };
 
 design plan(const context& c) {
   const auto& s = c.subject.scene;
-  const double burn = burn_in(s);
-  return {step_size(c.subject), burn, 1 / noise_strength(s), by_effort(c.effort, 256, 1024, 2048)};
+  return {step_size(c.subject), burn_in(s), 1 / noise_strength(s)};
 }
 
 /// Uniform starting points on the sphere of radius c, by address.
@@ -91,19 +90,20 @@ void observe(const model& m, std::span<const double> states, int block, observed
   }
 }
 
-/// Runs one block of paths of every scheme through the same noise.
-void run_block(const context& c, const design& d, std::span<const std::unique_ptr<kernel>> kernels, int block,
-               std::vector<observed>& out) {
+/// Runs one block of paths of the open schemes through the same noise.
+void run_block(const context& c, const design& d, std::span<const std::unique_ptr<kernel>> kernels,
+               std::span<const int> open, int block, std::vector<observed>& out) {
   constexpr int chunk = 200;
   const auto& s = c.subject;
   increment_buffer noise(*s.model, chunk, any_needs_areas(s.schemes));
+  const std::vector<std::size_t> indices(open.begin(), open.end());
   std::vector<std::vector<double>> states(kernels.size(), uniform_states(c.seed, block, length(s.scene.momentum)));
   std::uint64_t step = 0;
   const auto advance = [&](double time) {
     for (int left = std::max(1, static_cast<int>(time / d.dt)); left > 0;) {
       const int n = std::min(left, chunk);
       const auto view = noise.fill(c.seed, static_cast<std::uint64_t>(block * block_lanes), step, n, d.dt);
-      for (std::size_t k = 0; k < kernels.size(); ++k) kernels[k]->advance(states[k], view);
+      for (const auto k : indices) kernels[k]->advance(states[k], view);
       step += static_cast<std::uint64_t>(n);
       left -= n;
     }
@@ -111,53 +111,83 @@ void run_block(const context& c, const design& d, std::span<const std::unique_pt
   advance(d.burn);
   for (int i = 0; i < observations; ++i) {
     advance(d.spacing);
-    for (std::size_t k = 0; k < kernels.size(); ++k) observe(*s.model, states[k], block, out[k]);
+    for (const auto k : indices) observe(*s.model, states[k], block, out[k]);
   }
 }
 
-void report_moment(const std::string& scheme, const std::string& observable, double dt, std::span<const double> values,
-                   double exact, double deviation, report::results& out) {
-  const auto m = mean_interval(values);
+/// The mean of one observable: what it is compared with.
+struct moment {
+  std::string observable;
+  std::vector<double> observed::*values;
+  double exact, margin;
+};
+
+std::vector<moment> moments_of(const gibbs_law& law, double radius) {
+  const double deviation = std::sqrt(law.energy_variance()), mean = law.mean_energy();
+  const double square = uniform_deviation * radius * radius;
+  return {{"energy", &observed::energy, mean, moment_margin * deviation},
+          {"energy^2", &observed::energy2, law.energy_variance() + mean * mean, moment_margin * 2 * mean * deviation},
+          {"pi1^2", &observed::square1, law.mean_square(0), moment_margin * square},
+          {"pi3^2", &observed::square3, law.mean_square(2), moment_margin * square}};
+}
+
+/// What is found for one scheme at the end of a batch.
+struct finding {
+  std::vector<interval_estimate> means;
+  interval_estimate ks;
+};
+
+finding find(const gibbs_law& law, const std::vector<moment>& moments, const observed& o, int paths) {
+  const auto first = [&](const std::vector<double>& v) { return std::span(v).first(static_cast<std::size_t>(paths)); };
+  finding f;
+  for (const auto& m : moments) f.means.push_back(mean_interval(first(o.*m.values)));
+  f.ks = ks_distance(first(o.last_energy), [&](double h) { return law.energy_cdf(h); });
+  return f;
+}
+
+/// By widths alone. (The Kolmogorov-Smirnov interval reaches as far above its distance whatever that is.)
+bool tight(const std::vector<moment>& moments, const finding& f) {
+  for (std::size_t i = 0; i < moments.size(); ++i)
+    if (half_width(f.means[i]) > tight_share * moments[i].margin) return false;
+  return f.ks.high - f.ks.value <= tight_share * ks_bound;
+}
+
+void report_moment(const std::string& scheme, const moment& what, double dt, const interval_estimate& m,
+                   report::results& out) {
   out.measurements.push_back(
-      measured({"gibbs", scheme, "mean", observable, "", "sampled"}, dt, m.value, m.low, m.high));
-  report::verdict v{"gibbs", scheme, "mean of " + observable, exact, {}, {}, {}, report::verdict_kind::inconclusive,
-                    ""};
+      measured({"gibbs", scheme, "mean", what.observable, "", "sampled"}, dt, m.value, m.low, m.high));
+  report::verdict v{"gibbs", scheme, "mean of " + what.observable,       what.exact, {},
+                    {},      {},     report::verdict_kind::inconclusive, ""};
   if (!std::isfinite(m.value)) {
     v.reason = "paths were lost: not finite";
   } else {
     v.estimate = m.value;
     v.low = m.low;
     v.high = m.high;
-    v.kind = judge(exact, m.low, m.high, moment_margin * deviation);
+    v.kind = judge(what.exact, m.low, m.high, what.margin);
     v.reason = fmt::format("[{:.6f}, {:.6f}] against {:.6f} +- {:.2g} (a tenth of a standard deviation)", m.low, m.high,
-                           exact, moment_margin * deviation);
+                           what.exact, what.margin);
   }
   out.verdicts.push_back(v);
 }
 
-void report_scheme(const context& c, const gibbs_law& law, const std::string& scheme, double dt, const observed& o,
+void report_scheme(const std::vector<moment>& moments, const std::string& scheme, double dt, const finding& f,
                    report::results& out) {
-  const double radius = length(c.subject.scene.momentum), deviation = std::sqrt(law.energy_variance());
-  report_moment(scheme, "energy", dt, o.energy, law.mean_energy(), deviation, out);
-  report_moment(scheme, "energy^2", dt, o.energy2, law.energy_variance() + law.mean_energy() * law.mean_energy(),
-                2 * law.mean_energy() * deviation, out);
-  report_moment(scheme, "pi1^2", dt, o.square1, law.mean_square(0), uniform_deviation * radius * radius, out);
-  report_moment(scheme, "pi3^2", dt, o.square3, law.mean_square(2), uniform_deviation * radius * radius, out);
-  const auto ks = ks_distance(o.last_energy, [&](double h) { return law.energy_cdf(h); });
+  for (std::size_t i = 0; i < moments.size(); ++i) report_moment(scheme, moments[i], dt, f.means[i], out);
   out.measurements.push_back(
-      measured({"gibbs", scheme, "ks_distance", "energy", "", "sampled"}, dt, ks.value, ks.low, ks.high));
+      measured({"gibbs", scheme, "ks_distance", "energy", "", "sampled"}, dt, f.ks.value, f.ks.low, f.ks.high));
   out.verdicts.push_back(
-      judge_distance({"gibbs", scheme, "law of the energy"}, ks, ks_bound,
-                     fmt::format("Kolmogorov-Smirnov distance {:.4f} in [{:.4f}, {:.4f}], bound {:g}", ks.value, ks.low,
-                                 ks.high, ks_bound)));
+      judge_distance({"gibbs", scheme, "law of the energy"}, f.ks, ks_bound,
+                     fmt::format("Kolmogorov-Smirnov distance {:.4f} in [{:.4f}, {:.4f}], bound {:g}", f.ks.value,
+                                 f.ks.low, f.ks.high, ks_bound)));
 }
 
 void run(const context& c, report::results& out) {
   const auto& s = c.subject;
-  const double sigma2 = noise_strength(s.scene);
-  const gibbs_law law(s.scene.inertia, length(s.scene.momentum), 2 * s.scene.theta / sigma2);
+  const double radius = length(s.scene.momentum);
+  const gibbs_law law(s.scene.inertia, radius, 2 * s.scene.theta / noise_strength(s.scene));
   const auto d = plan(c);
-  std::vector<const scheme_entry*> schemes;
+  std::vector<std::string> schemes;
   std::vector<std::unique_ptr<kernel>> kernels;
   for (const auto& scheme : s.schemes) {
     if (!scheme.info.casimir.exact) {
@@ -166,17 +196,26 @@ void run(const context& c, report::results& out) {
            "leaves the sphere (experiment casimir), so it has no stationary law there and claims none"});
       continue;
     }
-    schemes.push_back(&scheme);
+    schemes.emplace_back(scheme.info.name);
     kernels.push_back(scheme.make(d.dt));
   }
-  std::vector<observed> samples(kernels.size(), observed(static_cast<std::size_t>(d.blocks * block_lanes)));
-  progress_counter done(d.blocks, c.progress);
-  parallel_for(c.threads, d.blocks, [&](int block) {
-    run_block(c, d, kernels, block, samples);
-    done.add();
-  });
-  for (std::size_t k = 0; k < schemes.size(); ++k)
-    report_scheme(c, law, std::string(schemes[k]->info.name), d.dt, samples[k], out);
+  const sampling_plan paths{2048, by_effort(c.effort, 4096, 16'384, 32'768)};
+  std::vector<observed> samples(kernels.size(),
+                                observed(static_cast<std::size_t>(blocks_of(paths.most) * block_lanes)));
+  const auto moments = moments_of(law, radius);
+  std::vector<finding> found(kernels.size());
+  const auto sizes = sample_until_tight(
+      c, paths, static_cast<int>(kernels.size()),
+      [&](int block, std::span<const int> open) { run_block(c, d, kernels, open, block, samples); },
+      [&](int scheme, int so_far) {
+        const auto k = static_cast<std::size_t>(scheme);
+        found[k] = find(law, moments, samples[k], so_far);
+        return tight(moments, found[k]);
+      });
+  for (std::size_t k = 0; k < schemes.size(); ++k) {
+    report_scheme(moments, schemes[k], d.dt, found[k], out);
+    note_sample_size(out, "gibbs", schemes[k], sizes[k]);
+  }
 }
 
 std::optional<std::string> cannot_say(const subject& s) {

@@ -33,6 +33,13 @@ report::verdict judge_order(const claim& c, double expected, const std::optional
   }
   v.reason = fmt::format("order {:.3f} [{:.3f}, {:.3f}] against {:g} +- {:g}", fit->order, fit->low, fit->high,
                          expected, order_margin);
+  const bool lasting =
+      fit->settled && judge(expected, fit->finest.low, fit->finest.high, order_margin) == verdict_kind::refuted;
+  if (v.kind == verdict_kind::refuted && !lasting) {
+    v.kind = verdict_kind::inconclusive;
+    v.reason += fmt::format(", but the slope still changes: [{:.3f}, {:.3f}] between the two finest levels",
+                            fit->finest.low, fit->finest.high);
+  }
   return v;
 }
 

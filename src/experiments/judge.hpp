@@ -14,6 +14,12 @@ namespace polhode {
 /// How far an order may lie from its claim.
 inline constexpr double order_margin = 0.1;
 
+/// The half-width at which the interval of an order is tight enough to decide.
+inline constexpr double tight_order = order_margin / 5;
+
+/// Of anything with an interval [low, high].
+double half_width(const auto& estimate) { return (estimate.high - estimate.low) / 2; }
+
 /// Holds if [low, high] lies inside expected +- margin, refuted if disjoint from it, else inconclusive.
 report::verdict_kind judge(double expected, double low, double high, double margin);
 
@@ -22,7 +28,8 @@ struct claim {
   std::string experiment, scheme, text;
 };
 
-/// Verdict on an order; `at_least`: faster than claimed holds too (a scene can be kinder than the claim).
+/// Verdict on an order; `at_least`: faster than claimed holds too (a scene can be kinder than the claim). Refuted only
+/// where the slope has settled and the two finest levels refute it too; else inconclusive.
 report::verdict judge_order(const claim&, double expected, const std::optional<order_fit>&, bool at_least);
 
 /// Verdict on a distance that should vanish: holds below `bound`, refuted above it.

@@ -11,15 +11,16 @@
 #include "experiments/experiment.hpp"
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
-#include "experiments/progress_counter.hpp"
+#include "experiments/sequential.hpp"
 #include "experiments/vectors.hpp"
 #include "statistics/order_fit.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr int fine_per_step = 32;    // fine cells in the finest step
-constexpr double limit_bound = 0.1;  // of the distance to the Ito solution: how near the limit dt -> 0 must be
+constexpr int fine_per_step = 32;      // fine cells in the finest step
+constexpr double limit_bound = 0.1;    // of the distance to the Ito solution: how near the limit dt -> 0 must be
+constexpr double tight_leading = 0.1;  // of the mean square error: half-width of its part of the claimed order
 
 /// The increments of one level over one chunk of time.
 struct level_increments {
@@ -63,21 +64,22 @@ class increment_ladder {
 /// Kernels of every scheme at every level.
 using kernel_table = std::vector<std::vector<std::unique_ptr<kernel>>>;
 
-/// Runs one block of paths and writes its squared errors.
+/// Runs one block of paths of the open schemes and writes its squared errors.
 void run_block(const context& c, const level_grid& grid, const kernel_table& kernels, const kernel& reference,
-               int block, std::vector<squared_errors>& errors) {
+               std::span<const int> open, int block, std::vector<squared_errors>& errors) {
   const auto& s = c.subject;
   const std::size_t levels = grid.steps.size();
   increment_ladder ladder(*s.model, grid);
   auto truth = replicated(s.scene.momentum);
   std::vector<std::vector<std::vector<double>>> states(kernels.size(), std::vector<std::vector<double>>(levels, truth));
   const int first_path = block * block_lanes;
+  const std::vector<std::size_t> indices(open.begin(), open.end());
   for (int chunk = 0; chunk < grid.steps.front(); ++chunk) {
     reference.advance(truth, ladder.fill(c.seed, static_cast<std::uint64_t>(first_path), chunk));
-    for (std::size_t k = 0; k < kernels.size(); ++k)
+    for (const auto k : indices)
       for (std::size_t l = 0; l < levels; ++l) kernels[k][l]->advance(states[k][l], ladder.level(l));
   }
-  for (std::size_t k = 0; k < kernels.size(); ++k)
+  for (const auto k : indices)
     for (std::size_t l = 0; l < levels; ++l)
       for (int lane = 0; lane < block_lanes; ++lane) {
         double square = 0;
@@ -106,11 +108,44 @@ void judge_hidden_order(const interval_estimate& leading, double claimed, const 
       seen ? "there" : "not seen");
 }
 
+/// What is found for one scheme at the end of a batch.
+struct finding {
+  std::optional<order_fit> fit;
+  error_model error;
+};
+
+finding find(const context& c, const scheme_entry& scheme, std::span<const double> dt, const squared_errors& errors) {
+  const double claimed = strong_order_on(scheme.info, c.subject.model->noise());
+  finding f{fit_order(dt, errors, 1e-13 * length(c.subject.scene.momentum), c.seed), {}};
+  if (!f.fit) return f;
+  // What hides the term of the claimed order is its cross term with the next and the square of that.
+  const int powers = f.fit->order > claimed + order_margin ? 3 : 2;
+  f.error = fit_error_model(dt, errors, f.fit->used, claimed, c.seed, powers);
+  return f;
+}
+
+/// How near the limit dt -> 0 must be to the Stratonovich solution.
+double bound_of_limit(const context& c, double horizon) {
+  return limit_bound * length(c.subject.scene.momentum) * ito_distance(c.subject.scene, horizon);
+}
+
+/// By widths alone: of the order, of the limit's distance, and of the leading coefficient, whose unit is the whole mean
+/// square error at the finest dt. Without a fit more paths would not help.
+bool tight(const context& c, const scheme_entry& scheme, const level_grid& grid, const squared_errors& errors,
+           const finding& f) {
+  if (!f.fit) return true;
+  const double claimed = strong_order_on(scheme.info, c.subject.model->noise());
+  const double unit = level_mean(errors, errors.levels - 1).mean / std::pow(grid.dt().back(), 2 * claimed);
+  return half_width(*f.fit) <= tight_order && half_width(f.error.limit) <= bound_of_limit(c, grid.horizon) / 3 &&
+         half_width(f.error.leading) <= tight_leading * unit;
+}
+
 void report_scheme(const context& c, const scheme_entry& scheme, const level_grid& grid, const squared_errors& errors,
-                   double size, report::results& out) {
+                   const finding& found, report::results& out) {
   const auto dt = grid.dt();
+  const double size = length(c.subject.scene.momentum);
   const series s{"strong", std::string(scheme.info.name), "error", "state", "|mu|", "sampled"};
-  const auto fit = fit_order(dt, errors, 1e-13 * size, c.seed);
+  const auto& [fit, error] = found;
   std::vector<report::measurement> points;
   for (int l = 0; l < errors.levels; ++l) {
     const auto m = level_mean(errors, l);
@@ -127,11 +162,10 @@ void report_scheme(const context& c, const scheme_entry& scheme, const level_gri
     out.verdicts.push_back(judge_distance(limit, {NAN, NAN, NAN}, 0, "no usable levels"));
     return;
   }
-  const auto error = fit_error_model(dt, errors, fit->used, claimed, c.seed);
   if (fit->high > claimed + order_margin && fit->low >= claimed - order_margin)
     judge_hidden_order(error.leading, claimed, *fit, order);
   out.verdicts.push_back(order);
-  const double bound = limit_bound * ito_distance(c.subject.scene, grid.horizon);
+  const double bound = bound_of_limit(c, grid.horizon) / size;
   const interval_estimate relative{error.limit.value / size, error.limit.low / size, error.limit.high / size};
   out.verdicts.push_back(judge_distance(
       limit, relative, bound,
@@ -142,22 +176,29 @@ void report_scheme(const context& c, const scheme_entry& scheme, const level_gri
 void run(const context& c, report::results& out) {
   const auto& s = c.subject;
   const auto grid = asymptotic_levels(s, by_effort(c.effort, 256.0, 256.0, 512.0));
-  const int blocks = by_effort(c.effort, 40, 128, 512);
+  const auto dt = grid.dt();
+  const sampling_plan plan{320, by_effort(c.effort, 640, 2048, 8192)};
+  const int paths = blocks_of(plan.most) * block_lanes, levels = static_cast<int>(grid.steps.size());
   kernel_table kernels(s.schemes.size());
-  std::vector<squared_errors> errors;
-  for (std::size_t k = 0; k < s.schemes.size(); ++k) {
-    for (const double dt : grid.dt()) kernels[k].push_back(s.schemes[k].make(dt));
-    const int paths = blocks * block_lanes, levels = static_cast<int>(grid.steps.size());
-    errors.push_back({paths, levels, std::vector<double>(static_cast<std::size_t>(paths * levels))});
-  }
+  std::vector<squared_errors> errors(s.schemes.size(),
+                                     {paths, levels, std::vector<double>(static_cast<std::size_t>(paths * levels))});
+  for (std::size_t k = 0; k < s.schemes.size(); ++k)
+    for (const double h : dt) kernels[k].push_back(s.schemes[k].make(h));
   const auto reference = s.model->reference();
-  progress_counter done(blocks, c.progress);
-  parallel_for(c.threads, blocks, [&](int block) {
-    run_block(c, grid, kernels, *reference, block, errors);
-    done.add();
-  });
-  const double size = length(s.scene.momentum);
-  for (std::size_t k = 0; k < s.schemes.size(); ++k) report_scheme(c, s.schemes[k], grid, errors[k], size, out);
+  std::vector<finding> found(s.schemes.size());
+  const auto sizes = sample_until_tight(
+      c, plan, static_cast<int>(s.schemes.size()),
+      [&](int block, std::span<const int> open) { run_block(c, grid, kernels, *reference, open, block, errors); },
+      [&](int scheme, int so_far) {
+        const auto k = static_cast<std::size_t>(scheme);
+        errors[k].paths = so_far;
+        found[k] = find(c, s.schemes[k], dt, errors[k]);
+        return tight(c, s.schemes[k], grid, errors[k], found[k]);
+      });
+  for (std::size_t k = 0; k < s.schemes.size(); ++k) {
+    report_scheme(c, s.schemes[k], grid, errors[k], found[k], out);
+    note_sample_size(out, "strong", s.schemes[k].info.name, sizes[k]);
+  }
 }
 
 }  // namespace

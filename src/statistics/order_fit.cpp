@@ -57,6 +57,20 @@ points points_of(std::span<const level> levels) {
   return p;
 }
 
+/// How far the coarsest level lies off the line through the others.
+double off_the_others(points p) {
+  const double x = p.x.front(), y = p.y.front();
+  p.x.erase(p.x.begin());
+  p.y.erase(p.y.begin());
+  p.weight.erase(p.weight.begin());
+  return y - weighted_line(p).at(x);
+}
+
+double slope_at_the_finest(const points& p) {
+  const std::size_t n = p.x.size();
+  return (p.y[n - 1] - p.y[n - 2]) / (p.x[n - 1] - p.x[n - 2]);
+}
+
 struct selection {
   std::vector<level> levels;
   std::string rule;
@@ -69,8 +83,7 @@ selection select_levels(std::vector<level> all, int left_out_at_floor) {
   std::vector<level> kept(all.begin() + spare, all.end());
   int early = 0;
   while (static_cast<int>(kept.size()) > least_levels) {
-    const std::span<const level> rest(kept.begin() + 1, kept.end());
-    const double off = std::fabs(kept.front().y - weighted_line(points_of(rest)).at(kept.front().x));
+    const double off = std::fabs(off_the_others(points_of(kept)));
     if (off <= off_the_line || off <= standard_errors * kept.front().error) break;
     kept.erase(kept.begin());
     ++early;
@@ -81,7 +94,7 @@ selection select_levels(std::vector<level> all, int left_out_at_floor) {
 }
 
 order_fit result_of(const selection& s, const line& l, double low, double high, std::size_t count) {
-  order_fit fit{l.slope, low, high, std::exp2(l.intercept), std::vector<bool>(count, false), s.rule};
+  order_fit fit{l.slope, low, high, std::exp2(l.intercept), std::vector<bool>(count, false), s.rule, true, {}};
   for (const level& kept : s.levels) fit.used[static_cast<std::size_t>(kept.index)] = true;
   return fit;
 }
@@ -111,7 +124,10 @@ order_fit exact_fit(const selection& s, std::size_t count) {
   const points p = points_of(s.levels);
   const line l = weighted_line(p);
   const double half = half_width_of_residuals(p, l);
-  return result_of(s, l, l.slope - half, l.slope + half, count);
+  auto fit = result_of(s, l, l.slope - half, l.slope + half, count);
+  fit.settled = std::fabs(off_the_others(p)) <= off_the_line;
+  fit.finest.value = fit.finest.low = fit.finest.high = slope_at_the_finest(p);
+  return fit;
 }
 
 std::vector<double> means(const squared_errors& e, const resample& paths) {
@@ -157,32 +173,41 @@ std::optional<order_fit> fit_order(std::span<const double> dt, const squared_err
   if (s.levels.size() < least_levels) return std::nullopt;
   points p = points_of(s.levels);
   const line l = weighted_line(p);
-  std::vector<double> slopes;
+  const double last = slope_at_the_finest(p);
+  std::vector<double> slopes, off, finest;
   for (int r = 0; r < replicates; ++r) {
     const auto mean = means(e, resample(seed, r, e.paths));
     for (std::size_t k = 0; k < s.levels.size(); ++k)
       p.y[k] = 0.5 * std::log2(mean[static_cast<std::size_t>(s.levels[k].index)]);
     slopes.push_back(weighted_line(p).slope);
+    off.push_back(off_the_others(p));
+    finest.push_back(slope_at_the_finest(p));
   }
   const auto [low, high] = central_interval(slopes, 0.95);
-  return result_of(s, l, low, high, dt.size());
+  const auto [least, most] = central_interval(off, 0.95);
+  auto fit = result_of(s, l, low, high, dt.size());
+  fit.settled = least <= off_the_line && most >= -off_the_line;
+  const auto [slowest, fastest] = central_interval(finest, 0.95);
+  fit.finest = {last, slowest, fastest};
+  return fit;
 }
 
 error_model fit_error_model(std::span<const double> dt, const squared_errors& e, const std::vector<bool>& used,
-                            double order, std::uint64_t seed) {
+                            double order, std::uint64_t seed, int powers) {
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < used.size(); ++i)
     if (used[i]) kept.push_back(i);
   const auto n = static_cast<Eigen::Index>(kept.size());
-  Eigen::MatrixXd design(n, 3);
+  Eigen::MatrixXd design(n, 1 + powers);
   Eigen::VectorXd weight(n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const std::size_t level = kept[static_cast<std::size_t>(k)];
-    design.row(k) << 1, std::pow(dt[level], 2 * order), std::pow(dt[level], 2 * order + 1);
+    design(k, 0) = 1;
+    for (int i = 0; i < powers; ++i) design(k, 1 + i) = std::pow(dt[level], 2 * order + i);
     weight[k] = 1 / std::max(1e-300, level_mean(e, static_cast<int>(level)).error);
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> with_limit(weight.asDiagonal() * design),
-      without(weight.asDiagonal() * design.rightCols(2));
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> with_limit(weight.asDiagonal() * design.leftCols(3)),
+      without(weight.asDiagonal() * design.rightCols(powers));
   const auto coefficients = [&](const std::vector<double>& mean) {
     Eigen::VectorXd y(n);
     for (Eigen::Index k = 0; k < n; ++k) y[k] = weight[k] * mean[kept[static_cast<std::size_t>(k)]];

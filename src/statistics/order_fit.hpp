@@ -3,7 +3,8 @@
 // The rule on levels is fixed in advance: levels at the rounding floor and levels that are not finite are left out; of
 // the rest the finest six are taken; the coarsest of these is left out as pre-asymptotic while it lies off the line
 // through the others by more than 0.05 in log2 and more than three standard errors. At least four levels stay, or there
-// is no fit.
+// is no fit. Where the coarsest of those that stay is still off by more than 0.05 (its 95 % interval, paths resampled)
+// the slope has not settled.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +22,8 @@ struct order_fit {
   double prefactor = 0;                 ///< value = prefactor * dt^order
   std::vector<bool> used;               ///< per level
   std::string rule;                     ///< what was left out, and why
+  bool settled = true;                  ///< no curvature is seen
+  interval_estimate finest;             ///< slope between the two finest levels used
 };
 
 /// Values without sampling error. The interval is Student's, from the scatter about the line.
@@ -45,12 +48,14 @@ mean_and_error level_mean(const squared_errors&, int level);
 /// Root-mean-square errors against dt, weighted least squares; the interval by resampling paths (levels share them).
 std::optional<order_fit> fit_order(std::span<const double> dt, const squared_errors&, double floor, std::uint64_t seed);
 
-/// The mean square error as limit^2 + leading dt^2p + next dt^(2p+1), weighted least squares over the used levels.
+/// The mean square error in powers of dt, weighted least squares over the used levels.
 struct error_model {
-  interval_estimate limit;    ///< distance left at dt = 0 (not squared), with its 95 % interval (paths resampled)
+  interval_estimate limit;    ///< distance left at dt = 0 (not squared), with its 95 % interval (paths resampled):
+                              ///< limit^2 + leading dt^2p + next dt^(2p+1)
   interval_estimate leading;  ///< coefficient of dt^2p in a fit without limit: above zero, the order is p and no more
 };
+/// powers: how many powers of dt, from dt^2p on, the fit without limit has; at most as many as levels are used.
 error_model fit_error_model(std::span<const double> dt, const squared_errors&, const std::vector<bool>& used,
-                            double order, std::uint64_t seed);
+                            double order, std::uint64_t seed, int powers = 2);
 
 }  // namespace polhode

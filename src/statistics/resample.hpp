@@ -20,8 +20,8 @@ class resample {
                                   static_cast<std::uint64_t>(i / 4)};
       const auto bits = random_words(address, 0);
       for (int k = 0; k < 4 && i + k < count; ++k)
-        indices_[static_cast<std::size_t>(i + k)] = static_cast<int>(
-            bits[static_cast<std::size_t>(k)] * static_cast<std::uint64_t>(count) >> 32);
+        indices_[static_cast<std::size_t>(i + k)] =
+            static_cast<int>(bits[static_cast<std::size_t>(k)] * static_cast<std::uint64_t>(count) >> 32);
     }
   }
   /// Every index once: the sample itself.

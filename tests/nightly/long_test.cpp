@@ -54,6 +54,7 @@ TEST(Normals, LongRunOfMomentsAndLaw) {
 TEST(Casimir, TenMillionSteps) {
   verify_options options;
   options.experiments = {"casimir"};
+  options.effort = effort::thorough;
   options.threads = 2;
   const auto r = verify(load_scene("paper"), options);
   for (const auto& v : r.verdicts) EXPECT_EQ(v.kind, report::verdict_kind::holds) << v.scheme << ": " << v.reason;

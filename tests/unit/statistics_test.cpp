@@ -102,6 +102,24 @@ TEST(ErrorModel, FindsALeadingTermBelowALargerOne) {
   EXPECT_LE(fit_error_model(dt, pure, used, 0.5, 1).leading.low, 1e-9);
 }
 
+// dt^2 under dt^4, and dt^4 alone: three powers tell them apart, two take the misfit for a negative leading term.
+TEST(ErrorModel, ThreePowersFindATermFarBelowTheSlope) {
+  const auto dt = halvings(6);
+  const std::vector<bool> used(6, true);
+  squared_errors with{500, 6, {}}, alone = with;
+  for (int path = 0; path < 500; ++path) {
+    const auto z = normals<2>({3, noise_kind::increment, static_cast<std::uint64_t>(path), 0});
+    const double size = z[0] * z[0] + z[1] * z[1];
+    for (const double h : dt) {
+      with.values.push_back(size * (1e-5 * h * h + std::pow(h, 4)));
+      alone.values.push_back(size * std::pow(h, 4));
+    }
+  }
+  EXPECT_GT(fit_error_model(dt, with, used, 1, 1, 3).leading.low, 1.5e-5);
+  EXPECT_LE(fit_error_model(dt, alone, used, 1, 1, 3).leading.low, 1e-12);
+  EXPECT_LT(fit_error_model(dt, with, used, 1, 1, 2).leading.high, 0);
+}
+
 TEST(Judge, IntervalsDecide) {
   using enum report::verdict_kind;
   EXPECT_EQ(judge(1, 0.95, 1.05, 0.1), holds);
@@ -116,9 +134,46 @@ TEST(Judge, FasterThanClaimedHoldsOnlyWhereTheClaimIsABound) {
   fit.order = 3;
   fit.low = 2.98;
   fit.high = 3.02;
+  fit.finest = {3, 2.98, 3.02};
   EXPECT_EQ(judge_order({}, 2, fit, true).kind, report::verdict_kind::holds);
   EXPECT_EQ(judge_order({}, 2, fit, false).kind, report::verdict_kind::refuted);
   EXPECT_EQ(judge_order({}, 2, std::nullopt, true).kind, report::verdict_kind::inconclusive);
+}
+
+// Two powers that cross inside the levels, the slower one below: the slope there is that of neither.
+TEST(Judge, ASlopeThatStillChangesRefutesNothing) {
+  const auto dt = halvings(4);
+  std::vector<double> crossing, straight;
+  for (const double h : dt) {
+    crossing.push_back(h + 20 * h * h);
+    straight.push_back(std::pow(h, 1.5));
+  }
+  const auto bent = fit_order(dt, crossing, 0), line = fit_order(dt, straight, 0);
+  EXPECT_FALSE(bent->settled);
+  EXPECT_TRUE(line->settled);
+  auto refuting = *bent;
+  refuting.low = 1.4;
+  refuting.high = 1.6;
+  EXPECT_EQ(judge_order({}, 1, refuting, false).kind, report::verdict_kind::inconclusive);
+  EXPECT_EQ(judge_order({}, 1, line, false).kind, report::verdict_kind::refuted);
+  refuting = *line;
+  refuting.finest = {1.15, 1.05, 1.25};
+  EXPECT_EQ(judge_order({}, 1, refuting, false).kind, report::verdict_kind::inconclusive);
+}
+
+TEST(OrderFit, SampledSlopesSettleOrNot) {
+  const auto dt = halvings(4);
+  squared_errors bent{400, 4, {}}, straight = bent;
+  for (int path = 0; path < 400; ++path) {
+    const auto z = normals<2>({1, noise_kind::increment, static_cast<std::uint64_t>(path), 0});
+    for (const double h : dt) {
+      const double size = z[0] * z[0] + z[1] * z[1];
+      bent.values.push_back(std::pow(h + 20 * h * h, 2) * size);
+      straight.values.push_back(h * h * size);
+    }
+  }
+  EXPECT_FALSE(fit_order(dt, bent, 0, 1)->settled);
+  EXPECT_TRUE(fit_order(dt, straight, 0, 1)->settled);
 }
 
 TEST(KolmogorovSmirnov, DistanceOfASmallSampleByHand) {

@@ -67,6 +67,25 @@ TEST(Paper, ThreadsChangeNothing) {
   EXPECT_EQ(one, text(3));
 }
 
+// Sampling stops for each scheme by itself, early where it may: neither its numbers nor its sample size know of others.
+TEST(Paper, CompanyChangesNothing) {
+  verify_options options{{"milstein"}, {"strong"}, effort::standard, 2, 1};
+  const auto alone = verify(load_scene("paper"), options);
+  options.schemes = {"milstein", "heun"};
+  const auto both = verify(load_scene("paper"), options);
+  ASSERT_EQ(both.fits.size(), 2u);
+  int found = 0;
+  for (const auto& f : both.fits) {
+    EXPECT_NE(f.rule.find(" of 2048 planned paths were enough"), std::string::npos) << f.scheme << ": " << f.rule;
+    EXPECT_LE(f.high - f.low, 0.04) << f.scheme;
+    if (f.scheme != "milstein") continue;
+    ++found;
+    EXPECT_EQ(f.order, alone.fits.at(0).order);
+    EXPECT_EQ(f.rule, alone.fits.at(0).rule);
+  }
+  EXPECT_EQ(found, 1);
+}
+
 TEST(Paper, AnotherSeedGivesOtherNumbersAndTheSameVerdicts) {
   auto options = verify_options{{"milstein"}, {"strong"}, effort::quick, 2, 1};
   const auto a = verify(load_scene("paper"), options);

@@ -1,0 +1,216 @@
+// One exponential of a Gaussian vector against Brownian motion on the group: E exp(C(T dW)) and exp(dt/2 sum C_i^2) as
+// matrices of representations, the expectation by tensor Gauss-Hermite quadrature, so nothing is sampled.
+//
+// One representation alone may miss an error that another sees; the tensor square of the vectors of so(3) holds spins
+// 0, 1 and 2. On so(4) = so(3) + so(3) the tensor product of both factors is taken.
+#include <gtest/gtest.h>
+
+#include <gsl/gsl_integration.h>
+
+#include <cmath>
+#include <memory>
+#include <ostream>
+#include <unsupported/Eigen/KroneckerProduct>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include <polhode/lie/so3.hpp>
+#include <polhode/systems/constant_noise.hpp>
+
+#include "support/so4_body.hpp"
+
+namespace polhode {
+namespace {
+
+using Eigen::MatrixXd;
+
+/// ad*_{e_k} on the coordinates first … first + 2, every k: a representation of the algebra, the order of products
+/// reversed.
+template <class Algebra>
+std::vector<MatrixXd> vectors(int first) {
+  std::vector<MatrixXd> out;
+  for (int k = 0; k < Algebra::dimension; ++k) {
+    MatrixXd c(3, 3);
+    for (int column = 0; column < 3; ++column) {
+      vec<double, Algebra::dimension> e{}, mu{};
+      e[k] = 1;
+      mu[first + column] = 1;
+      const auto image = Algebra::coad(e, mu);
+      for (int row = 0; row < 3; ++row) c(row, column) = image[first + row];
+    }
+    out.push_back(c);
+  }
+  return out;
+}
+
+std::vector<MatrixXd> tensor(const std::vector<MatrixXd>& a, const std::vector<MatrixXd>& b) {
+  const MatrixXd one = MatrixXd::Identity(3, 3);
+  std::vector<MatrixXd> out;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    out.push_back(MatrixXd(Eigen::kroneckerProduct(a[k], one)) + MatrixXd(Eigen::kroneckerProduct(one, b[k])));
+  return out;
+}
+
+/// Of the vector v in the algebra.
+MatrixXd represented(const std::vector<MatrixXd>& generators, const Eigen::VectorXd& v) {
+  MatrixXd sum = MatrixXd::Zero(generators[0].rows(), generators[0].cols());
+  for (std::size_t k = 0; k < generators.size(); ++k) sum += v[static_cast<Eigen::Index>(k)] * generators[k];
+  return sum;
+}
+
+/// E exp(C(T sqrt(dt) g)), g standard normal: exact to degree 2 nodes - 1 in each component.
+MatrixXd mean_exponential(const std::vector<MatrixXd>& generators, const MatrixXd& t, double dt, int nodes) {
+  const std::unique_ptr<gsl_integration_fixed_workspace, decltype(&gsl_integration_fixed_free)> rule(
+      gsl_integration_fixed_alloc(gsl_integration_fixed_hermite, static_cast<std::size_t>(nodes), 0, 0.5, 0, 0),
+      gsl_integration_fixed_free);
+  const double* x = gsl_integration_fixed_nodes(rule.get());
+  const double* w = gsl_integration_fixed_weights(rule.get());
+  const auto n = t.cols();
+  MatrixXd sum = MatrixXd::Zero(generators[0].rows(), generators[0].cols());
+  std::vector<int> index(static_cast<std::size_t>(n));
+  for (int digit = 0; digit < n;) {
+    Eigen::VectorXd g(n);
+    double weight = 1;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      g[i] = x[index[static_cast<std::size_t>(i)]];
+      weight *= w[index[static_cast<std::size_t>(i)]] / std::sqrt(2 * std::numbers::pi);
+    }
+    sum += weight * represented(generators, std::sqrt(dt) * t * g).exp();
+    for (digit = 0; digit < n && ++index[static_cast<std::size_t>(digit)] == nodes; ++digit)
+      index[static_cast<std::size_t>(digit)] = 0;
+  }
+  return sum;
+}
+
+double defect(const std::vector<MatrixXd>& generators, const MatrixXd& sigma, const MatrixXd& t, double dt,
+              int nodes = 10) {
+  MatrixXd squares = MatrixXd::Zero(generators[0].rows(), generators[0].cols());
+  for (Eigen::Index i = 0; i < sigma.cols(); ++i) {
+    const MatrixXd c = represented(generators, sigma.col(i));
+    squares += c * c;
+  }
+  return (MatrixXd(0.5 * dt * squares).exp() - mean_exponential(generators, t, dt, nodes)).norm();
+}
+
+/// The slope between dt and dt/2.
+template <class Vectors>
+double slope(const std::vector<MatrixXd>& generators, const MatrixXd& sigma, double dt, Vectors t, int nodes = 10) {
+  return std::log2(defect(generators, sigma, t(dt), dt, nodes) / defect(generators, sigma, t(dt / 2), dt / 2, nodes));
+}
+
+struct noise_case {
+  const char* name;
+  Eigen::Matrix3d sigma;
+  int power;  ///< of dt in the defect: three, and by the symmetry of isotropic noise on so(3) one more
+};
+void PrintTo(const noise_case& c, std::ostream* out) { *out << c.name; }
+
+Eigen::Matrix3d columns(std::initializer_list<double> by_rows) {
+  Eigen::Matrix3d m;
+  int i = 0;
+  for (const double x : by_rows) m(i / 3, i % 3) = x, ++i;
+  return m;
+}
+
+const noise_case cases[] = {{"isotropic", columns({0.8, 0, 0, 0, 0.8, 0, 0, 0, 0.8}), 4},
+                            {"diagonal", columns({0.3, 0, 0, 0, 0.7, 0, 0, 0, 1.1}), 3},
+                            {"two_skew_vectors", columns({0.9, 0.4, 0, 0.1, -0.6, 0, -0.3, 0.5, 0}), 3},
+                            {"three_vectors", columns({0.5, -0.2, 0.7, 0.9, 0.3, -0.4, 0.1, 0.8, 0.6}), 3}};
+
+struct WeakOrderTwo : testing::TestWithParam<noise_case> {
+  static std::vector<std::vector<MatrixXd>> representations() {
+    const auto v = vectors<so3>(0);
+    return {v, tensor(v, v)};
+  }
+};
+
+TEST_P(WeakOrderTwo, DefectFallsFasterThanWithPlainSigma) {
+  const Eigen::Matrix3d sigma = GetParam().sigma;
+  const constant_noise<so3> noise(sigma);
+  for (const auto& r : representations())
+    for (const double dt : {0.04, 0.02}) {
+      EXPECT_GT(defect(r, sigma, noise.weak_order_two(dt / 2).sigma(), dt / 2), 1e-12)
+          << "too near rounding for a slope";
+      EXPECT_NEAR(slope(r, sigma, dt, [&](double h) { return MatrixXd(noise.weak_order_two(h).sigma()); }),
+                  GetParam().power, 0.1);
+      EXPECT_NEAR(slope(r, sigma, dt, [&](double) { return MatrixXd(sigma); }), 2, 0.1);
+    }
+}
+
+/// R = a (M Q + Q M^T) + b sum_{i<j} [s_i,s_j][s_i,s_j]^T; a = 1/12 and b = 1/4 are right.
+Eigen::Matrix3d second_covariance(const Eigen::Matrix3d& sigma, double a, double b) {
+  Eigen::Matrix3d m = Eigen::Matrix3d::Zero(), brackets = m;
+  const Eigen::Matrix3d q = sigma * sigma.transpose();
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d s = sigma.col(i);
+    m += s * s.transpose() - s.squaredNorm() * Eigen::Matrix3d::Identity();
+    for (int j = i + 1; j < 3; ++j) {
+      const Eigen::Vector3d e = s.cross(Eigen::Vector3d(sigma.col(j)));
+      brackets += e * e.transpose();
+    }
+  }
+  return a * (m * q + q * m.transpose()) + b * brackets;
+}
+
+MatrixXd root(const Eigen::Matrix3d& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+}
+
+TEST_P(WeakOrderTwo, ErrorsInTheSecondCovarianceAreSeen) {
+  const Eigen::Matrix3d sigma = GetParam().sigma, q = sigma * sigma.transpose();
+  const auto seen = [&](double a, double b) {
+    const Eigen::Matrix3d r = second_covariance(sigma, a, b);
+    return slope(representations()[1], sigma, 0.02, [&](double dt) { return root(q + dt * r); });
+  };
+  EXPECT_NEAR(seen(1.0 / 12, 0.25), GetParam().power, 0.05) << "the right one";
+  EXPECT_NEAR(seen(1.0 / 12, 0), 2, 0.05) << "without the brackets";
+  EXPECT_NEAR(seen(-1.0 / 12, 0.25), 2, 0.05) << "wrong sign of M";
+  EXPECT_NEAR(seen(1.0 / 6, 0.25), 2, 0.05) << "1/6 for 1/12";
+}
+
+TEST_P(WeakOrderTwo, CovarianceIsTheFormulaAndTheVectorsTendToSigma) {
+  const Eigen::Matrix3d sigma = GetParam().sigma, q = sigma * sigma.transpose();
+  const constant_noise<so3> noise(sigma);
+  for (const double dt : {0.1, 0.01}) {
+    const Eigen::Matrix3d t = noise.weak_order_two(dt).sigma();
+    EXPECT_LT((t * t.transpose() - q - dt * second_covariance(sigma, 1.0 / 12, 0.25)).norm(), 1e-14);
+  }
+  EXPECT_LT((noise.weak_order_two(1e-12).sigma() - sigma).norm(), 1e-5);
+  EXPECT_TRUE(noise.weak_order_two(1e3).sigma().allFinite());
+}
+
+INSTANTIATE_TEST_SUITE_P(Noise, WeakOrderTwo, testing::ValuesIn(cases));
+
+TEST(WeakOrderTwoOnSo3, IsotropicNoiseIsScaled) {
+  const constant_noise<so3> noise(Eigen::Matrix3d(0.8 * Eigen::Matrix3d::Identity()));
+  const Eigen::Matrix3d expected = 0.8 * std::sqrt(1 - 0.64 * 0.1 / 12) * Eigen::Matrix3d::Identity();
+  EXPECT_LT((noise.weak_order_two(0.1).sigma() - expected).norm(), 1e-15);
+}
+
+TEST(WeakOrderTwoOnSo3, OneVectorIsExactWithAndWithoutIt) {
+  const Eigen::Matrix3d sigma = columns({0.3, 0, 0, 0.4, 0, 0, -0.5, 0, 0});
+  const constant_noise<so3> noise(sigma);
+  for (const auto& r : WeakOrderTwo::representations())
+    for (const double dt : {0.5, 0.1}) {
+      EXPECT_LT(defect(r, sigma, sigma, dt, 16), 1e-13);
+      EXPECT_LT(defect(r, sigma, noise.weak_order_two(dt).sigma(), dt, 16), 1e-13);
+    }
+}
+
+// Any algebra: six vectors that mix both factors of so(4). Four nodes are exact to degree seven: to dt^3.
+TEST(WeakOrderTwoOnSo4, DefectFallsLikeTheThirdPower) {
+  Eigen::Matrix<double, 6, 6> sigma;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) sigma(i, j) = 0.5 * std::sin(1.0 + 3 * i + 5 * j + i * j);
+  const constant_noise<test::so4> noise(sigma);
+  const auto r = tensor(vectors<test::so4>(0), vectors<test::so4>(3));
+  EXPECT_NEAR(slope(
+                  r, sigma, 0.02, [&](double h) { return MatrixXd(noise.weak_order_two(h).sigma()); }, 4),
+              3, 0.1);
+  EXPECT_NEAR(slope(
+                  r, sigma, 0.02, [&](double) { return MatrixXd(sigma); }, 4),
+              2, 0.1);
+}
+
+}  // namespace
+}  // namespace polhode
