@@ -2,6 +2,8 @@
 // portable twin.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <experimental/simd>
 
@@ -30,6 +32,78 @@ struct bits_of_scalar<double> {
 template <class S>
 using bits_of = typename bits_of_scalar<S>::type;
 
+/// What the intrinsics below do, in plain C++: the same bits.
+namespace twin {
+
+template <class B>
+std::array<B, 2> interleave(const B& a, const B& b) {
+  if constexpr (!is_pack<B>) {
+    return {a, b};
+  } else if constexpr (B::size() % 2 == 1) {
+    return {a, b};
+  } else {
+    return {B([&](std::size_t i) { return i % 2 == 0 ? a[i] : b[i - 1]; }),
+            B([&](std::size_t i) { return i % 2 == 0 ? a[i + 1] : b[i]; })};
+  }
+}
+
+/// Multiplication by x in GF(2^8) modulo x^8 + x^4 + x^3 + x + 1.
+constexpr std::uint8_t times_x(std::uint8_t a) { return static_cast<std::uint8_t>(a << 1 ^ (a >> 7) * 0x1B); }
+
+/// The inverse in GF(2^8), then the affine map of FIPS 197, section 5.1.1. p runs through the powers of the generator 3, q
+/// through their inverses.
+constexpr std::array<std::uint8_t, 256> make_s_box() {
+  std::array<std::uint8_t, 256> box{};
+  box[0] = 0x63;
+  std::uint8_t p = 1, q = 1;
+  do {
+    p = static_cast<std::uint8_t>(p ^ times_x(p));
+    for (const int shift : {1, 2, 4}) q = static_cast<std::uint8_t>(q ^ q << shift);
+    if (q & 0x80) q ^= 0x09;
+    int sum = q;
+    for (int turn = 1; turn < 5; ++turn) sum ^= q << turn | q >> (8 - turn);
+    box[p] = static_cast<std::uint8_t>(sum ^ 0x63);
+  } while (p != 1);
+  return box;
+}
+inline constexpr std::array<std::uint8_t, 256> s_box = make_s_box();
+
+template <bool Last>
+constexpr std::array<std::uint64_t, 2> aes_round(const std::array<std::uint64_t, 2>& x,
+                                                 const std::array<std::uint64_t, 2>& key) {
+  auto out = key;
+  for (unsigned column = 0; column < 4; ++column) {
+    std::array<std::uint8_t, 4> s{};
+    for (unsigned row = 0; row < 4; ++row) {
+      const unsigned from = 4 * ((column + row) % 4) + row;  // ShiftRows
+      s[row] = s_box[x[from / 8] >> 8 * (from % 8) & 0xFF];
+    }
+    for (unsigned row = 0; row < 4; ++row) {
+      const std::uint8_t a = s[row], b = s[(row + 1) % 4];
+      const int mixed = times_x(static_cast<std::uint8_t>(a ^ b)) ^ b ^ s[(row + 2) % 4] ^ s[(row + 3) % 4];
+      out[column / 2] ^= static_cast<std::uint64_t>(Last ? a : mixed) << (32 * (column % 2) + 8 * row);
+    }
+  }
+  return out;
+}
+template <bool Last, class B>
+requires is_pack<B> B aes_round(const B& x, const B& key) {
+  return B([&](std::size_t i) {
+    const std::size_t low = i - i % 2;
+    return aes_round<Last>({x[low], x[low + 1]}, {key[low], key[low + 1]})[i % 2];
+  });
+}
+
+template <class F, class U>
+F lookup(const std::array<float, 16>& table, const U& index) {
+  if constexpr (is_pack<F>)
+    return F([&](std::size_t i) { return table[index[i] & 15]; });
+  else
+    return table[index & 15];
+}
+
+}  // namespace twin
+
 /// The full products of the low 32 bits of every 64-bit lane.
 inline std::uint64_t multiply_low_words(std::uint64_t a, std::uint64_t b) {
   return (a & 0xFFFFFFFF) * (b & 0xFFFFFFFF);
@@ -50,6 +124,84 @@ requires is_pack<B> B multiply_low_words(const B& a, const B& b) {
 #endif
   const B word(0xFFFFFFFF);
   return (a & word) * (b & word);
+}
+
+/// (A0 A1 A2 A3 …), (B0 B1 B2 B3 …) to (A0 B0 A2 B2 …), (A1 B1 A3 B3 …): two packs of low and of high halves become two
+/// packs of 128-bit blocks. It is its own inverse; a pack of odd size, and a scalar, stays as it is.
+template <class B>
+std::array<B, 2> interleave(const B& a, const B& b) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(B) == 64) {
+    const auto x = static_cast<__m512i>(a), y = static_cast<__m512i>(b);
+    return {B(_mm512_unpacklo_epi64(x, y)), B(_mm512_unpackhi_epi64(x, y))};
+  }
+#endif
+#if defined(__AVX2__)
+  if constexpr (sizeof(B) == 32) {
+    const auto x = static_cast<__m256i>(a), y = static_cast<__m256i>(b);
+    return {B(_mm256_unpacklo_epi64(x, y)), B(_mm256_unpackhi_epi64(x, y))};
+  }
+#endif
+#if defined(__SSE2__)
+  if constexpr (sizeof(B) == 16) {
+    const auto x = static_cast<__m128i>(a), y = static_cast<__m128i>(b);
+    return {B(_mm_unpacklo_epi64(x, y)), B(_mm_unpackhi_epi64(x, y))};
+  }
+#endif
+  return twin::interleave(a, b);
+}
+
+/// One round of AES on every 128-bit block of a pack (low half in the even lanes, high half in the odd): S-box, ShiftRows,
+/// MixColumns except in the last round, round key (FIPS 197).
+template <bool Last, class B>
+B aes_round(const B& x, const B& key) {
+#if defined(__VAES__) && defined(__AVX512F__)
+  if constexpr (sizeof(B) == 64) {
+    const auto s = static_cast<__m512i>(x), k = static_cast<__m512i>(key);
+    return B(Last ? _mm512_aesenclast_epi128(s, k) : _mm512_aesenc_epi128(s, k));
+  }
+#endif
+#if defined(__AES__) && defined(__AVX2__)
+  if constexpr (sizeof(B) == 32) {
+    const auto s = static_cast<__m256i>(x), k = static_cast<__m256i>(key);
+    const auto half = [](__m128i a, __m128i b) { return Last ? _mm_aesenclast_si128(a, b) : _mm_aesenc_si128(a, b); };
+    return B(_mm256_set_m128i(half(_mm256_extracti128_si256(s, 1), _mm256_extracti128_si256(k, 1)),
+                              half(_mm256_castsi256_si128(s), _mm256_castsi256_si128(k))));
+  }
+#endif
+#if defined(__AES__)
+  if constexpr (sizeof(B) == 16) {
+    const auto s = static_cast<__m128i>(x), k = static_cast<__m128i>(key);
+    return B(Last ? _mm_aesenclast_si128(s, k) : _mm_aesenc_si128(s, k));
+  }
+#endif
+  return twin::aes_round<Last>(x, key);
+}
+
+/// Exact for integers below 2^31 of at most 24 significant bits.
+inline float to_float(std::uint32_t a) { return static_cast<float>(static_cast<std::int32_t>(a)); }
+template <class U>
+requires is_pack<U>
+auto to_float(const U& a) {
+  return stdx::static_simd_cast<stdx::rebind_simd_t<float, U>>(stdx::static_simd_cast<stdx::rebind_simd_t<std::int32_t, U>>(a));
+}
+
+/// table[index mod 16] in every lane.
+template <class F, class U>
+F lookup(const std::array<float, 16>& table, const U& index) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(F) == 64)
+    return F(_mm512_permutexvar_ps(static_cast<__m512i>(index), _mm512_loadu_ps(table.data())));
+#endif
+#if defined(__AVX2__)
+  if constexpr (sizeof(F) == 32) {
+    const auto i = static_cast<__m256i>(index);
+    return F(_mm256_blendv_ps(_mm256_permutevar8x32_ps(_mm256_loadu_ps(table.data()), i),
+                              _mm256_permutevar8x32_ps(_mm256_loadu_ps(table.data() + 8), i),
+                              _mm256_castsi256_ps(_mm256_slli_epi32(i, 28))));
+  }
+#endif
+  return twin::lookup<F>(table, index);
 }
 
 }  // namespace polhode
