@@ -13,7 +13,8 @@ void fill_normals(const normal_block& request) {
     return by_isa(POLHODE_ENTRIES(polhode_fill_normals_))(request);
   const auto level = aes_isa(active_isa());
   if (!level)
-    throw std::invalid_argument("noise generator ars: no AES instructions in this processor or build; accepted: philox");
+    throw std::invalid_argument(
+        "noise generator ars: no AES instructions in this processor or build; accepted: philox");
   for_isa(*level, POLHODE_ENTRIES(polhode_fill_normals_ars_))(request);
 }
 

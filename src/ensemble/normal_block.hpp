@@ -7,8 +7,8 @@
 
 namespace polhode {
 
-/// `wanted` of `rows` normals (channels), times `scale`, for every lane of a block and every step: out is [step][row][lane]. Rows
-/// that are not wanted are left alone.
+/// `wanted` of `rows` normals (channels), times `scale`, for every lane of a block and every step: out is
+/// [step][row][lane]. Rows that are not wanted are left alone.
 struct normal_block {
   std::uint64_t seed;
   noise_kind kind;

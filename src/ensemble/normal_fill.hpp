@@ -46,11 +46,10 @@ class fast_row {
     for (int lane = 0; lane < block_lanes; lane += width) {
       const U word(words + lane, stdx::element_aligned);
       smallest = stdx::min(smallest, U(word & U(0x7FFFFFFFu)));
-      quantile<F>(word).copy_to(normals_.data() + lane, stdx::element_aligned);
+      store_scaled(quantile<F>(word), scale, out + lane);
     }
     if (stdx::any_of(in_tail(smallest))) [[unlikely]]
-      replace_tails(first, channel, words);
-    for (int lane = 0; lane < block_lanes; ++lane) out[lane] = scale * double{normals_[static_cast<std::size_t>(lane)]};
+      replace_tails(first, channel, words, scale, out);
   }
 
  private:
@@ -67,17 +66,17 @@ class fast_row {
     }
   }
 
-  [[gnu::noinline]] void replace_tails(const noise_address& first, std::uint32_t channel, const std::uint32_t* words) {
+  [[gnu::noinline]] static void replace_tails(const noise_address& first, std::uint32_t channel,
+                                              const std::uint32_t* words, double scale, double* out) {
     for (int lane = 0; lane < block_lanes; ++lane)
       if (in_tail(words[lane])) {
         noise_address a = first;
         a.path += static_cast<std::uint64_t>(lane);
-        normals_[static_cast<std::size_t>(lane)] = tail_normal<G>(a, channel, words[lane]);
+        out[lane] = scale * double{tail_normal<G>(a, channel, words[lane])};
       }
   }
 
   alignas(64) std::array<std::uint32_t, block_lanes + 4 + 4 * counters> words_;
-  alignas(64) std::array<float, block_lanes> normals_;
 };
 
 template <noise_generator G>

@@ -32,6 +32,9 @@ struct bits_of_scalar<double> {
 template <class S>
 using bits_of = typename bits_of_scalar<S>::type;
 
+/// Low and high half of 128 bits.
+using aes_block = std::array<std::uint64_t, 2>;
+
 /// What the intrinsics below do, in plain C++: the same bits.
 namespace twin {
 
@@ -50,8 +53,8 @@ std::array<B, 2> interleave(const B& a, const B& b) {
 /// Multiplication by x in GF(2^8) modulo x^8 + x^4 + x^3 + x + 1.
 constexpr std::uint8_t times_x(std::uint8_t a) { return static_cast<std::uint8_t>(a << 1 ^ (a >> 7) * 0x1B); }
 
-/// The inverse in GF(2^8), then the affine map of FIPS 197, section 5.1.1. p runs through the powers of the generator 3, q
-/// through their inverses.
+/// The inverse in GF(2^8), then the affine map of FIPS 197, section 5.1.1. p runs through the powers of the generator
+/// 3, q through their inverses.
 constexpr std::array<std::uint8_t, 256> make_s_box() {
   std::array<std::uint8_t, 256> box{};
   box[0] = 0x63;
@@ -69,8 +72,7 @@ constexpr std::array<std::uint8_t, 256> make_s_box() {
 inline constexpr std::array<std::uint8_t, 256> s_box = make_s_box();
 
 template <bool Last>
-constexpr std::array<std::uint64_t, 2> aes_round(const std::array<std::uint64_t, 2>& x,
-                                                 const std::array<std::uint64_t, 2>& key) {
+constexpr aes_block aes_round(const aes_block& x, const aes_block& key) {
   auto out = key;
   for (unsigned column = 0; column < 4; ++column) {
     std::array<std::uint8_t, 4> s{};
@@ -86,12 +88,17 @@ constexpr std::array<std::uint64_t, 2> aes_round(const std::array<std::uint64_t,
   }
   return out;
 }
-template <bool Last, class B>
-requires is_pack<B> B aes_round(const B& x, const B& key) {
-  return B([&](std::size_t i) {
-    const std::size_t low = i - i % 2;
-    return aes_round<Last>({x[low], x[low + 1]}, {key[low], key[low + 1]})[i % 2];
-  });
+template <std::size_t N>
+constexpr aes_block aes(const aes_block& x, const std::array<aes_block, N>& keys) {
+  aes_block s{x[0] ^ keys[0][0], x[1] ^ keys[0][1]};
+  for (std::size_t i = 1; i + 1 < N; ++i) s = aes_round<false>(s, keys[i]);
+  return aes_round<true>(s, keys[N - 1]);
+}
+template <class B, std::size_t N>
+requires is_pack<B> B aes(const B& x, const std::array<B, N>& keys) {
+  std::array<aes_block, N> same;
+  for (std::size_t i = 0; i < N; ++i) same[i] = {keys[i][0], keys[i][1]};
+  return B([&](std::size_t i) { return aes(aes_block{x[i - i % 2], x[i - i % 2 + 1]}, same)[i % 2]; });
 }
 
 template <class F, class U>
@@ -100,6 +107,11 @@ F lookup(const std::array<float, 16>& table, const U& index) {
     return F([&](std::size_t i) { return table[index[i] & 15]; });
   else
     return table[index & 15];
+}
+
+template <class F>
+void store_scaled(const F& x, double scale, double* out) {
+  for (std::size_t i = 0; i < F::size(); ++i) out[i] = scale * double{x[i]};
 }
 
 }  // namespace twin
@@ -151,31 +163,38 @@ std::array<B, 2> interleave(const B& a, const B& b) {
   return twin::interleave(a, b);
 }
 
-/// One round of AES on every 128-bit block of a pack (low half in the even lanes, high half in the odd): S-box, ShiftRows,
-/// MixColumns except in the last round, round key (FIPS 197).
-template <bool Last, class B>
-B aes_round(const B& x, const B& key) {
+/// AES with given round keys on every 128-bit block of a pack (low half in the even lanes, high half in the odd): key 0
+/// is added; then rounds of S-box, ShiftRows, MixColumns except in the last, and key (FIPS 197). Every block has the
+/// same keys.
+template <class B, std::size_t N>
+B aes(const B& x, const std::array<B, N>& keys) {
 #if defined(__VAES__) && defined(__AVX512F__)
   if constexpr (sizeof(B) == 64) {
-    const auto s = static_cast<__m512i>(x), k = static_cast<__m512i>(key);
-    return B(Last ? _mm512_aesenclast_epi128(s, k) : _mm512_aesenc_epi128(s, k));
+    const auto key = [&](std::size_t i) { return static_cast<__m512i>(keys[i]); };
+    auto s = _mm512_xor_si512(static_cast<__m512i>(x), key(0));
+    for (std::size_t i = 1; i + 1 < N; ++i) s = _mm512_aesenc_epi128(s, key(i));
+    return B(_mm512_aesenclast_epi128(s, key(N - 1)));
   }
 #endif
 #if defined(__AES__) && defined(__AVX2__)
   if constexpr (sizeof(B) == 32) {
-    const auto s = static_cast<__m256i>(x), k = static_cast<__m256i>(key);
-    const auto half = [](__m128i a, __m128i b) { return Last ? _mm_aesenclast_si128(a, b) : _mm_aesenc_si128(a, b); };
-    return B(_mm256_set_m128i(half(_mm256_extracti128_si256(s, 1), _mm256_extracti128_si256(k, 1)),
-                              half(_mm256_castsi256_si128(s), _mm256_castsi256_si128(k))));
+    const auto key = [&](std::size_t i) { return _mm256_castsi256_si128(static_cast<__m256i>(keys[i])); };
+    const auto s = static_cast<__m256i>(x);
+    auto low = _mm_xor_si128(_mm256_castsi256_si128(s), key(0));
+    auto high = _mm_xor_si128(_mm256_extracti128_si256(s, 1), key(0));
+    for (std::size_t i = 1; i + 1 < N; ++i) low = _mm_aesenc_si128(low, key(i)), high = _mm_aesenc_si128(high, key(i));
+    return B(_mm256_set_m128i(_mm_aesenclast_si128(high, key(N - 1)), _mm_aesenclast_si128(low, key(N - 1))));
   }
 #endif
 #if defined(__AES__)
   if constexpr (sizeof(B) == 16) {
-    const auto s = static_cast<__m128i>(x), k = static_cast<__m128i>(key);
-    return B(Last ? _mm_aesenclast_si128(s, k) : _mm_aesenc_si128(s, k));
+    const auto key = [&](std::size_t i) { return static_cast<__m128i>(keys[i]); };
+    auto s = _mm_xor_si128(static_cast<__m128i>(x), key(0));
+    for (std::size_t i = 1; i + 1 < N; ++i) s = _mm_aesenc_si128(s, key(i));
+    return B(_mm_aesenclast_si128(s, key(N - 1)));
   }
 #endif
-  return twin::aes_round<Last>(x, key);
+  return twin::aes(x, keys);
 }
 
 /// Exact for integers below 2^31 of at most 24 significant bits.
@@ -183,7 +202,8 @@ inline float to_float(std::uint32_t a) { return static_cast<float>(static_cast<s
 template <class U>
 requires is_pack<U>
 auto to_float(const U& a) {
-  return stdx::static_simd_cast<stdx::rebind_simd_t<float, U>>(stdx::static_simd_cast<stdx::rebind_simd_t<std::int32_t, U>>(a));
+  return stdx::static_simd_cast<stdx::rebind_simd_t<float, U>>(
+      stdx::static_simd_cast<stdx::rebind_simd_t<std::int32_t, U>>(a));
 }
 
 /// table[index mod 16] in every lane.
@@ -202,6 +222,31 @@ F lookup(const std::array<float, 16>& table, const U& index) {
   }
 #endif
   return twin::lookup<F>(table, index);
+}
+
+/// out[i] = scale x[i], in double precision.
+template <class F>
+void store_scaled(const F& x, double scale, double* out) {
+#if defined(__AVX512DQ__)
+  if constexpr (sizeof(F) == 64) {
+    const auto v = static_cast<__m512>(x);
+    const auto low = _mm512_cvtps_pd(_mm512_castps512_ps256(v));
+    const auto high = _mm512_cvtps_pd(_mm512_extractf32x8_ps(v, 1));
+    _mm512_storeu_pd(out, _mm512_mul_pd(low, _mm512_set1_pd(scale)));
+    _mm512_storeu_pd(out + 8, _mm512_mul_pd(high, _mm512_set1_pd(scale)));
+    return;
+  }
+#endif
+#if defined(__AVX2__)
+  if constexpr (sizeof(F) == 32) {
+    const auto v = static_cast<__m256>(x);
+    const auto low = _mm256_cvtps_pd(_mm256_castps256_ps128(v)), high = _mm256_cvtps_pd(_mm256_extractf128_ps(v, 1));
+    _mm256_storeu_pd(out, _mm256_mul_pd(low, _mm256_set1_pd(scale)));
+    _mm256_storeu_pd(out + 4, _mm256_mul_pd(high, _mm256_set1_pd(scale)));
+    return;
+  }
+#endif
+  twin::store_scaled(x, scale, out);
 }
 
 }  // namespace polhode

@@ -12,7 +12,8 @@ namespace polhode {
 template <noise_generator G, class B>
 requires is_pack<B> std::array<B, 2> random_blocks(const std::array<B, 2>& counter, std::uint64_t seed) {
   if constexpr (G == noise_generator::ars) {
-    return ars4x32(interleave(counter[0], counter[1]), {seed, 0});
+    const auto blocks = interleave(counter[0], counter[1]);
+    return {ars4x32(blocks[0], {seed, 0}), ars4x32(blocks[1], {seed, 0})};
   } else {
     const auto halves = philox4x32_10(counter, seed);
     return interleave(halves[0], halves[1]);
