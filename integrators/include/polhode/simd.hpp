@@ -197,7 +197,7 @@ B aes(const B& x, const std::array<B, N>& keys) {
   return twin::aes(x, keys);
 }
 
-/// Exact for integers below 2^31 of at most 24 significant bits.
+/// The float nearest to an integer below 2^31.
 inline float to_float(std::uint32_t a) { return static_cast<float>(static_cast<std::int32_t>(a)); }
 template <class U>
 requires is_pack<U>

@@ -57,7 +57,7 @@ auto in_tail(const U& word) {
 template <class F, class U>
 F quantile(const U& word) {
   const U m = word & U(0x7FFFFFFFu);
-  const U exact = m & ~(m >> 24);  // rounds like m, towards zero
+  const U exact = m & ~(m >> 24);  // the first bit that a float drops is cleared: it is cut, not rounded
   const U bits = std::bit_cast<U>(to_float(exact));
   const U octave = bits >> 23;
   const F t = std::bit_cast<F>(U((bits & U(0x007FFFFFu)) | U(0x3F800000u))) - F(1.5F);
