@@ -17,7 +17,7 @@ TEST_P(NormalStatistics, TwoBillion) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, NormalStatistics, testing::ValuesIn(test::every_source),
-                         [](const auto& info) { return test::name_of(info.param); });
+                         [](const auto& source) { return test::name_of(source.param); });
 
 }  // namespace
 }  // namespace polhode

@@ -82,7 +82,7 @@ TEST_P(NormalBlock, ValuesDoNotDependOnTheBlock) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, NormalBlock, testing::ValuesIn(test::every_source),
-                         [](const auto& info) { return test::name_of(info.param); });
+                         [](const auto& source) { return test::name_of(source.param); });
 
 TEST(Ars, IsRefusedWithoutTheInstructions) {
   double out[block_lanes];

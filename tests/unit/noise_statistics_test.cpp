@@ -20,7 +20,7 @@ TEST_P(NormalStatistics, TwentyMillion) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, NormalStatistics, testing::ValuesIn(test::every_source),
-                         [](const auto& info) { return test::name_of(info.param); });
+                         [](const auto& source) { return test::name_of(source.param); });
 
 // The measure itself: defects it must see.
 TEST(NormalStatisticsPower, SeesDefects) {

@@ -81,7 +81,7 @@ TEST_P(Source, AskingForFewerChangesNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Source, testing::ValuesIn(test::every_source),
-                         [](const auto& info) { return test::name_of(info.param); });
+                         [](const auto& source) { return test::name_of(source.param); });
 
 TEST(Uniform, IsNeverZeroOrOne) {
   EXPECT_GT(uniform_of<double>(std::uint64_t{0}), 0.0);
