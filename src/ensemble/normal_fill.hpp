@@ -36,6 +36,7 @@ class fast_row {
   using F = stdx::native_simd<float>;
   using U = stdx::rebind_simd_t<std::uint32_t, F>;
   static constexpr int counters = static_cast<int>(B::size()), width = static_cast<int>(F::size());
+  static constexpr int in_flight = std::min(4, block_lanes / width);
 
  public:
   void fill(const noise_address& first, std::uint32_t channel, double scale, double* out) {
@@ -43,10 +44,14 @@ class fast_row {
     draw(first, channel, skipped + block_lanes);
     const std::uint32_t* words = words_.data() + skipped;
     U smallest(0x7FFFFFFFu);
-    for (int lane = 0; lane < block_lanes; lane += width) {
-      const U word(words + lane, stdx::element_aligned);
-      smallest = stdx::min(smallest, U(word & U(0x7FFFFFFFu)));
-      store_scaled(quantile<F>(word), scale, out + lane);
+    for (int lane = 0; lane < block_lanes; lane += width * in_flight) {
+      std::array<U, in_flight> word;
+      unrolled<in_flight>([&](std::size_t i) {
+        word[i].copy_from(words + lane + i * U::size(), stdx::element_aligned);
+        smallest = stdx::min(smallest, U(word[i] & U(0x7FFFFFFFu)));
+      });
+      const auto x = quantiles<F>(word);
+      unrolled<in_flight>([&](std::size_t i) { store_scaled(x[i], scale, out + lane + i * U::size()); });
     }
     if (stdx::any_of(in_tail(smallest))) [[unlikely]]
       replace_tails(first, channel, words, scale, out);

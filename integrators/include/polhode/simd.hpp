@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <experimental/simd>
+#include <utility>
 
 #if defined(__AVX2__) || defined(__SSE2__)
 #include <immintrin.h>
@@ -19,6 +20,13 @@ using pack = stdx::native_simd<double>;
 
 template <class S>
 inline constexpr bool is_pack = stdx::is_simd_v<S>;
+
+/// f(0), ..., f(N-1) written out, so that arrays of packs stay in registers.
+template <std::size_t N, class F>
+void unrolled(const F& f) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) { (f(I), ...); }
+  (std::make_index_sequence<N>());
+}
 
 /// The bits of a scalar: 64 per lane.
 template <class S>

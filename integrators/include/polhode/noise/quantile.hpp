@@ -22,7 +22,7 @@ namespace polhode {
 
 /// Coefficients of t^0 ... t^7, t = m / 2^e - 3/2, of the polynomial for 2^e <= m < 2^(e+1) in column (e + 127) mod 16:
 /// it interpolates the quantile at the eight Chebyshev nodes t = cos((2 i + 1) pi / 16) / 2.
-inline constexpr std::array<std::array<float, 16>, 8> quantile_table{
+alignas(64) inline constexpr std::array<std::array<float, 16>, 8> quantile_table{
     {{{0x1.f4badap+1F, 0x1.dee15ap+1F, 0x1.c81a76p+1F, 0x1.b0465p+1F, 0x1.973d58p+1F, 0x1.7ccd7ap+1F, 0x1.60b5d2p+1F,
        0x1.429fdp+1F, 0x1.2213b8p+1F, 0x1.fcc812p+0F, 0x1.ad0a62p+0F, 0x1.516928p+0F, 0x1.c6381p-1F, 0x1.46495ep-2F,
        0x1.0f04e4p+2F, 0x1.04e08cp+2F}},
@@ -53,17 +53,29 @@ auto in_tail(const U& word) {
   return (word & U(0x7FFF8000u)) == U(0u);
 }
 
-/// The quantile of a word that is not in the tail: F float and U std::uint32_t, or packs of them.
+/// The quantiles of words that are not in the tail: F float and U std::uint32_t, or packs of them. Several at once,
+/// stage by stage, since each is one long chain of operations that wait for each other.
+template <class F, class U, std::size_t N>
+std::array<F, N> quantiles(const std::array<U, N>& words) {
+  std::array<U, N> octave;
+  std::array<F, N> t, x;
+  unrolled<N>([&](std::size_t i) {
+    const U m = words[i] & U(0x7FFFFFFFu);
+    const U cut = m & ~(m >> 24);  // the first bit that a float drops is cleared: it is cut, not rounded
+    const U bits = std::bit_cast<U>(to_float(cut));
+    octave[i] = bits >> 23;
+    t[i] = std::bit_cast<F>(U((bits & U(0x007FFFFFu)) | U(0x3F800000u))) - F(1.5F);
+  });
+  unrolled<N>([&](std::size_t i) { x[i] = lookup<F>(quantile_table[7], octave[i]); });
+  unrolled<7>([&](std::size_t k) {
+    unrolled<N>([&](std::size_t i) { x[i] = x[i] * t[i] + lookup<F>(quantile_table[6 - k], octave[i]); });
+  });
+  unrolled<N>([&](std::size_t i) { x[i] = std::bit_cast<F>(U(std::bit_cast<U>(x[i]) ^ (words[i] & U(0x80000000u)))); });
+  return x;
+}
 template <class F, class U>
 F quantile(const U& word) {
-  const U m = word & U(0x7FFFFFFFu);
-  const U exact = m & ~(m >> 24);  // the first bit that a float drops is cleared: it is cut, not rounded
-  const U bits = std::bit_cast<U>(to_float(exact));
-  const U octave = bits >> 23;
-  const F t = std::bit_cast<F>(U((bits & U(0x007FFFFFu)) | U(0x3F800000u))) - F(1.5F);
-  F x = lookup<F>(quantile_table[7], octave);
-  for (std::size_t k = 7; k-- > 0;) x = x * t + lookup<F>(quantile_table[k], octave);
-  return std::bit_cast<F>(U(std::bit_cast<U>(x) ^ (word & U(0x80000000u))));
+  return quantiles<F>(std::array{word})[0];
 }
 
 /// x > 0 with P(|X| > x) = u, for 0 < u < 1e-4. Newton's method on log Q, where Q(x) = phi(x) / (x + 1/(x + 2/(x +
