@@ -29,7 +29,9 @@ function(polhode_isa_objects target level objects sources)
 endfunction()
 
 function(polhode_add_isa target)
-  set_source_files_properties(${POLHODE_UNCONTRACTED} PROPERTIES COMPILE_OPTIONS -ffp-contract=off)
+  # Without tree-ter g++ keeps the order in which several packs advance together, instead of one chain after another.
+  set_source_files_properties(${POLHODE_UNCONTRACTED} PROPERTIES
+    COMPILE_OPTIONS "-ffp-contract=off;$<$<CXX_COMPILER_ID:GNU>:-fno-tree-ter>")
   if(POLHODE_ISA_LEVELS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND CMAKE_OBJCOPY AND CMAKE_LINKER)
     target_compile_definitions(${target} PRIVATE POLHODE_X86_LEVELS)
     foreach(level v2 v3 v4)
