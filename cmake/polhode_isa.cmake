@@ -4,11 +4,12 @@
 option(POLHODE_ISA_LEVELS "Compile the inner loops for x86-64-v2, v3 and v4 and choose at start" ON)
 
 set(POLHODE_ISA_SOURCES ensemble/isa/direction_bins.cpp ensemble/isa/normal_block.cpp registry/isa/rigid_body.cpp)
-set(POLHODE_UNCONTRACTED ensemble/isa/direction_bins.cpp ensemble/isa/normal_block.cpp)  # the same bits on every instruction set
+set(POLHODE_AES_SOURCES ensemble/isa/normal_block_ars.cpp)  # with AES besides, which no level implies
+set(POLHODE_UNCONTRACTED  # the same bits on every instruction set
+  ensemble/isa/direction_bins.cpp ensemble/isa/normal_block.cpp ${POLHODE_AES_SOURCES})
 
-function(polhode_isa_objects target level)
-  set(objects ${target}_${level})
-  add_library(${objects} OBJECT ${POLHODE_ISA_SOURCES})
+function(polhode_isa_objects target level objects sources)
+  add_library(${objects} OBJECT ${sources})
   target_link_libraries(${objects} PRIVATE polhode_options polhode::integrators)
   target_compile_definitions(${objects} PRIVATE POLHODE_ISA=${level} POLHODE_X86_LEVELS)
   target_compile_options(${objects} PRIVATE -march=x86-64-${level}
@@ -29,14 +30,19 @@ function(polhode_isa_objects target level)
 endfunction()
 
 function(polhode_add_isa target)
-  set_source_files_properties(${POLHODE_UNCONTRACTED} PROPERTIES COMPILE_OPTIONS -ffp-contract=off)
+  # Without tree-ter g++ keeps the order in which several packs advance together, instead of one chain after another.
+  set_source_files_properties(${POLHODE_UNCONTRACTED} PROPERTIES
+    COMPILE_OPTIONS "-ffp-contract=off;$<$<CXX_COMPILER_ID:GNU>:-fno-tree-ter>")
   if(POLHODE_ISA_LEVELS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND CMAKE_OBJCOPY AND CMAKE_LINKER)
     target_compile_definitions(${target} PRIVATE POLHODE_X86_LEVELS)
     foreach(level v2 v3 v4)
-      polhode_isa_objects(${target} ${level})
+      polhode_isa_objects(${target} ${level} ${target}_${level} "${POLHODE_ISA_SOURCES}")
+      polhode_isa_objects(${target} ${level} ${target}_aes_${level} "${POLHODE_AES_SOURCES}")
+      target_compile_options(${target}_aes_${level} PRIVATE -maes $<$<STREQUAL:${level},v4>:-mvaes>)
     endforeach()
   else()
-    target_sources(${target} PRIVATE ${POLHODE_ISA_SOURCES})
-    set_source_files_properties(${POLHODE_ISA_SOURCES} PROPERTIES COMPILE_DEFINITIONS POLHODE_ISA=portable)
+    set(all ${POLHODE_ISA_SOURCES} ${POLHODE_AES_SOURCES})
+    target_sources(${target} PRIVATE ${all})
+    set_source_files_properties(${all} PROPERTIES COMPILE_DEFINITIONS POLHODE_ISA=portable)
   endif()
 endfunction()

@@ -4,6 +4,10 @@
 #include <stdexcept>
 #include <vector>
 
+#if defined(POLHODE_X86_LEVELS)
+#include <cpuid.h>
+#endif
+
 namespace polhode {
 namespace {
 
@@ -58,6 +62,16 @@ void choose_isa(isa level) {
   if (std::ranges::find(usable_isas(), level) == usable_isas().end())
     throw std::invalid_argument("this processor or build has no " + std::string(name_of(level)));
   chosen() = level;
+}
+
+std::optional<isa> aes_isa([[maybe_unused]] isa widest) {
+#if defined(POLHODE_X86_LEVELS)
+  __builtin_cpu_init();
+  unsigned eax = 0, ebx = 0, ecx = 0, edx = 0;  // cpuid leaf 7; clang's __builtin_cpu_supports does not know "vaes"
+  const bool wide = __get_cpuid_count(7, 0, &eax, &ebx, &ecx, &edx) != 0 && (ecx & bit_VAES) != 0;
+  if (__builtin_cpu_supports("aes")) return widest == isa::v4 && !wide ? isa::v3 : widest;
+#endif
+  return std::nullopt;
 }
 
 }  // namespace polhode

@@ -21,4 +21,8 @@ std::span<const isa> usable_isas();
 isa active_isa();
 void choose_isa(isa);
 
+/// The widest set, up to the given one, whose loops with AES instructions this processor can run: v4 asks for them on
+/// 512 bits, v2 and v3 on 128. None in a portable build.
+std::optional<isa> aes_isa(isa widest);
+
 }  // namespace polhode

@@ -16,14 +16,18 @@
 
 namespace polhode {
 
-/// The entry for the instruction set in force.
+/// The entry for a given instruction set, and for the one in force.
 template <class F>
-F by_isa(F v2, F v3, F v4) {
-  return active_isa() == isa::v4 ? v4 : active_isa() == isa::v3 ? v3 : v2;
+F for_isa(isa level, F v2, F v3, F v4) {
+  return level == isa::v4 ? v4 : level == isa::v3 ? v3 : v2;
 }
 template <class F>
-F by_isa(F portable) {
+F for_isa(isa, F portable) {
   return portable;
+}
+template <class... F>
+auto by_isa(F... entries) {
+  return for_isa(active_isa(), entries...);
 }
 
 }  // namespace polhode

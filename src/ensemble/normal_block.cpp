@@ -1,9 +1,21 @@
 #include "ensemble/normal_block.hpp"
 
+#include <stdexcept>
+
 #include "ensemble/isa_entry.hpp"
 
 namespace polhode {
 
-void fill_normals(const normal_block& request) { by_isa(POLHODE_ENTRIES(polhode_fill_normals_))(request); }
+bool ars_usable() { return aes_isa(active_isa()).has_value(); }
+
+void fill_normals(const normal_block& request) {
+  if (request.source.generator == noise_generator::philox)
+    return by_isa(POLHODE_ENTRIES(polhode_fill_normals_))(request);
+  const auto level = aes_isa(active_isa());
+  if (!level)
+    throw std::invalid_argument(
+        "noise generator ars: no AES instructions in this processor or build; accepted: philox");
+  for_isa(*level, POLHODE_ENTRIES(polhode_fill_normals_ars_))(request);
+}
 
 }  // namespace polhode

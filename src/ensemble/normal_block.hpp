@@ -3,12 +3,12 @@
 
 #include <cstdint>
 
-#include <polhode/noise/normal.hpp>
+#include <polhode/noise/address.hpp>
 
 namespace polhode {
 
-/// `wanted` of `rows` normals, times `scale`, for every lane of a block and every step: out is [step][row][lane]. Rows
-/// that are not wanted are left alone.
+/// `wanted` of `rows` normals (channels), times `scale`, for every lane of a block and every step: out is
+/// [step][row][lane]. Rows that are not wanted are left alone.
 struct normal_block {
   std::uint64_t seed;
   noise_kind kind;
@@ -16,14 +16,22 @@ struct normal_block {
   int steps, rows, wanted;
   double scale;
   double* out;
+  noise_source source{};
 };
 
-/// By the instruction set in force.
+/// Can this build and processor run ARS? It needs AES instructions.
+bool ars_usable();
+
+/// By the instruction set in force. Throws std::invalid_argument for ARS where it is not usable.
 void fill_normals(const normal_block&);
 
 }  // namespace polhode
 
 extern "C" {
+void polhode_fill_normals_ars_v2(const polhode::normal_block&);
+void polhode_fill_normals_ars_v3(const polhode::normal_block&);
+void polhode_fill_normals_ars_v4(const polhode::normal_block&);
+void polhode_fill_normals_ars_portable(const polhode::normal_block&);
 void polhode_fill_normals_v2(const polhode::normal_block&);
 void polhode_fill_normals_v3(const polhode::normal_block&);
 void polhode_fill_normals_v4(const polhode::normal_block&);

@@ -5,9 +5,7 @@
 #include <polhode/increment.hpp>
 #include <polhode/noise/normal.hpp>
 
-#include <gsl/gsl_cdf.h>
-
-#include "statistics/sample.hpp"
+#include "support/noise_sources.hpp"
 
 namespace polhode {
 namespace {
@@ -26,13 +24,24 @@ TEST(Philox, PacksGiveTheSameBits) {
   using B = bits_of<pack>;
   const B path([](auto lane) { return 0x123456789ABull + lane; });
   const noise_address a{0xDEADBEEF12345678, noise_kind::area, 0, 0xABCDEF012345};
-  const auto packed = random_words(a, path, 3);
+  const auto packed = random_bits<noise_generator::philox>(counter(a, path, 3), a.seed);
   const auto normal = normal_pair<pack>(a, path, 3);
   for (std::size_t lane = 0; lane < pack::size(); ++lane) {
     const noise_address one{a.seed, a.kind, 0x123456789ABull + lane, a.step};
-    for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(packed[k][lane], random_words(one, 3)[k]);
+    const auto words = random_words(one, 3);
+    for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(packed[k][lane], words[2 * k] | words[2 * k + 1] << 32);
     for (int k = 0; k < 2; ++k) EXPECT_EQ(normal[k][lane], normal_pair(one, 3)[k]);
   }
+}
+
+// The default source, for good: what a seed gave once it gives always.
+TEST(Normal, KeepsItsBits) {
+  const noise_address a{1, noise_kind::increment, 0, 0},
+      b{0xDEADBEEF12345678, noise_kind::area, 0x123456789AB, 0xABCDEF012345};
+  EXPECT_EQ(normal_pair(a, 0).c, (std::array{-0x1.d1a253882cf7ap-4, -0x1.d4dbc714217a3p-2}));
+  EXPECT_EQ(normal_pair(a, 3).c, (std::array{-0x1.b6ad7966ecb8p-1, 0x1.01621ec5b67fp+0}));
+  EXPECT_EQ(normal_pair(b, 0).c, (std::array{-0x1.55d85431dda97p-3, -0x1.d43e2c3a0738dp-1}));
+  EXPECT_EQ(normal_pair(b, 3).c, (std::array{-0x1.412fe41bab053p-1, 0x1.424210aa808adp+1}));
 }
 
 TEST(Logarithm, IsGoodToTheLastPlace) {
@@ -43,70 +52,40 @@ TEST(Logarithm, IsGoodToTheLastPlace) {
     }
 }
 
-TEST(Address, EveryFieldMatters) {
+class Source : public testing::TestWithParam<noise_source> {};
+
+TEST_P(Source, EveryFieldOfTheAddressMatters) {
   const noise_address a{1, noise_kind::increment, 5, 9};
-  const auto bits = random_words(a, 0);
-  EXPECT_NE(bits, random_words(a, 1));
-  EXPECT_NE(bits, random_words({2, a.kind, a.path, a.step}, 0));
-  EXPECT_NE(bits, random_words({1ull << 40 | 1, a.kind, a.path, a.step}, 0));
-  EXPECT_NE(bits, random_words({a.seed, noise_kind::area, a.path, a.step}, 0));
-  EXPECT_NE(bits, random_words({a.seed, a.kind, a.path + (1ull << 40), a.step}, 0));
-  EXPECT_NE(bits, random_words({a.seed, a.kind, a.path, a.step + (1ull << 40)}, 0));
+  const auto value = [](const noise_address& at, std::uint32_t pair = 0) {
+    return normal_pair(at, pair, GetParam()).c;
+  };
+  const auto here = value(a);
+  EXPECT_NE(here[0], here[1]);
+  EXPECT_NE(here, value(a, 1));
+  EXPECT_NE(here, value({2, a.kind, a.path, a.step}));
+  EXPECT_NE(here, value({1ull << 40 | 1, a.kind, a.path, a.step}));
+  EXPECT_NE(here, value({a.seed, noise_kind::area, a.path, a.step}));
+  EXPECT_NE(here, value({a.seed, a.kind, a.path ^ 1, a.step}));
+  EXPECT_NE(here, value({a.seed, a.kind, a.path ^ 2, a.step}));
+  EXPECT_NE(here, value({a.seed, a.kind, a.path + (1ull << 40), a.step}));
+  EXPECT_NE(here, value({a.seed, a.kind, a.path, a.step + (1ull << 40)}));
 }
 
-TEST(Uniform, IsNeverZeroOrOne) {
-  EXPECT_GT(uniform_of<double>(std::uint64_t{0}, std::uint64_t{0}), 0.0);
-  EXPECT_LT(uniform_of<double>(std::uint64_t{0xffffffff}, std::uint64_t{0xffffffff}), 1.0);
-}
-
-TEST(Normal, AskingForFewerChangesNothing) {
+TEST_P(Source, AskingForFewerChangesNothing) {
   const noise_address a{3, noise_kind::increment, 1, 2};
-  const auto all = normals<6>(a);
+  const auto all = normals<6>(a, 6, GetParam());
   for (int wanted = 0; wanted <= 6; ++wanted) {
-    const auto some = normals<6>(a, wanted);
+    const auto some = normals<6>(a, wanted, GetParam());
     for (int i = 0; i < 6; ++i) EXPECT_EQ(some[i], i < wanted ? all[i] : 0.0);
   }
 }
 
-class NormalSample : public testing::Test {
- protected:
-  static constexpr int n = 200'000;
-  static std::vector<double> draw() {
-    std::vector<double> x;
-    for (std::uint64_t path = 0; x.size() < n; ++path) {
-      const auto v = normals<3>({17, noise_kind::increment, path % 400, path / 400});
-      x.insert(x.end(), v.c.begin(), v.c.end());
-    }
-    return x;
-  }
-};
+INSTANTIATE_TEST_SUITE_P(, Source, testing::ValuesIn(test::every_source),
+                         [](const auto& source) { return test::name_of(source.param); });
 
-TEST_F(NormalSample, HasTheNormalLaw) {
-  const auto ks = ks_distance(draw(), gsl_cdf_ugaussian_P);
-  EXPECT_LT(ks.value, 1.63 / std::sqrt(double(n)));  // 1 % point of Kolmogorov's law; the seed is fixed
-}
-
-TEST_F(NormalSample, HasTheNormalMoments) {
-  const auto x = draw();
-  const double exact[] = {0, 1, 0, 3, 0, 15, 0, 105}, variance[] = {1, 2, 15, 96, 945, 10170, 135135, 2016000};
-  for (int k = 1; k <= 8; ++k) {
-    double mean = 0;
-    for (const double v : x) mean += std::pow(v, k) / static_cast<double>(x.size());
-    EXPECT_NEAR(mean, exact[k - 1], 4 * std::sqrt(variance[k - 1] / n)) << "moment " << k;
-  }
-}
-
-TEST_F(NormalSample, ChannelsPathsAndStepsAreUncorrelated) {
-  double channels = 0, paths = 0, steps = 0;
-  for (std::uint64_t path = 0; path < 300; ++path)
-    for (std::uint64_t step = 0; step < 300; ++step) {
-      const auto at = [&](std::uint64_t p, std::uint64_t s) { return normals<2>({5, noise_kind::increment, p, s}); };
-      const auto here = at(path, step);
-      channels += here[0] * here[1];
-      paths += here[0] * at(path + 1, step)[0];
-      steps += here[0] * at(path, step + 1)[0];
-    }
-  for (const double sum : {channels, paths, steps}) EXPECT_LT(std::fabs(sum) / 300, 4.0);
+TEST(Uniform, IsNeverZeroOrOne) {
+  EXPECT_GT(uniform_of<double>(std::uint64_t{0}), 0.0);
+  EXPECT_LT(uniform_of<double>(~std::uint64_t{0}), 1.0);
 }
 
 // Chen's relation against the areas of a piecewise linear path computed from their definition.
