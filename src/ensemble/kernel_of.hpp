@@ -12,6 +12,7 @@
 #include <polhode/simd.hpp>
 
 #include "ensemble/kernel.hpp"
+#include "ensemble/work_counters.hpp"
 
 namespace polhode {
 
@@ -59,6 +60,7 @@ class kernel_of final : public kernel {
 
   [[gnu::flatten]] void advance(std::span<double> states, const increment_view& given, piece p) const override {
     const double dt = given.dt;
+    count_path_steps(static_cast<std::uint64_t>(given.steps) * block_lanes);
     if (given.dw.empty()) {
       const auto system = forms_.silent();
       run(rows_of(states), given.steps, dt, p, [&](std::int64_t, auto&& pass) {
@@ -84,6 +86,7 @@ class kernel_of final : public kernel {
 
   [[gnu::flatten]] void advance(std::span<double> states, const shared_steps& noise, std::int64_t first_step,
                                 std::int64_t steps, piece p) const override {
+    count_path_steps(static_cast<std::uint64_t>(steps) * block_lanes);
     const double* row = noise.table.data() + static_cast<std::size_t>(first_step) * noise.words;
     auto system = forms_.common();
     run(rows_of(states), steps, noise.dt, p, [&](std::int64_t, auto&& pass) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <polhode/noise/address.hpp>
 #include <string>
 
 #include "experiments/subject.hpp"
@@ -19,6 +20,7 @@ struct context {
   polhode::effort effort = effort::standard;
   int threads = 1;
   std::uint64_t seed = 1;
+  noise_generator generator = noise_generator::philox;
   std::function<void(double share)> progress = [](double) {};
 };
 

@@ -95,7 +95,7 @@ void run_block(const context& c, const design& d, std::span<const std::unique_pt
                std::span<const int> open, int block, std::vector<observed>& out) {
   constexpr int chunk = 200;
   const auto& s = c.subject;
-  increment_buffer noise(*s.model, chunk, any_needs_areas(s.schemes));
+  increment_buffer noise(*s.model, chunk, any_needs_areas(s.schemes), {c.generator, noise_quality::fast});
   const std::vector<std::size_t> indices(open.begin(), open.end());
   std::vector<std::vector<double>> states(kernels.size(), uniform_states(c.seed, block, length(s.scene.momentum)));
   std::uint64_t step = 0;

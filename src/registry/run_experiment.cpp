@@ -1,3 +1,4 @@
+#include "ensemble/work_counters.hpp"
 #include "registry/run_experiment.hpp"
 
 #include <algorithm>
@@ -28,7 +29,10 @@ void append_rows(const report::results& from, Wanted wanted, report::results& to
 }
 
 /// What the inner loops of this program have done so far.
-report::counters work_so_far() { return {}; }
+report::counters work_done_so_far() {
+  const auto w = work_so_far();
+  return {w.normals, w.path_steps, w.kernels};
+}
 
 report::counters operator-(const report::counters& a, const report::counters& b) {
   return {a.normals_drawn - b.normals_drawn, a.path_steps - b.path_steps, a.kernels_run - b.kernels_run};
@@ -46,11 +50,11 @@ report::results compute(const experiment& e, const context& c, const names& sche
   const auto s = restricted(c.subject, schemes);
   report::results out;
   out.provenance = build_provenance();
-  const auto work = work_so_far();
+  const auto work = work_done_so_far();
   const double cpu = cpu_seconds();
-  e.run({s, c.effort, c.threads, c.seed, c.progress}, out);
+  e.run({s, c.effort, c.threads, c.seed, c.generator, c.progress}, out);
   out.provenance.cpu_seconds = cpu_seconds() - cpu;
-  out.done.work = work_so_far() - work;
+  out.done.work = work_done_so_far() - work;
   return out;
 }
 
