@@ -28,8 +28,8 @@ void store_lanes(const vec<S, N>& v, double* at) {
   for (int k = 0; k < N; ++k) v[k].copy_to(at + k * block_lanes, stdx::element_aligned);
 }
 
-/// The scalar of the loops: two packs whose operations alternate and hide each other's latency, but one where that leaves
-/// too few registers (measured: with AVX2 two are slower, with SSE and AVX-512 faster).
+/// The scalar of the loops: two packs whose operations alternate and hide each other's latency, but one where that
+/// leaves too few registers (measured: with AVX2 two are slower, with SSE and AVX-512 faster).
 using loop_pack =
     std::conditional_t<pack::size() == 4, pack, stdx::fixed_size_simd<double, static_cast<int>(2 * pack::size())>>;
 
@@ -50,9 +50,9 @@ struct block_step {
 /// Forms: a system in the forms in which the loops need it (plain_forms below is the simplest).
 ///   own(): for paths with increments of their own, which take(view, scratch) brings into the form it expects
 ///   silent(): without noise
-///   share(view): the table of a common noise;   common(): a system that enter(system, row, dt) puts into the step of a row
-///   of that table, and that takes the increment which enter returns
-///   axis(k): the row of the states that is component k of the system
+///   share(view): the table of a common noise;   common(): a system that enter(system, row, dt) puts into the step of a
+///   row of that table, and that takes the increment which enter returns axis(k): the row of the states that is
+///   component k of the system
 template <class Scheme, class Forms, class S = loop_pack>
 class kernel_of final : public kernel {
  public:
@@ -63,9 +63,8 @@ class kernel_of final : public kernel {
     count_path_steps(static_cast<std::uint64_t>(given.steps) * block_lanes);
     if (given.dw.empty()) {
       const auto system = forms_.silent();
-      run(rows_of(states), given.steps, dt, p, [&](std::int64_t, auto&& pass) {
-        pass(system, [dt](int) { return levy(dt); });
-      });
+      run(rows_of(states), given.steps, dt, p,
+          [&](std::int64_t, auto&& pass) { pass(system, [dt](int) { return levy(dt); }); });
       return;
     }
     std::vector<double> scratch;

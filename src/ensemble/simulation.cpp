@@ -116,8 +116,7 @@ class ensemble_run {
                increment_buffer& noise) const {
     const auto part = [&](std::int64_t from, std::int64_t n) { return piece{from == 0, from + n == plan_.steps}; };
     if (common_) return kernel_.advance(states, common_steps_, step, steps, part(step, steps));
-    if (noiseless_)
-      return kernel_.advance(states, silence(static_cast<int>(steps), plan_.dt), part(step, steps));
+    if (noiseless_) return kernel_.advance(states, silence(static_cast<int>(steps), plan_.dt), part(step, steps));
     for (std::int64_t done = 0; done < steps; done += chunk) {
       const int n = static_cast<int>(std::min<std::int64_t>(chunk, steps - done));
       const auto view = noise.fill(plan_.seed, static_cast<std::uint64_t>(block * block_lanes),

@@ -133,8 +133,8 @@ void run_block(const context& c, const level_grid& grid, std::span<const int> op
   for (std::size_t l = 0; l < grid.steps.size(); ++l) {
     const int n = grid.steps[l];
     const double dt = grid.horizon / n;
-    const auto view = m.active_channels() > 0 ? noise.fill(c.seed, static_cast<std::uint64_t>(first_path), 0, n, dt)
-                                              : silence(n, dt);
+    const auto view =
+        m.active_channels() > 0 ? noise.fill(c.seed, static_cast<std::uint64_t>(first_path), 0, n, dt) : silence(n, dt);
     for (const int k : open) {
       auto& sample = samples[static_cast<std::size_t>(k)];
       auto states = replicated(c.subject.scene.momentum);

@@ -32,7 +32,9 @@ struct level_increments {
 class increment_ladder {
  public:
   increment_ladder(const model& m, const level_grid& grid, noise_source source)
-      : model_(m), levels_(grid.steps.size()), fine_(m, grid.steps.back() / grid.steps.front() * fine_per_step, false, source) {
+      : model_(m),
+        levels_(grid.steps.size()),
+        fine_(m, grid.steps.back() / grid.steps.front() * fine_per_step, false, source) {
     for (std::size_t l = 0; l < levels_.size(); ++l) {
       const int steps = grid.steps[l] / grid.steps.front();
       const int channels = m.channels(), pairs = channels * (channels - 1) / 2;

@@ -1,5 +1,5 @@
-#include "ensemble/work_counters.hpp"
 #include "registry/run_experiment.hpp"
+#include "ensemble/work_counters.hpp"
 
 #include <algorithm>
 #include <ctime>

@@ -23,7 +23,8 @@ namespace polhode {
 namespace {
 
 constexpr double most_steps = 1e9, memory_share = 0.8;
-const std::vector<std::string> noises{"common", "independent", "none"}, starts{"uniform", "momentum"}, qualities{"fast", "precise"};
+const std::vector<std::string> noises{"common", "independent", "none"}, starts{"uniform", "momentum"},
+    qualities{"fast", "precise"};
 
 [[noreturn]] void refuse(std::string_view option, std::string_view value, std::string_view fault) {
   throw input_error(fmt::format("{} '{}': {}", option, one_line(value, 60), fault));

@@ -76,7 +76,8 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
     if (const auto reason = e.cannot_say(s))
       out.skipped.push_back({e.info.name, "", *reason});
     else
-      run_experiment(e, {s, options.effort, options.threads, options.seed, generator_named(options.generator), tell}, options.store, out);
+      run_experiment(e, {s, options.effort, options.threads, options.seed, generator_named(options.generator), tell},
+                     options.store, out);
     before += e.weight;
   }
   if (progress) progress(1, "done");

@@ -1,5 +1,5 @@
-// The laboratory's kernels are the schemes: whatever is specialised, merged, shared or approximated in them, their paths are
-// those of the scalar step.
+// The laboratory's kernels are the schemes: whatever is specialised, merged, shared or approximated in them, their
+// paths are those of the scalar step.
 #include <gtest/gtest.h>
 
 #include "ensemble/isa.hpp"
@@ -22,15 +22,18 @@ report::scene with_parts(triple inertia, double theta, std::vector<triple> sigma
   return scene;
 }
 
-const std::vector<triple> isotropic{{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}, diagonal{{0.2, 0, 0}, {0, 0.5, 0}, {0, 0, 0.7}},
-    skew{{0.3, 0.1, 0}, {-0.2, 0.4, 0.1}, {0, 0.3, 0.2}}, one{{0.1, 0.2, 0.3}}, none{};
+const std::vector<triple> isotropic{{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}},
+    diagonal{{0.2, 0, 0}, {0, 0.5, 0}, {0, 0, 0.7}}, skew{{0.3, 0.1, 0}, {-0.2, 0.4, 0.1}, {0, 0.3, 0.2}},
+    one{{0.1, 0.2, 0.3}}, none{};
 
 /// Every specialisation of a kernel: parts of the motion, numbering of the axes, form of the noise.
 std::vector<report::scene> every_part() {
-  return {with_parts({1, 2, 3}, 0.5, isotropic), with_parts({1, 2, 3}, 0, diagonal),  with_parts({1, 2, 3}, 0.5, skew),
-          with_parts({2, 1, 1}, 0.5, diagonal),  with_parts({1, 2, 1}, 0.5, skew),    with_parts({1, 1, 2}, 0.5, isotropic),
-          with_parts({1, 1, 2}, 0, skew),        with_parts({2, 2, 2}, 0.5, diagonal), with_parts({1, 2, 3}, 0.5, one),
-          with_parts({1, 2, 3}, 0.5, none),      with_parts({3, 1, 1}, 0, none)};
+  return {with_parts({1, 2, 3}, 0.5, isotropic), with_parts({1, 2, 3}, 0, diagonal),
+          with_parts({1, 2, 3}, 0.5, skew),      with_parts({2, 1, 1}, 0.5, diagonal),
+          with_parts({1, 2, 1}, 0.5, skew),      with_parts({1, 1, 2}, 0.5, isotropic),
+          with_parts({1, 1, 2}, 0, skew),        with_parts({2, 2, 2}, 0.5, diagonal),
+          with_parts({1, 2, 3}, 0.5, one),       with_parts({1, 2, 3}, 0.5, none),
+          with_parts({3, 1, 1}, 0, none)};
 }
 
 /// Increments of a block with areas; empty where there is no noise.
@@ -145,7 +148,8 @@ TYPED_TEST(Kernel, PiecesAndStopsChangeNothing) {
     if (i != 9) continue;
     auto seen = pieces;
     stepper->finish(seen, dt);
-    stepper->advance(stopped, {dt, 10, std::span(w.dw).first(30 * block_lanes), std::span(w.area).first(30 * block_lanes)});
+    stepper->advance(stopped,
+                     {dt, 10, std::span(w.dw).first(30 * block_lanes), std::span(w.area).first(30 * block_lanes)});
     EXPECT_EQ(seen, stopped) << "a look in between is the run that ends there";
   }
   EXPECT_EQ(whole, pieces);

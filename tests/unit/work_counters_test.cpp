@@ -6,6 +6,7 @@
 #include "ensemble/simulation.hpp"
 #include "registry/scene.hpp"
 #include "registry/systems.hpp"
+#include "registry/verify.hpp"
 
 namespace polhode {
 namespace {
@@ -47,7 +48,8 @@ TEST(Work, NoNoiseTouchesNoGenerator) {
 }
 
 TEST(Work, ACommonNoiseIsDrawnOnceAStepNotOnceABody) {
-  EXPECT_EQ(run(paper_with({{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}), "strang", ensemble_noise::common).work.normals, 300u);
+  EXPECT_EQ(run(paper_with({{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}), "strang", ensemble_noise::common).work.normals,
+            300u);
 }
 
 TEST(Work, OnlyChannelsInUseAreDrawn) {
@@ -63,7 +65,8 @@ TEST(Work, AreasAreDrawnForThoseWhoAsk) {
 
 TEST(Work, DoesNotDependOnThreads) {
   const auto s = bind_scene(load_scene("paper"));
-  const auto one = run(s, "heun", ensemble_noise::independent, 1), three = run(s, "heun", ensemble_noise::independent, 3);
+  const auto one = run(s, "heun", ensemble_noise::independent, 1),
+             three = run(s, "heun", ensemble_noise::independent, 3);
   EXPECT_EQ(one.work.normals, three.work.normals);
   EXPECT_EQ(one.work.kernels, three.work.kernels);
   EXPECT_EQ(one.result.states, three.result.states);
