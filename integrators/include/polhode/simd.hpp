@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <experimental/simd>
@@ -40,9 +41,6 @@ struct bits_of_scalar<double> {
 template <class S>
 using bits_of = typename bits_of_scalar<S>::type;
 
-/// Low and high half of 128 bits.
-using aes_block = std::array<std::uint64_t, 2>;
-
 /// What the intrinsics below do, in plain C++: the same bits.
 namespace twin {
 
@@ -56,57 +54,6 @@ std::array<B, 2> interleave(const B& a, const B& b) {
     return {B([&](std::size_t i) { return i % 2 == 0 ? a[i] : b[i - 1]; }),
             B([&](std::size_t i) { return i % 2 == 0 ? a[i + 1] : b[i]; })};
   }
-}
-
-/// Multiplication by x in GF(2^8) modulo x^8 + x^4 + x^3 + x + 1.
-constexpr std::uint8_t times_x(std::uint8_t a) { return static_cast<std::uint8_t>(a << 1 ^ (a >> 7) * 0x1B); }
-
-/// The inverse in GF(2^8), then the affine map of FIPS 197, section 5.1.1. p runs through the powers of the generator
-/// 3, q through their inverses.
-constexpr std::array<std::uint8_t, 256> make_s_box() {
-  std::array<std::uint8_t, 256> box{};
-  box[0] = 0x63;
-  std::uint8_t p = 1, q = 1;
-  do {
-    p = static_cast<std::uint8_t>(p ^ times_x(p));
-    for (const int shift : {1, 2, 4}) q = static_cast<std::uint8_t>(q ^ q << shift);
-    if (q & 0x80) q ^= 0x09;
-    int sum = q;
-    for (int turn = 1; turn < 5; ++turn) sum ^= q << turn | q >> (8 - turn);
-    box[p] = static_cast<std::uint8_t>(sum ^ 0x63);
-  } while (p != 1);
-  return box;
-}
-inline constexpr std::array<std::uint8_t, 256> s_box = make_s_box();
-
-template <bool Last>
-constexpr aes_block aes_round(const aes_block& x, const aes_block& key) {
-  auto out = key;
-  for (unsigned column = 0; column < 4; ++column) {
-    std::array<std::uint8_t, 4> s{};
-    for (unsigned row = 0; row < 4; ++row) {
-      const unsigned from = 4 * ((column + row) % 4) + row;  // ShiftRows
-      s[row] = s_box[x[from / 8] >> 8 * (from % 8) & 0xFF];
-    }
-    for (unsigned row = 0; row < 4; ++row) {
-      const std::uint8_t a = s[row], b = s[(row + 1) % 4];
-      const int mixed = times_x(static_cast<std::uint8_t>(a ^ b)) ^ b ^ s[(row + 2) % 4] ^ s[(row + 3) % 4];
-      out[column / 2] ^= static_cast<std::uint64_t>(Last ? a : mixed) << (32 * (column % 2) + 8 * row);
-    }
-  }
-  return out;
-}
-template <std::size_t N>
-constexpr aes_block aes(const aes_block& x, const std::array<aes_block, N>& keys) {
-  aes_block s{x[0] ^ keys[0][0], x[1] ^ keys[0][1]};
-  for (std::size_t i = 1; i + 1 < N; ++i) s = aes_round<false>(s, keys[i]);
-  return aes_round<true>(s, keys[N - 1]);
-}
-template <class B, std::size_t N>
-requires is_pack<B> B aes(const B& x, const std::array<B, N>& keys) {
-  std::array<aes_block, N> same;
-  for (std::size_t i = 0; i < N; ++i) same[i] = {keys[i][0], keys[i][1]};
-  return B([&](std::size_t i) { return aes(aes_block{x[i - i % 2], x[i - i % 2 + 1]}, same)[i % 2]; });
 }
 
 template <class F, class U>
@@ -171,47 +118,104 @@ std::array<B, 2> interleave(const B& a, const B& b) {
   return twin::interleave(a, b);
 }
 
-/// AES with given round keys on every 128-bit block of a pack (low half in the even lanes, high half in the odd): key 0
-/// is added; then rounds of S-box, ShiftRows, MixColumns except in the last, and key (FIPS 197). Every block has the
-/// same keys.
-template <class B, std::size_t N>
-B aes(const B& x, const std::array<B, N>& keys) {
+/// a's low word below b's low word in every 64-bit lane.
+inline std::uint64_t join_low_words(std::uint64_t a, std::uint64_t b) { return (a & 0xFFFFFFFF) | b << 32; }
+template <class B>
+requires is_pack<B> B join_low_words(const B& a, const B& b) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(B) == 64)
+    return B(_mm512_mask_shuffle_epi32(static_cast<__m512i>(a), 0xAAAA, static_cast<__m512i>(b), _MM_PERM_CCAA));
+#endif
+#if defined(__AVX2__)
+  if constexpr (sizeof(B) == 32)
+    return B(_mm256_blend_epi32(static_cast<__m256i>(a), static_cast<__m256i>(b << 32), 0xAA));
+#endif
+  return (a & B(0xFFFFFFFF)) | b << 32;
+}
+
+/// Has the target AES instructions for packs of this size?
+template <class B>
+inline constexpr bool has_aes =
 #if defined(__VAES__) && defined(__AVX512F__)
-  if constexpr (sizeof(B) == 64) {
-    const auto key = [&](std::size_t i) { return static_cast<__m512i>(keys[i]); };
-    auto s = _mm512_xor_si512(static_cast<__m512i>(x), key(0));
-    for (std::size_t i = 1; i + 1 < N; ++i) s = _mm512_aesenc_epi128(s, key(i));
-    return B(_mm512_aesenclast_epi128(s, key(N - 1)));
-  }
+    sizeof(B) == 64 ||
 #endif
 #if defined(__AES__) && defined(__AVX2__)
-  if constexpr (sizeof(B) == 32) {
-    const auto key = [&](std::size_t i) { return _mm256_castsi256_si128(static_cast<__m256i>(keys[i])); };
-    const auto s = static_cast<__m256i>(x);
-    auto low = _mm_xor_si128(_mm256_castsi256_si128(s), key(0));
-    auto high = _mm_xor_si128(_mm256_extracti128_si256(s, 1), key(0));
-    for (std::size_t i = 1; i + 1 < N; ++i) low = _mm_aesenc_si128(low, key(i)), high = _mm_aesenc_si128(high, key(i));
-    return B(_mm256_set_m128i(_mm_aesenclast_si128(high, key(N - 1)), _mm_aesenclast_si128(low, key(N - 1))));
+    sizeof(B) == 32 ||
+#endif
+#if defined(__AES__)
+    sizeof(B) == 16 ||
+#endif
+    false;
+
+/// One round of AES on every 128-bit block of a pack (low half in the even lanes, high half in the odd): S-box,
+/// ShiftRows, MixColumns except in the last, and key, which is the same for every block (FIPS 197).
+template <bool Last, class B>
+requires has_aes<B> B aes_round(const B& x, const B& key) {
+#if defined(__VAES__) && defined(__AVX512F__)
+  if constexpr (sizeof(B) == 64) {
+    const auto s = static_cast<__m512i>(x), k = static_cast<__m512i>(key);
+    return B(Last ? _mm512_aesenclast_epi128(s, k) : _mm512_aesenc_epi128(s, k));
   }
 #endif
 #if defined(__AES__)
-  if constexpr (sizeof(B) == 16) {
-    const auto key = [&](std::size_t i) { return static_cast<__m128i>(keys[i]); };
-    auto s = _mm_xor_si128(static_cast<__m128i>(x), key(0));
-    for (std::size_t i = 1; i + 1 < N; ++i) s = _mm_aesenc_si128(s, key(i));
-    return B(_mm_aesenclast_si128(s, key(N - 1)));
+  const auto half = [](__m128i s, __m128i k) { return Last ? _mm_aesenclast_si128(s, k) : _mm_aesenc_si128(s, k); };
+#if defined(__AVX2__)
+  if constexpr (sizeof(B) == 32) {
+    const auto s = static_cast<__m256i>(x);
+    const auto k = _mm256_castsi256_si128(static_cast<__m256i>(key));
+    return B(_mm256_set_m128i(half(_mm256_extracti128_si256(s, 1), k), half(_mm256_castsi256_si128(s), k)));
   }
 #endif
-  return twin::aes(x, keys);
+  if constexpr (sizeof(B) == 16) return B(half(static_cast<__m128i>(x), static_cast<__m128i>(key)));
+#endif
 }
 
-/// The float nearest to an integer below 2^31.
-inline float to_float(std::uint32_t a) { return static_cast<float>(static_cast<std::int32_t>(a)); }
+/// AES with given round keys: key 0 is added, then the rounds. Several packs advance round by round, since each is one
+/// long chain of operations that wait for each other.
+template <class B, std::size_t N, std::size_t Keys>
+requires has_aes<B> std::array<B, N> aes(const std::array<B, N>& blocks, const std::array<B, Keys>& keys) {
+  std::array<B, N> x;
+  unrolled<N>([&](std::size_t i) { x[i] = blocks[i] ^ keys[0]; });
+  unrolled<Keys - 2>([&](std::size_t round) {
+    unrolled<N>([&](std::size_t i) { x[i] = aes_round<false>(x[i], keys[round + 1]); });
+  });
+  unrolled<N>([&](std::size_t i) { x[i] = aes_round<true>(x[i], keys[Keys - 1]); });
+  return x;
+}
+
+/// The integer below 2^31 as a float, cut to its 24 leading bits.
 template <class U>
-requires is_pack<U>
-auto to_float(const U& a) {
-  return stdx::static_simd_cast<stdx::rebind_simd_t<float, U>>(
-      stdx::static_simd_cast<stdx::rebind_simd_t<std::int32_t, U>>(a));
+auto cut_to_float(const U& a) {
+  const U cut = a & ~(a >> 24);  // without the first bit that a float drops nothing is rounded up
+  if constexpr (!is_pack<U>) {
+    return static_cast<float>(static_cast<std::int32_t>(cut));
+  } else {
+    using F = stdx::rebind_simd_t<float, U>;
+#if defined(__AVX512F__)
+    if constexpr (sizeof(U) == 64)
+      return F(_mm512_cvt_roundepi32_ps(static_cast<__m512i>(a), _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC));
+    else
+#endif
+      return stdx::static_simd_cast<F>(stdx::static_simd_cast<stdx::rebind_simd_t<std::int32_t, U>>(cut));
+  }
+}
+
+/// a b + c, rounded once. Where the target has no such instruction it is the standard library's, lane by lane: slow,
+/// with the same bits.
+inline float fused(float a, float b, float c) { return std::fma(a, b, c); }
+template <class F>
+requires is_pack<F> F fused(const F& a, const F& b, const F& c) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(F) == 64)
+    return F(_mm512_fmadd_ps(static_cast<__m512>(a), static_cast<__m512>(b), static_cast<__m512>(c)));
+#endif
+#if defined(__FMA__)
+  if constexpr (sizeof(F) == 32)
+    return F(_mm256_fmadd_ps(static_cast<__m256>(a), static_cast<__m256>(b), static_cast<__m256>(c)));
+  if constexpr (sizeof(F) == 16)
+    return F(_mm_fmadd_ps(static_cast<__m128>(a), static_cast<__m128>(b), static_cast<__m128>(c)));
+#endif
+  return F([&](std::size_t i) { return fused(a[i], b[i], c[i]); });
 }
 
 /// table[index mod 16] in every lane.

@@ -1,5 +1,5 @@
-// Philox4x32-10: 128 random bits as a pure function of a 128-bit counter and a 64-bit key, for one counter or a pack of
-// them.
+// Philox4x32-10: 128 random bits as a pure function of a 128-bit counter and a 64-bit key, for one counter or for packs
+// of them.
 //
 // Source: Salmon, Moraes, Dror, Shaw, Parallel random numbers: as easy as 1, 2, 3, SC'11, section 3.3. Held by the
 // known answers published with it.
@@ -12,41 +12,58 @@
 
 namespace polhode {
 
-/// Four words of 32 bits, each in a 64-bit lane (std::uint64_t or a pack of them) with its upper half zero.
+/// Four words of 32 bits, each in the low half of a 64-bit lane (std::uint64_t or a pack of them).
 template <class B>
 using philox_words = std::array<B, 4>;
 
-namespace detail {
-
-/// Only the lower halves of what comes in and goes out count.
+/// The round keys are kept.
 template <class B>
-philox_words<B> philox_rounds(philox_words<B> x, std::uint64_t seed) {
-  auto key0 = static_cast<std::uint32_t>(seed), key1 = static_cast<std::uint32_t>(seed >> 32);
-  for (int round = 0; round < 10; ++round) {
-    const B p = multiply_low_words(B(std::uint64_t{0xD2511F53}), x[0]);
-    const B q = multiply_low_words(B(std::uint64_t{0xCD9E8D57}), x[2]);
-    x = {(q >> 32) ^ x[1] ^ B(std::uint64_t{key0}), q, (p >> 32) ^ x[3] ^ B(std::uint64_t{key1}), p};
-    key0 += 0x9E3779B9;
-    key1 += 0xBB67AE85;
+class philox {
+ public:
+  explicit philox(std::uint64_t seed) {
+    auto key0 = static_cast<std::uint32_t>(seed), key1 = static_cast<std::uint32_t>(seed >> 32);
+    for (auto& key : keys_) {
+      key = {B(std::uint64_t{key0}), B(std::uint64_t{key1})};
+      key0 += 0x9E3779B9;
+      key1 += 0xBB67AE85;
+    }
   }
-  return x;
-}
 
-}  // namespace detail
+  /// Only the low halves of what comes in and goes out count. Several counters advance round by round, since each is
+  /// one long chain of operations that wait for each other.
+  template <std::size_t N>
+  std::array<philox_words<B>, N> words(const std::array<philox_words<B>, N>& counters) const {
+    auto x = counters;
+    unrolled<10>([&](std::size_t round) {
+      const auto& key = keys_[round];
+      std::array<B, N> p, q;
+      unrolled<N>([&](std::size_t i) {
+        p[i] = multiply_low_words(B(std::uint64_t{0xD2511F53}), x[i][0]);
+        q[i] = multiply_low_words(B(std::uint64_t{0xCD9E8D57}), x[i][2]);
+      });
+      unrolled<N>([&](std::size_t i) {
+        x[i] = {(q[i] >> 32) ^ x[i][1] ^ key[0], q[i], (p[i] >> 32) ^ x[i][3] ^ key[1], p[i]};
+      });
+    });
+    return x;
+  }
 
-template <class B>
-philox_words<B> philox4x32_10(const philox_words<B>& counter, std::uint64_t seed) {
-  auto x = detail::philox_rounds(counter, seed);
-  for (B& word : x) word = word & B(0xFFFFFFFF);
-  return x;
-}
+  /// From and to two halves of 64 bits: words 0, 1 and words 2, 3.
+  template <std::size_t N>
+  std::array<std::array<B, 2>, N> operator()(const std::array<std::array<B, 2>, N>& counters) const {
+    std::array<philox_words<B>, N> in;
+    unrolled<N>([&](std::size_t i) {
+      const auto& [low, high] = counters[i];
+      in[i] = {low, low >> 32, high, high >> 32};
+    });
+    const auto x = words(in);
+    std::array<std::array<B, 2>, N> out;
+    unrolled<N>([&](std::size_t i) { out[i] = {join_low_words(x[i][0], x[i][1]), join_low_words(x[i][2], x[i][3])}; });
+    return out;
+  }
 
-/// The same from and to two halves of 64 bits: words 0, 1 and words 2, 3.
-template <class B>
-std::array<B, 2> philox4x32_10(const std::array<B, 2>& counter, std::uint64_t seed) {
-  const B word(0xFFFFFFFF);
-  const auto x = detail::philox_rounds<B>({counter[0], counter[0] >> 32, counter[1], counter[1] >> 32}, seed);
-  return {(x[0] & word) | x[1] << 32, (x[2] & word) | x[3] << 32};
-}
+ private:
+  std::array<std::array<B, 2>, 10> keys_;
+};
 
 }  // namespace polhode
