@@ -86,7 +86,7 @@ reference_value mean(const sphere_problem& problem, const stationary_law& law, c
   if (!law.density) return {.degree = law.degree, .reason = law.reason};
   const Eigen::VectorXd c = observable_coefficients(problem, f, law.degree);
   return {.value = c.dot(*law.density),
-          .uncertainty = std::max(law.uncertainty, rounding) * c.norm(),
+          .uncertainty = std::max(std::fabs(c.dot(law.change)), rounding * c.norm()),
           .degree = law.degree,
           .reason = law.reason};
 }

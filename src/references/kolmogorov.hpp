@@ -30,7 +30,7 @@ struct sphere_problem {
 
 struct reference_value {
   std::optional<double> value{};  ///< absent where the question has no answer of this kind
-  double uncertainty = 0;       ///< difference of the last two degrees; never below rounding
+  double uncertainty = 0;         ///< difference of the last two degrees; never below rounding
   int degree = 0;
   std::string reason{};  ///< empty if converged to the tolerance; else one sentence
 
@@ -52,13 +52,14 @@ reference_value expectation(const sphere_problem& problem, const sphere_function
 /// Density against the area of the unit sphere, in harmonics.
 struct stationary_law {
   std::optional<Eigen::VectorXd> density{};
-  double uncertainty = 0;  ///< L2 distance of the last two densities: bounds |E[f] - E'[f]| / |f|_2
+  Eigen::VectorXd change{};  ///< what the last degree added to it
+  double uncertainty = 0;    ///< its L2 norm: bounds the change of E[f] over |f|_2
   int degree = 0;
   std::string reason{};
 };
 stationary_law stationary(const sphere_problem& problem, double tolerance);
 
-/// E[f] under the law, with the uncertainty that the law's own carries over to f.
+/// E[f] under the law, uncertain by what the last degree changed.
 reference_value mean(const sphere_problem& problem, const stationary_law& law, const sphere_function& f);
 
 /// The slowest rate at which expectations relax. 0 where a further function is conserved (then no law is unique).
