@@ -4,17 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "references/exponential_action.hpp"
+#include "references/raise_degree.hpp"
 #include "references/sparse_blocks.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64, 96, 128};
-constexpr double affordable = 3e10;  // multiplications
+constexpr double affordable = 1e10;  // multiplications
 constexpr double rounding = 1e-14;   // of what is added up
 
 // Coefficients of a smooth function that are rounding only would tie together blocks that do not talk to each other.
@@ -63,23 +63,16 @@ sparse_matrix backward_operator(const sphere_problem& problem, int degree) {
 reference_value expectation(const sphere_problem& problem, const sphere_function& f, const Eigen::Vector3d& start,
                             double time, double tolerance) {
   if (problem.covariance.isZero(0)) return {.reason = "no noise: the expectation is the solution's own value"};
-  reference_value last;
-  for (const int degree : degrees) {
+  return raise_degree(degrees, tolerance, [&](int degree) -> std::optional<projected_value> {
     const Eigen::VectorXd coefficients = observable_coefficients(problem, f, degree);
     const sparse_matrix whole = backward_operator(problem, degree);
     const index_set needed = blocks_of(whole, coefficients);
     const sparse_matrix part = submatrix(whole, needed);
-    if (exponential_action_products(part, time) * static_cast<double>(part.nonZeros()) > affordable) break;
+    if (exponential_action_products(part, time) * static_cast<double>(part.nonZeros()) > affordable) return {};
     const Eigen::VectorXd y = harmonics_at(start.normalized(), degree)(needed);
-    const double value = y.dot(exponential_action(part, time, coefficients(needed)));
-    const double change = last.value ? std::fabs(value - *last.value) : std::numeric_limits<double>::infinity();
-    const double floor = rounding * coefficients.norm() / std::sqrt(4 * std::numbers::pi);
-    if (!std::isfinite(value)) break;
-    last = {.value = value, .uncertainty = std::max(change, floor), .degree = degree, .reason = {}};
-    if (last.uncertainty <= std::max(tolerance, floor)) return last;
-  }
-  last.reason = fmt::format("not converged to {:g} at degree {}, the last that is affordable", tolerance, last.degree);
-  return last;
+    return projected_value{y.dot(exponential_action(part, time, coefficients(needed))),
+                           rounding * coefficients.norm() / std::sqrt(4 * std::numbers::pi)};
+  });
 }
 
 reference_value mean(const sphere_problem& problem, const stationary_law& law, const sphere_function& f) {

@@ -1,11 +1,9 @@
 #include "references/lyapunov.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "references/raise_degree.hpp"
 #include "references/sparse_blocks.hpp"
 #include "references/wigner.hpp"
 
@@ -13,7 +11,7 @@ namespace polhode {
 namespace {
 
 constexpr std::array degrees{4, 6, 8, 10, 12, 14, 16, 20, 24, 28, 32};
-constexpr int affordable = 6000;  // unknowns in the block: tens of seconds
+constexpr int affordable = 7000;  // unknowns in the block: seconds
 constexpr double rounding = 1e-14;
 
 sparse_matrix bracket(const sparse_matrix& a, const sparse_matrix& b) {
@@ -56,31 +54,33 @@ frame_operator operator_on_frames(const sphere_problem& problem, int degree) {
 
 }  // namespace
 
+double kaplan_yorke(double lambda1, double sum) {
+  if (sum > -1e-13) return 2;
+  return lambda1 > 0 ? 1 + lambda1 / (lambda1 - sum) : 0;
+}
+
 lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance) {
   const auto law = stationary(problem, tolerance / 10);
   const auto energy = mean(problem, law, *named_observable("energy", problem.inertia));
   if (!energy.value) return {.reason = energy.reason};
-  lyapunov_exponents last;
-  for (const int degree : degrees) {
+  const auto lambda1 = raise_degree(degrees, tolerance, [&](int degree) -> std::optional<projected_value> {
     const auto frames = operator_on_frames(problem, degree);
     const auto nu = left_null_vector(frames.generator, affordable);
-    if (!nu) break;
-    const double value = nu->dot(frames.stretching);
-    const double change = last.lambda1 ? std::fabs(value - *last.lambda1) : std::numeric_limits<double>::infinity();
-    last.lambda1 = value;
-    last.uncertainty = std::max(change, rounding * frames.stretching.norm());
-    last.degree = degree;
-    if (last.uncertainty <= tolerance) break;
-  }
-  if (!last.lambda1 || last.uncertainty > tolerance)
-    last.reason =
-        fmt::format("not converged to {:g} at degree {}, the last that is affordable", tolerance, last.degree);
-  const double c = problem.radius;
-  const double trace = Eigen::Array3d(problem.inertia.data()).inverse().sum();
-  last.sum = -problem.theta * (c * c * trace - 6 * *energy.value);
-  if (last.lambda1.value_or(-1) >= 0)
-    last.dimension = 1 + *last.lambda1 / std::max(*last.lambda1, *last.lambda1 - last.sum);
-  return last;
+    if (!nu) return {};
+    return projected_value{nu->dot(frames.stretching), rounding * frames.stretching.norm()};
+  });
+  const double c = problem.radius, trace = Eigen::Array3d(problem.inertia.data()).inverse().sum();
+  lyapunov_exponents found;
+  found.lambda1 = lambda1.value;
+  found.uncertainty = lambda1.uncertainty;
+  found.sum = -problem.theta * (c * c * trace - 6 * *energy.value);
+  found.sum_uncertainty = 6 * problem.theta * energy.uncertainty;
+  if (lambda1.value) found.dimension = kaplan_yorke(*lambda1.value, found.sum);
+  found.degree = lambda1.degree;
+  found.reason = lambda1.reason;
+  if (found.reason.empty() && found.sum_uncertainty > tolerance)
+    found.reason = "the sum is " + not_converged(tolerance, energy.degree) + " on the sphere";
+  return found;
 }
 
 }  // namespace polhode

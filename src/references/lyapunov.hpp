@@ -20,12 +20,17 @@ struct lyapunov_exponents {
   std::optional<double> lambda1{};
   double uncertainty = 0;  ///< of lambda1: difference of the last two degrees
   double sum = 0;          ///< lambda1 + lambda2
-  double dimension = 0;  ///< of the random attractor, Kaplan-Yorke: 1 + lambda1 / |lambda2|, 0 (a point) if lambda1 < 0
+  double sum_uncertainty = 0;
+  double dimension = 0;  ///< of the random attractor, see kaplan_yorke
   int degree = 0;        ///< of the Wigner functions
   std::string reason{};  ///< empty if converged to the tolerance; else one sentence
 };
 
-/// To an absolute tolerance in lambda1. Without noise, or where the law is not unique: no value.
+/// Kaplan-Yorke dimension 1 + lambda1 / |lambda2|; 0 (a point) for lambda1 <= 0, 2 (the sphere) where area is
+/// conserved.
+double kaplan_yorke(double lambda1, double sum);
+
+/// To an absolute tolerance in both lambda1 and the sum. Without noise, or where the law is not unique: no value.
 lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance);
 
 }  // namespace polhode

@@ -1,6 +1,4 @@
 // The stationary law and the spectral gap of references/kolmogorov.hpp.
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseLU>
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "references/kolmogorov.hpp"
+#include "references/raise_degree.hpp"
 #include "references/sparse_blocks.hpp"
 
 namespace polhode {
@@ -21,11 +20,8 @@ using complex = std::complex<double>;
 constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64, 96};
 constexpr int most_sparse = 5000, most_dense = 700;  // unknowns in a block: seconds
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double resolved = 0.1;     // relative change below which the slowest mode is followed to higher degrees
 constexpr double conserved = 1e-11;  // an eigenvalue below this times |Q| is none
-
-std::string not_converged(double tolerance, int degree) {
-  return fmt::format("not converged to {:g} at degree {}, the last that is affordable", tolerance, degree);
-}
 
 /// The generator without the constant function, in its blocks.
 std::vector<sparse_matrix> relaxing_blocks(const sphere_problem& problem, int degree) {
@@ -105,22 +101,26 @@ stationary_law stationary(const sphere_problem& problem, double tolerance) {
 
 reference_value spectral_gap(const sphere_problem& problem, double tolerance) {
   if (problem.covariance.isZero(0)) return {.reason = "no noise: nothing relaxes in law"};
-  reference_value last;
   slowest_mode mode{0, -infinity};
-  for (const int degree : degrees) {
+  double change = infinity;
+  const auto gap_at = [&](int degree) -> std::optional<projected_value> {
     const auto parts = relaxing_blocks(problem, degree);
-    if (largest(parts) > most_sparse) break;
+    const complex before = mode.rate;
     if (largest(parts) <= most_dense)
       mode = slowest_of(parts);
-    else
+    else if (largest(parts) <= most_sparse && change < -resolved * mode.rate.real())
       mode.rate = next_to(parts[mode.block], mode.rate);
-    const double gap = std::max(0.0, -mode.rate.real());
-    const double change = last.value ? std::fabs(gap - *last.value) : infinity;
-    last = {.value = gap, .uncertainty = std::max(change, 1e-14), .degree = degree, .reason = {}};
-    if (last.uncertainty <= std::max(tolerance, 1e-14)) return last;
-  }
-  last.reason = not_converged(tolerance, last.degree);
-  return last;
+    else
+      return {};
+    change = std::fabs(mode.rate.real() - before.real());
+    return projected_value{-mode.rate.real(), 1e-14};
+  };
+  auto gap = raise_degree(degrees, tolerance, gap_at);
+  if (gap.value.value_or(0) >= 0) return gap;
+  gap.uncertainty = std::max(gap.uncertainty, -*gap.value);  // the degree is too low for noise so weak, or rounding
+  if (gap.uncertainty > std::max(tolerance, 1e-14)) gap.reason = not_converged(tolerance, gap.degree);
+  gap.value = 0;
+  return gap;
 }
 
 }  // namespace polhode
