@@ -9,6 +9,8 @@ namespace polhode {
 bool ars_usable() { return aes_isa(active_isa()).has_value(); }
 
 void fill_normals(const normal_block& request) {
+  if (request.singles != nullptr && request.source.quality == noise_quality::precise)
+    throw std::invalid_argument("noise quality precise: not to be had in single precision; accepted: fast");
   if (request.source.generator == noise_generator::philox)
     return by_isa(POLHODE_ENTRIES(polhode_fill_normals_))(request);
   const auto level = aes_isa(active_isa());

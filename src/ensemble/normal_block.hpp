@@ -8,7 +8,9 @@
 namespace polhode {
 
 /// `wanted` of `rows` normals (channels), times `scale`, for every lane of a block and every step: out is
-/// [step][row][lane]. Rows that are not wanted are left alone.
+/// [step][row][lane]. Rows that are not wanted are left alone. Where `singles` is given it takes, in place of `out`,
+/// the normals as they are, before `scale`: half the memory traffic for whoever multiplies by `scale` in double
+/// precision himself and has the same bits. Fast normals only.
 struct normal_block {
   std::uint64_t seed;
   noise_kind kind;
@@ -17,12 +19,14 @@ struct normal_block {
   double scale;
   double* out;
   noise_source source{};
+  float* singles = nullptr;
 };
 
 /// Can this build and processor run ARS? It needs AES instructions.
 bool ars_usable();
 
-/// By the instruction set in force. Throws std::invalid_argument for ARS where it is not usable.
+/// By the instruction set in force. Throws std::invalid_argument for ARS where it is not usable, and for precise
+/// singles.
 void fill_normals(const normal_block&);
 
 }  // namespace polhode

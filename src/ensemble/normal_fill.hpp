@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <numeric>
 
 #include <polhode/noise/normal.hpp>
 
@@ -31,98 +30,104 @@ void fill_precise(const normal_block& request) {
   }
 }
 
-/// Fast normals of `Lanes` paths from `first_path`, a multiple of 4, a row (one step, one channel) after another. Between
-/// counters and doubles all is in registers.
-template <noise_generator G, int Lanes>
+/// Fast normals, row by row: one channel at one step. First the words of some rows, then their quantiles, since the
+/// constants of one of the two loops fit into registers, those of both do not.
+template <noise_generator G>
 class fast_rows {
   using B = bits_of<pack>;
   using F = stdx::native_simd<float>;
   using U = stdx::rebind_simd_t<std::uint32_t, F>;
-  static constexpr std::size_t width = U::size(), words = Lanes / width, counters = words / 2;
-  static constexpr std::size_t in_flight = std::gcd(std::size_t{4}, words);
-  static_assert(Lanes % (2 * width) == 0);
+  static constexpr std::size_t width = U::size(), packs = 4;  ///< that advance together
+  static constexpr std::size_t lanes_at_once = packs * width;
+  static_assert(block_lanes % lanes_at_once == 0);
+  static constexpr int batch = 12;
+  using word_row = std::array<std::uint32_t, block_lanes + lanes_at_once>;
 
  public:
-  fast_rows(const normal_block& request, std::uint64_t first_path)
-      : request_(request), first_path_(first_path), blocks_(request.seed) {
-    // Even lanes count through the first half of a pack's counters, odd lanes through the second.
-    const B order([](std::size_t i) { return i / 2 + i % 2 * (B::size() / 2); });
-    unrolled<counters>([&](std::size_t i) { group_[i] = B(first_path / 4 + i * B::size()) + order; });
-  }
+  explicit fast_rows(const normal_block& request) : request_(request), source_(request.seed) {}
 
-  void fill(int step, std::uint32_t channel, double* out) const {
-    const auto block = draw(step, channel);
-    U smallest(0x7FFFFFFFu);
-    unrolled<words / in_flight>([&](std::size_t part) {
-      std::array<U, in_flight> word;
-      unrolled<in_flight>([&](std::size_t i) {
-        word[i] = std::bit_cast<U>(block[part * in_flight + i]);
-        smallest = stdx::min(smallest, U(word[i] & U(0x7FFFFFFFu)));
-      });
-      const auto x = quantiles<F>(word);
-      unrolled<in_flight>(
-          [&](std::size_t i) { store_scaled(x[i], request_.scale, out + (part * in_flight + i) * width); });
-    });
-    if (stdx::any_of(in_tail(smallest))) [[unlikely]]
-      replace_tails(step, channel, out);
+  /// Into out, scaled (Real = double), or into singles, as they are (Real = float).
+  template <class Real>
+  void fill(Real* out) {
+    const int all = request_.steps * request_.wanted;
+    for (int first = 0; first < all; first += batch) {
+      const int end = std::min(first + batch, all);
+      for (int row = first; row < end; ++row) draw(row, words_[static_cast<std::size_t>(row - first)]);
+      for (int row = first; row < end; ++row) {
+        Real* place = out + (step(row) * request_.rows + static_cast<int>(channel(row))) * block_lanes;
+        finish(row, words_[static_cast<std::size_t>(row - first)].data() + skipped(), place);
+      }
+    }
   }
 
  private:
-  noise_address address(int step, int lane) const {
-    return {request_.seed, request_.kind, first_path_ + static_cast<std::uint64_t>(lane),
-            request_.first_step + static_cast<std::uint64_t>(step)};
+  /// Paths of the first counter that lie before the block: four share a counter.
+  std::size_t skipped() const { return request_.first_path % 4; }
+  int step(int row) const { return row / request_.wanted; }
+  std::uint32_t channel(int row) const { return static_cast<std::uint32_t>(row % request_.wanted); }
+  noise_address address(int row, std::size_t lane) const {
+    return {request_.seed, request_.kind, request_.first_path + lane,
+            request_.first_step + static_cast<std::uint64_t>(step(row))};
   }
 
-  std::array<B, words> draw(int step, std::uint32_t channel) const {
-    const noise_address a = address(step, 0);
-    std::array<std::array<B, 2>, counters> halves;
-    unrolled<counters>([&](std::size_t i) { halves[i] = counter(a, group_[i], channel, block_use::fast); });
-    return blocks_(halves);
+  /// The words of all lanes and more, from the first path that shares the first counter.
+  void draw(int row, word_row& words) const {
+    // Even lanes count through the first half of a pack's counters, odd lanes through the second.
+    const B order([](std::size_t i) { return i / 2 + i % 2 * (B::size() / 2); });
+    const noise_address first = address(row, 0);
+    for (std::size_t lane = 0; lane < skipped() + block_lanes; lane += lanes_at_once) {
+      std::array<std::array<B, 2>, packs / 2> counters;
+      unrolled<packs / 2>([&](std::size_t i) {
+        const B group = B((first.path + lane) / 4 + i * B::size()) + order;
+        counters[i] = counter(first, group, channel(row), block_use::fast);
+      });
+      const auto blocks = source_(counters);
+      unrolled<packs>([&](std::size_t i) {
+        std::bit_cast<U>(blocks[i]).copy_to(words.data() + lane + i * width, stdx::element_aligned);
+      });
+    }
   }
 
-  /// Draws once more, so that the words need not be kept.
-  [[gnu::noinline]] void replace_tails(int step, std::uint32_t channel, double* out) const {
-    const auto word = std::bit_cast<std::array<std::uint32_t, Lanes>>(draw(step, channel));
-    for (int lane = 0; lane < Lanes; ++lane)
-      if (const std::uint32_t bits = word[static_cast<std::size_t>(lane)]; in_tail(bits))
-        out[lane] = request_.scale * double{tail_normal<G>(address(step, lane), channel, bits)};
+  template <class Real>
+  void finish(int row, const std::uint32_t* words, Real* out) const {
+    U smallest(0x7FFFFFFFu);
+    for (std::size_t lane = 0; lane < block_lanes; lane += lanes_at_once) {
+      std::array<U, packs> word;
+      unrolled<packs>([&](std::size_t i) {
+        word[i].copy_from(words + lane + i * width, stdx::element_aligned);
+        smallest = stdx::min(smallest, U(word[i] & U(0x7FFFFFFFu)));
+      });
+      const auto x = quantiles<F>(word);
+      unrolled<packs>([&](std::size_t i) { store(x[i], out + lane + i * width); });
+    }
+    if (stdx::any_of(in_tail(smallest))) [[unlikely]]
+      replace_tails(row, words, out);
   }
 
-  const normal_block& request_;
-  std::uint64_t first_path_;
-  block_source<G, B> blocks_;
-  std::array<B, counters> group_;
+  template <class Real>
+  [[gnu::noinline]] void replace_tails(int row, const std::uint32_t* words, Real* out) const {
+    for (std::size_t lane = 0; lane < block_lanes; ++lane)
+      if (in_tail(words[lane])) store(tail_normal<G>(address(row, lane), channel(row), words[lane]), out + lane);
+  }
+
+  void store(float x, double* out) const { *out = request_.scale * double{x}; }
+  void store(float x, float* out) const { *out = x; }
+  void store(const F& x, double* out) const { store_scaled(x, request_.scale, out); }
+  void store(const F& x, float* out) const { x.copy_to(out, stdx::element_aligned); }
+
+  const normal_block request_;
+  block_source<G, B> source_;
+  alignas(64) std::array<word_row, batch> words_;
 };
-
-/// Calls f(step, channel, row) for every wanted row.
-template <class F>
-void for_each_row(const normal_block& request, const F& f) {
-  for (int step = 0; step < request.steps; ++step)
-    for (int k = 0; k < request.wanted; ++k)
-      f(step, static_cast<std::uint32_t>(k), request.out + (step * request.rows + k) * block_lanes);
-}
-
-template <noise_generator G>
-void fill_fast(const normal_block& request) {
-  // Four paths share a counter: a block that starts between two is cut out of a wider one.
-  const auto skipped = request.first_path % 4;
-  if (skipped == 0) {
-    const fast_rows<G, block_lanes> rows(request, request.first_path);
-    for_each_row(request, [&](int step, std::uint32_t channel, double* row) { rows.fill(step, channel, row); });
-  } else {
-    constexpr int wider = block_lanes + 2 * static_cast<int>(stdx::native_simd<float>::size());
-    const fast_rows<G, wider> rows(request, request.first_path - skipped);
-    std::array<double, wider> whole;
-    for_each_row(request, [&](int step, std::uint32_t channel, double* row) {
-      rows.fill(step, channel, whole.data());
-      std::copy_n(whole.data() + skipped, block_lanes, row);
-    });
-  }
-}
 
 template <noise_generator G>
 void fill(const normal_block& request) {
-  request.source.quality == noise_quality::fast ? fill_fast<G>(request) : fill_precise<G>(request);
+  if (request.source.quality == noise_quality::precise)
+    fill_precise<G>(request);
+  else if (request.singles != nullptr)
+    fast_rows<G>(request).fill(request.singles);
+  else
+    fast_rows<G>(request).fill(request.out);
 }
 
 }  // namespace polhode

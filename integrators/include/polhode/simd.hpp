@@ -176,9 +176,8 @@ template <class B, std::size_t N, std::size_t Keys>
 requires has_aes<B> std::array<B, N> aes(const std::array<B, N>& blocks, const std::array<B, Keys>& keys) {
   std::array<B, N> x;
   unrolled<N>([&](std::size_t i) { x[i] = blocks[i] ^ keys[0]; });
-  unrolled<Keys - 2>([&](std::size_t round) {
-    unrolled<N>([&](std::size_t i) { x[i] = aes_round<false>(x[i], keys[round + 1]); });
-  });
+  unrolled<Keys - 2>(
+      [&](std::size_t round) { unrolled<N>([&](std::size_t i) { x[i] = aes_round<false>(x[i], keys[round + 1]); }); });
   unrolled<N>([&](std::size_t i) { x[i] = aes_round<true>(x[i], keys[Keys - 1]); });
   return x;
 }

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 #include <polhode/noise/box_muller.hpp>
 
@@ -24,13 +25,27 @@ namespace polhode {
 /// Coefficients of t^0 ... t^6, t = m / 2^e - 3/2, of the polynomial for 2^e <= m < 2^(e+1) in column (e + 127) mod 16:
 /// it interpolates the quantile at the seven Chebyshev nodes t = cos((2 i + 1) pi / 14) / 2.
 alignas(64) inline constexpr std::array<std::array<float, 16>, 7> quantile_table{
-    {{{0x1.f4badcp+1F, 0x1.dee15ap+1F, 0x1.c81a76p+1F, 0x1.b0465p+1F, 0x1.973d58p+1F, 0x1.7ccd7ap+1F, 0x1.60b5d4p+1F, 0x1.429fdp+1F, 0x1.2213b8p+1F, 0x1.fcc812p+0F, 0x1.ad0a62p+0F, 0x1.51692ap+0F, 0x1.c63812p-1F, 0x1.464964p-2F, 0x1.0f04e4p+2F, 0x1.04e08cp+2F}},
-     {{-0x1.49a89ap-3F, -0x1.5717e8p-3F, -0x1.664164p-3F, -0x1.778abp-3F, -0x1.8b7ce8p-3F, -0x1.a2d622p-3F, -0x1.bea6b4p-3F, -0x1.e084b4p-3F, -0x1.05766ap-2F, -0x1.2103f6p-2F, -0x1.46b63ap-2F, -0x1.7e6128p-2F, -0x1.db8fd4p-2F, -0x1.518f82p-1F, -0x1.32d584p-3F, -0x1.3da66p-3F}},
-     {{0x1.9f2a5p-5F, 0x1.ae123ap-5F, 0x1.be9e98p-5F, 0x1.d11ec6p-5F, 0x1.e5f734p-5F, 0x1.fda83ep-5F, 0x1.0c6b78p-4F, 0x1.1c2b48p-4F, 0x1.2e96aap-4F, 0x1.443cfap-4F, 0x1.5d65acp-4F, 0x1.78646ap-4F, 0x1.87df32p-4F, 0x1.1baa9cp-4F, 0x1.85563cp-5F, 0x1.91a76ap-5F}},
-     {{-0x1.66172p-6F, -0x1.725072p-6F, -0x1.7fd0c8p-6F, -0x1.8ed2bap-6F, -0x1.9f9fcap-6F, -0x1.b29532p-6F, -0x1.c82a8ep-6F, -0x1.e0fac6p-6F, -0x1.fdcffp-6F, -0x1.0fd966p-5F, -0x1.240366p-5F, -0x1.3c8e22p-5F, -0x1.5e608p-5F, -0x1.d4e2d6p-5F, -0x1.50c4e8p-6F, -0x1.5af582p-6F}},
-     {{0x1.602878p-7F, 0x1.6bcdd8p-7F, 0x1.78a0bap-7F, 0x1.86d572p-7F, 0x1.96ad3ep-7F, 0x1.a87a54p-7F, 0x1.bca598p-7F, 0x1.d3b63cp-7F, 0x1.ee5c22p-7F, 0x1.06be72p-6F, 0x1.1921p-6F, 0x1.2f093p-6F, 0x1.4857bp-6F, 0x1.36b43cp-6F, 0x1.4bc38cp-7F, 0x1.55860cp-7F}},
-     {{-0x1.aebad8p-8F, -0x1.bc9558p-8F, -0x1.cbcc6ap-8F, -0x1.dc9af8p-8F, -0x1.ef4a02p-8F, -0x1.021a86p-7F, -0x1.0de81ap-7F, -0x1.1b5834p-7F, -0x1.2acb6p-7F, -0x1.3cbf9ap-7F, -0x1.51d97p-7F, -0x1.6aee78p-7F, -0x1.894a26p-7F, -0x1.ce1626p-7F, -0x1.96631p-8F, -0x1.a20cbep-8F}},
-     {{0x1.dde0f2p-9F, 0x1.ecfc7p-9F, 0x1.fd8d56p-9F, 0x1.07e8dcp-8F, 0x1.120b1cp-8F, 0x1.1d5d4ap-8F, 0x1.2a1be8p-8F, 0x1.389454p-8F, 0x1.492a9ap-8F, 0x1.5c6114p-8F, 0x1.72e23ep-8F, 0x1.8d8b6cp-8F, 0x1.ad63fap-8F, 0x1.bea5eep-8F, 0x1.c346cap-9F, 0x1.d007e6p-9F}}}};
+    {{{0x1.f4badcp+1F, 0x1.dee15ap+1F, 0x1.c81a76p+1F, 0x1.b0465p+1F, 0x1.973d58p+1F, 0x1.7ccd7ap+1F, 0x1.60b5d4p+1F,
+       0x1.429fdp+1F, 0x1.2213b8p+1F, 0x1.fcc812p+0F, 0x1.ad0a62p+0F, 0x1.51692ap+0F, 0x1.c63812p-1F, 0x1.464964p-2F,
+       0x1.0f04e4p+2F, 0x1.04e08cp+2F}},
+     {{-0x1.49a89ap-3F, -0x1.5717e8p-3F, -0x1.664164p-3F, -0x1.778abp-3F, -0x1.8b7ce8p-3F, -0x1.a2d622p-3F,
+       -0x1.bea6b4p-3F, -0x1.e084b4p-3F, -0x1.05766ap-2F, -0x1.2103f6p-2F, -0x1.46b63ap-2F, -0x1.7e6128p-2F,
+       -0x1.db8fd4p-2F, -0x1.518f82p-1F, -0x1.32d584p-3F, -0x1.3da66p-3F}},
+     {{0x1.9f2a5p-5F, 0x1.ae123ap-5F, 0x1.be9e98p-5F, 0x1.d11ec6p-5F, 0x1.e5f734p-5F, 0x1.fda83ep-5F, 0x1.0c6b78p-4F,
+       0x1.1c2b48p-4F, 0x1.2e96aap-4F, 0x1.443cfap-4F, 0x1.5d65acp-4F, 0x1.78646ap-4F, 0x1.87df32p-4F, 0x1.1baa9cp-4F,
+       0x1.85563cp-5F, 0x1.91a76ap-5F}},
+     {{-0x1.66172p-6F, -0x1.725072p-6F, -0x1.7fd0c8p-6F, -0x1.8ed2bap-6F, -0x1.9f9fcap-6F, -0x1.b29532p-6F,
+       -0x1.c82a8ep-6F, -0x1.e0fac6p-6F, -0x1.fdcffp-6F, -0x1.0fd966p-5F, -0x1.240366p-5F, -0x1.3c8e22p-5F,
+       -0x1.5e608p-5F, -0x1.d4e2d6p-5F, -0x1.50c4e8p-6F, -0x1.5af582p-6F}},
+     {{0x1.602878p-7F, 0x1.6bcdd8p-7F, 0x1.78a0bap-7F, 0x1.86d572p-7F, 0x1.96ad3ep-7F, 0x1.a87a54p-7F, 0x1.bca598p-7F,
+       0x1.d3b63cp-7F, 0x1.ee5c22p-7F, 0x1.06be72p-6F, 0x1.1921p-6F, 0x1.2f093p-6F, 0x1.4857bp-6F, 0x1.36b43cp-6F,
+       0x1.4bc38cp-7F, 0x1.55860cp-7F}},
+     {{-0x1.aebad8p-8F, -0x1.bc9558p-8F, -0x1.cbcc6ap-8F, -0x1.dc9af8p-8F, -0x1.ef4a02p-8F, -0x1.021a86p-7F,
+       -0x1.0de81ap-7F, -0x1.1b5834p-7F, -0x1.2acb6p-7F, -0x1.3cbf9ap-7F, -0x1.51d97p-7F, -0x1.6aee78p-7F,
+       -0x1.894a26p-7F, -0x1.ce1626p-7F, -0x1.96631p-8F, -0x1.a20cbep-8F}},
+     {{0x1.dde0f2p-9F, 0x1.ecfc7p-9F, 0x1.fd8d56p-9F, 0x1.07e8dcp-8F, 0x1.120b1cp-8F, 0x1.1d5d4ap-8F, 0x1.2a1be8p-8F,
+       0x1.389454p-8F, 0x1.492a9ap-8F, 0x1.5c6114p-8F, 0x1.72e23ep-8F, 0x1.8d8b6cp-8F, 0x1.ad63fap-8F, 0x1.bea5eep-8F,
+       0x1.c346cap-9F, 0x1.d007e6p-9F}}}};
 
 template <class U>
 auto in_tail(const U& word) {
@@ -60,16 +75,25 @@ F quantile(const U& word) {
   return quantiles<F>(std::array{word})[0];
 }
 
-/// x > 0 with P(|X| > x) = u, for 0 < u < 1e-4. Newton's method on log Q, where Q(x) = phi(x) / (x + 1/(x + 2/(x +
-/// 3/...))) (Abramowitz, Stegun, 26.2.14), d log Q/dx = -(x + 1/(x + ...)).
+/// x + 1/(x + 2/(x + ... 40/x)), the reciprocal of Mills' ratio, for x > 3.8 (Abramowitz, Stegun, 26.2.14), as a
+/// quotient of two sums of positive terms.
+inline double inverse_mills_ratio(double x) {
+  double above = x, above_before = 1, below = 1, below_before = 0;
+  for (int k = 1; k <= 40; ++k) {
+    above_before = std::exchange(above, x * above + k * above_before);
+    below_before = std::exchange(below, x * below + k * below_before);
+  }
+  return above / below;
+}
+
+/// x > 0 with P(|X| > x) = u, for 0 < u < 1e-4. Newton's method on log Q, where Q = phi / inverse_mills_ratio and d log
+/// Q/dx = -inverse_mills_ratio, from the first terms of its expansion for large x.
 inline double tail_quantile(double u) {
-  const double log_half_u = logarithm(u) - std::numbers::ln2;
-  double x = square_root(-2 * log_half_u);
-  for (int iteration = 0; iteration < 4; ++iteration) {
-    double fraction = x;
-    for (int k = 20; k > 0; --k) fraction = x + k / fraction;
-    const double log_q = -x * x / 2 - logarithm(fraction * square_root(2 * std::numbers::pi));
-    x += (log_q - log_half_u) / fraction;
+  const double log_q = logarithm(u) - std::numbers::ln2, log_2_pi = logarithm(2 * std::numbers::pi);
+  double x = square_root(-2 * log_q - log_2_pi - logarithm(-2 * log_q));
+  for (int iteration = 0; iteration < 3; ++iteration) {
+    const double ratio = inverse_mills_ratio(x);
+    x -= (log_q + x * x / 2 + log_2_pi / 2 + logarithm(ratio)) / ratio;
   }
   return x;
 }
