@@ -30,7 +30,8 @@ constexpr std::uint64_t most_bodies = std::numeric_limits<std::uint32_t>::max();
 
 struct arguments {
   std::string scene = "paper", scheme, dt, bodies, noise, start, snapshots;
-  std::string out = "simulation", threads, seed = "1", isa = "auto", generator = "philox", normals = "fast", format = "text";
+  std::string out = "simulation", threads, seed = "1", isa = "auto", generator = "philox", normals = "fast",
+              format = "text";
   bool quiet = false;
 };
 

@@ -30,8 +30,8 @@ constexpr std::uint64_t most_threads = 1024;
 /// As given: checked in one place, so that every fault reads alike.
 struct arguments {
   std::vector<std::string> scenes;
-  std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto", generator = "philox",
-                                    format = "text";
+  std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto",
+                                    generator = "philox", format = "text";
   bool fresh = false, no_cache = false, quiet = false;
 };
 

@@ -41,6 +41,7 @@ experiment casimir_experiment();
 experiment strong_experiment();
 experiment energy_experiment();
 experiment gibbs_experiment();
+experiment lyapunov_experiment();
 experiment weak_experiment();
 
 /// By effort: quick, standard, thorough.

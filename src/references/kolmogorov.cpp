@@ -61,9 +61,9 @@ sparse_matrix backward_operator(const sphere_problem& problem, int degree) {
 }
 
 reference_value expectation(const sphere_problem& problem, const sphere_function& f, const Eigen::Vector3d& start,
-                            double time, double tolerance) {
+                            double time, double tolerance, int wanted) {
   if (problem.covariance.isZero(0)) return {.reason = "no noise: the expectation is the solution's own value"};
-  return raise_degree(degrees, tolerance, [&](int degree) -> std::optional<projected_value> {
+  return raise_degree(degrees_to_try(degrees, wanted), tolerance, [&](int degree) -> std::optional<projected_value> {
     const Eigen::VectorXd coefficients = observable_coefficients(problem, f, degree);
     const sparse_matrix whole = backward_operator(problem, degree);
     const index_set needed = blocks_of(whole, coefficients);

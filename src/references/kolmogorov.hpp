@@ -45,9 +45,11 @@ std::optional<sphere_function> named_observable(std::string_view name, const std
 /// The generator on harmonics up to the degree; column 0 vanishes.
 sparse_matrix backward_operator(const sphere_problem& problem, int degree);
 
+// degree: 0 lets the program choose; any other is taken as it is, with a lower one to tell how much it still changes.
+
 /// E[f(Pi_time)] from Pi_0 = start (of length radius), time >= 0, to an absolute tolerance. Without noise: no value.
 reference_value expectation(const sphere_problem& problem, const sphere_function& f, const Eigen::Vector3d& start,
-                            double time, double tolerance);
+                            double time, double tolerance, int degree = 0);
 
 /// Density against the area of the unit sphere, in harmonics.
 struct stationary_law {
@@ -57,12 +59,12 @@ struct stationary_law {
   int degree = 0;
   std::string reason{};
 };
-stationary_law stationary(const sphere_problem& problem, double tolerance);
+stationary_law stationary(const sphere_problem& problem, double tolerance, int degree = 0);
 
 /// E[f] under the law, uncertain by what the last degree changed.
 reference_value mean(const sphere_problem& problem, const stationary_law& law, const sphere_function& f);
 
 /// The slowest rate at which expectations relax. 0 where a further function is conserved (then no law is unique).
-reference_value spectral_gap(const sphere_problem& problem, double tolerance);
+reference_value spectral_gap(const sphere_problem& problem, double tolerance, int degree = 0);
 
 }  // namespace polhode

@@ -59,16 +59,17 @@ double kaplan_yorke(double lambda1, double sum) {
   return lambda1 > 0 ? 1 + lambda1 / (lambda1 - sum) : 0;
 }
 
-lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance) {
+lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance, int wanted) {
   const auto law = stationary(problem, tolerance / 10);
   const auto energy = mean(problem, law, *named_observable("energy", problem.inertia));
   if (!energy.value) return {.reason = energy.reason};
-  const auto lambda1 = raise_degree(degrees, tolerance, [&](int degree) -> std::optional<projected_value> {
-    const auto frames = operator_on_frames(problem, degree);
-    const auto nu = left_null_vector(frames.generator, affordable);
-    if (!nu) return {};
-    return projected_value{nu->dot(frames.stretching), rounding * frames.stretching.norm()};
-  });
+  const auto lambda1 =
+      raise_degree(degrees_to_try(degrees, wanted), tolerance, [&](int degree) -> std::optional<projected_value> {
+        const auto frames = operator_on_frames(problem, degree);
+        const auto nu = left_null_vector(frames.generator, affordable);
+        if (!nu) return {};
+        return projected_value{nu->dot(frames.stretching), rounding * frames.stretching.norm()};
+      });
   const double c = problem.radius, trace = Eigen::Array3d(problem.inertia.data()).inverse().sum();
   lyapunov_exponents found;
   found.lambda1 = lambda1.value;

@@ -31,6 +31,6 @@ struct lyapunov_exponents {
 double kaplan_yorke(double lambda1, double sum);
 
 /// To an absolute tolerance in both lambda1 and the sum. Without noise, or where the law is not unique: no value.
-lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance);
+lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance, int degree = 0);
 
 }  // namespace polhode

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "references/kolmogorov.hpp"
 
@@ -20,6 +21,12 @@ struct projected_value {
 
 inline std::string not_converged(double tolerance, int degree) {
   return fmt::format("not converged to {:g} at degree {}, the last that is affordable", tolerance, degree);
+}
+
+/// The degrees to try: the automatic ones, or the wanted one and a lower one that tells how much it still changes.
+inline std::vector<int> degrees_to_try(std::span<const int> automatic, int wanted) {
+  if (wanted == 0) return {automatic.begin(), automatic.end()};
+  return {std::max(1, wanted - std::max(2, wanted / 4)), wanted};
 }
 
 /// Raises the degree until two successive values agree to the tolerance; their difference is the uncertainty.

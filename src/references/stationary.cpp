@@ -81,11 +81,11 @@ bool law_is_unique(const sphere_problem& problem) {
 
 }  // namespace
 
-stationary_law stationary(const sphere_problem& problem, double tolerance) {
+stationary_law stationary(const sphere_problem& problem, double tolerance, int wanted) {
   if (problem.covariance.isZero(0)) return {.reason = "no noise: every attractor carries a stationary law"};
   if (!law_is_unique(problem)) return {.reason = "not unique: a function besides the Casimir is conserved"};
   stationary_law last;
-  for (const int degree : degrees) {
+  for (const int degree : degrees_to_try(degrees, wanted)) {
     auto density = left_null_vector(backward_operator(problem, degree), most_sparse);
     if (!density) break;
     *density /= std::sqrt(4 * std::numbers::pi);  // integral one
@@ -99,7 +99,7 @@ stationary_law stationary(const sphere_problem& problem, double tolerance) {
   return last;
 }
 
-reference_value spectral_gap(const sphere_problem& problem, double tolerance) {
+reference_value spectral_gap(const sphere_problem& problem, double tolerance, int wanted) {
   if (problem.covariance.isZero(0)) return {.reason = "no noise: nothing relaxes in law"};
   slowest_mode mode{0, -infinity};
   double change = infinity;
@@ -115,7 +115,7 @@ reference_value spectral_gap(const sphere_problem& problem, double tolerance) {
     change = std::fabs(mode.rate.real() - before.real());
     return projected_value{-mode.rate.real(), 1e-14};
   };
-  auto gap = raise_degree(degrees, tolerance, gap_at);
+  auto gap = raise_degree(degrees_to_try(degrees, wanted), tolerance, gap_at);
   if (gap.value.value_or(0) >= 0) return gap;
   gap.uncertainty = std::max(gap.uncertainty, -*gap.value);  // the degree is too low for noise so weak, or rounding
   if (gap.uncertainty > std::max(tolerance, 1e-14)) gap.reason = not_converged(tolerance, gap.degree);

@@ -1,0 +1,86 @@
+// polhode reference: exact answers about a scene, with how certain they are.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.hpp"
+#include "cli/terminal.hpp"
+#include "registry/reference.hpp"
+#include "registry/scene.hpp"
+#include "registry/text.hpp"
+#include "reports/model/errors.hpp"
+
+namespace polhode::cli {
+namespace {
+
+constexpr int inconclusive = 3;
+
+struct arguments {
+  std::string scene = "paper", quantity, observable = "energy", time, degree, format = "text";
+};
+
+double time_option(std::string_view text) {
+  double value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc{} || end != text.data() + text.size())
+    throw input_error(fmt::format("--time '{}': accepted: a number of at least 0", one_line(text, 60)));
+  return value;
+}
+
+std::string json_of(const reference_answer& a) {
+  nlohmann::ordered_json out;
+  const auto maybe = [](const auto& x) { return x ? nlohmann::ordered_json(*x) : nlohmann::ordered_json(); };
+  out["quantity"] = a.quantity;
+  out["observable"] = a.observable.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(a.observable);
+  out["time"] = maybe(a.time);
+  out["value"] = a.value;
+  out["uncertainty"] = a.uncertainty;
+  out["degree"] = a.degree;
+  if (a.sum) out["sum"] = *a.sum;
+  if (a.dimension) out["dimension"] = *a.dimension;
+  out["method"] = a.method;
+  out["reason"] = a.reason.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(a.reason);
+  return out.dump(2) + '\n';
+}
+
+std::string text_of(const reference_answer& a) {
+  const std::string what = a.quantity == "expectation" ? fmt::format("E[{}] at time {:g}", a.observable, *a.time)
+                           : a.quantity == "gibbs"     ? fmt::format("stationary E[{}]", a.observable)
+                           : a.quantity == "gap"       ? "spectral gap"
+                                                       : "lambda_1";
+  std::string out = fmt::format("{} = {:.12g} +- {:.1e}\n", what, a.value, a.uncertainty);
+  if (a.sum) out += fmt::format("lambda_1 + lambda_2 = {:.12g}\n", *a.sum);
+  if (a.dimension) out += fmt::format("dimension of the random attractor (Kaplan-Yorke) = {:.6g}\n", *a.dimension);
+  out += a.degree > 0 ? fmt::format("{}, degree {}\n", a.method, a.degree) : a.method + '\n';
+  return a.reason.empty() ? out : out + a.reason + '\n';
+}
+
+int run(const arguments& given) {
+  const auto output = format_option(given.format);
+  if (given.quantity.empty()) throw input_error("--quantity is missing; accepted: expectation, gibbs, lyapunov, gap");
+  reference_options options{given.quantity, given.observable, {}, 0};
+  if (!given.time.empty()) options.time = time_option(given.time);
+  if (!given.degree.empty()) options.degree = static_cast<int>(integer_option("--degree", given.degree, 1, 128));
+  const auto answer = reference(load_scene(given.scene), options);
+  print(output == format::json ? json_of(answer) : text_of(answer));
+  return answer.reason.empty() ? 0 : inconclusive;
+}
+
+}  // namespace
+
+command add_reference(CLI::App& app) {
+  const auto given = std::make_shared<arguments>();
+  auto* parser = app.add_subcommand("reference", "Exact expectations, stationary law, exponents; no sampling");
+  parser->add_option("SCENE", given->scene, "A built-in name or a TOML file [paper]")->type_name("");
+  parser->add_option("--quantity", given->quantity, "expectation, gibbs, lyapunov, gap")->type_name("Q");
+  parser->add_option("--observable", given->observable, "See polhode list observables [energy]")->type_name("NAME");
+  parser->add_option("--time", given->time, "Of the expectation [the horizon]")->type_name("T");
+  parser->add_option("--degree", given->degree, "Of the harmonics, 1 to 128 [chosen]")->type_name("L");
+  parser->add_option("--format", given->format, "text, json [text]")->type_name("F");
+  return {parser, [given] { return run(*given); }};
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,139 @@
+// Does the flow of one common noise spread or collect, and where is the border between the two?
+//
+// lambda_1 is exact (references/lyapunov.hpp), nothing is sampled, and no scheme is asked. The border of chaos
+// theta*(sigma) is the root of lambda_1 in theta, found for each strength of the noise; the map is lambda_1 over both.
+#include "references/lyapunov.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+
+#include "ensemble/paths.hpp"
+#include "experiments/experiment.hpp"
+#include "experiments/judge.hpp"
+#include "experiments/progress_counter.hpp"
+#include "experiments/transfer.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double tolerance = 1e-7, map_tolerance = 1e-4, border_tolerance = 1e-5, border_accuracy = 1e-4;
+
+/// The scene's problem with noise of strength s (its own directions, sum sigma sigma^T of trace 3 s^2) and dissipation
+/// theta.
+sphere_problem at(sphere_problem p, double s, double theta) {
+  p.covariance *= 3 * s * s / p.covariance.trace();
+  p.theta = theta;
+  return p;
+}
+
+struct axes {
+  std::vector<double> sigma, theta;
+};
+
+/// Strengths and dissipations around those at which noise, dissipation and the free motion are of one size. Weaker
+/// noise needs degrees beyond what a map can afford.
+axes axes_of(const sphere_problem& p, effort e) {
+  const auto [least, most] = std::ranges::minmax(p.inertia);
+  const double rate = p.radius * (1 / least - 1 / most);
+  const int n = by_effort(e, 6, 9, 13);
+  axes out;
+  for (int i = 0; i < n; ++i) {
+    const double share = static_cast<double>(i) / (n - 1);
+    out.sigma.push_back(std::sqrt(rate) * 0.4 * std::pow(4.0, share));
+    out.theta.push_back(2 * share / p.radius);
+  }
+  return out;
+}
+
+report::measurement row(const std::string& quantity, const std::string& observable, std::optional<double> value,
+                        double uncertainty, const std::string& unit, const std::string& reason) {
+  report::measurement m{"lyapunov", "", quantity, observable, {}, value, {}, {}, unit, "exact"};
+  if (value) {
+    m.low = *value - uncertainty;
+    m.high = *value + uncertainty;
+  }
+  if (!reason.empty()) m.status = reason;
+  return m;
+}
+
+/// theta > 0 with lambda_1 = 0 at that noise; empty if lambda_1 has one sign on the range, or is not known there.
+std::optional<std::pair<double, double>> border(const sphere_problem& p, double sigma, double most_theta) {
+  bool known = true;
+  const auto lambda = [&](double theta) {
+    const auto found = lyapunov(at(p, sigma, theta), border_tolerance);
+    known = known && found.lambda1;
+    return found.lambda1.value_or(1);
+  };
+  const double low = 0.02 * most_theta;
+  if (!(lambda(low) > 0) || !(lambda(most_theta) < 0) || !known) return std::nullopt;
+  std::uintmax_t steps = 30;
+  const auto root = boost::math::tools::toms748_solve(
+      lambda, low, most_theta, [](double a, double b) { return std::fabs(b - a) < border_accuracy * std::fabs(a); },
+      steps);
+  if (!known) return std::nullopt;
+  return root;
+}
+
+void report_exponents(const sphere_problem& p, report::results& out) {
+  const auto found = lyapunov(p, tolerance);
+  out.measurements.push_back(row("lambda_1", "", found.lambda1, found.uncertainty, "per time", found.reason));
+  out.measurements.push_back(row("lambda_1 + lambda_2", "", found.sum, found.sum_uncertainty, "per time", ""));
+  if (found.lambda1) out.measurements.push_back(row("kaplan_yorke_dimension", "", found.dimension, 0, "", ""));
+}
+
+void run(const context& c, report::results& out) {
+  const auto p = *sphere_problem_of(c.subject);
+  report_exponents(p, out);
+  const auto grid = axes_of(p, c.effort);
+  const auto n = static_cast<int>(grid.sigma.size());
+  std::vector<report::measurement> map(static_cast<std::size_t>(n * n)), curve(static_cast<std::size_t>(n));
+  progress_counter done(n * n + n, c.progress);
+  parallel_for(c.threads, n * n + n, [&](int i) {
+    const double sigma = grid.sigma[static_cast<std::size_t>(i % n)];
+    if (i < n * n) {
+      const double theta = grid.theta[static_cast<std::size_t>(i / n)];
+      const auto found = lyapunov(at(p, sigma, theta), map_tolerance);
+      map[static_cast<std::size_t>(i)] = row("lambda_1 map", fmt::format("sigma={:.4g} theta={:.4g}", sigma, theta),
+                                             found.lambda1, found.uncertainty, "per time", found.reason);
+    } else {
+      const auto root = border(p, sigma, grid.theta.back());
+      curve[static_cast<std::size_t>(i - n * n)] =
+          row("border of chaos", fmt::format("sigma={:.4g}", sigma),
+              root ? std::optional((root->first + root->second) / 2) : std::nullopt,
+              root ? (root->second - root->first) / 2 : 0, "theta",
+              root ? "" : fmt::format("lambda_1 does not change its sign for theta up to {:g}", grid.theta.back()));
+    }
+    done.add();
+  });
+  out.measurements.insert(out.measurements.end(), curve.begin(), curve.end());
+  out.measurements.insert(out.measurements.end(), map.begin(), map.end());
+}
+
+std::optional<std::string> cannot_say(const subject& s) {
+  if (!sphere_problem_of(s)) return "the exponents are computed for the rigid body alone";
+  if (s.model->noise() == noise_class::none) return "no noise: there is no random flow";
+  const auto& i = s.scene.inertia;
+  if (i[0] == i[1] && i[1] == i[2]) return "a spherical body turns rigidly: both exponents are 0";
+  return std::nullopt;
+}
+
+}  // namespace
+
+experiment lyapunov_experiment() {
+  return {
+      {"lyapunov",
+       "Does one common noise spread neighbouring bodies or collect them, and where is the border of chaos?",
+       {"lambda_1 is the mean stretching rate under the stationary law of tangent directions, solved for in Wigner "
+        "functions whose degree is raised until it has converged; lambda_1 + lambda_2 is the mean divergence. Nothing "
+        "is sampled.",
+        "Dimension: Kaplan and Yorke's 1 + lambda_1/|lambda_2|; 0, a point, for lambda_1 <= 0.",
+        "Border of chaos: the theta at which lambda_1 changes its sign, for noise in the scene's directions of "
+        "strength sigma (sum of squares 3 sigma^2). Map: lambda_1 over both."}},
+      2,
+      cannot_say,
+      run};
+}
+
+}  // namespace polhode
