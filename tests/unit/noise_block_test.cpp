@@ -81,6 +81,27 @@ TEST_P(NormalBlock, ValuesDoNotDependOnTheBlock) {
                   shifted[static_cast<std::size_t>(((s - 3) * rows + k) * block_lanes + lane - 5)]);
 }
 
+// Singles, times the scale in double precision, are the scaled normals.
+TEST_P(NormalBlock, SinglesAreTheSameNormals) {
+  constexpr int steps = 1024;
+  std::vector<float> singles(static_cast<std::size_t>(steps * rows * block_lanes), -99.0F);
+  for (const std::uint64_t path : {64ull, 3ull})
+    for (const isa level : usable_isas()) {
+      const auto scaled = fill(level, path, 5, steps, 3);
+      const normal_block request{7,       noise_kind::area, path,          5, steps, rows, 3, scale,
+                                 nullptr, GetParam(),       singles.data()};
+      if (GetParam().quality == noise_quality::precise) {
+        EXPECT_THROW(fill_normals(request), std::invalid_argument);
+        continue;
+      }
+      fill_normals(request);
+      std::vector<double> product(singles.size(), -99.0);
+      for (std::size_t i = 0; i < singles.size(); ++i)
+        if (i / block_lanes % rows < 3) product[i] = scale * double{singles[i]};
+      EXPECT_TRUE(same_bits(product, scaled)) << name_of(level) << ", path " << path;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(, NormalBlock, testing::ValuesIn(test::every_source),
                          [](const auto& source) { return test::name_of(source.param); });
 
