@@ -62,9 +62,9 @@ TEST_P(NormalBlock, IsTheAddressesOneByOne) {
     }
 }
 
-// Some 260,000 values hold some four words of the tail.
+// A million values hold some sixteen words of the tail.
 TEST_P(NormalBlock, KeepsItsTails) {
-  constexpr int steps = 65536 / block_lanes;
+  constexpr int steps = 262144 / block_lanes;
   const auto expected = one_by_one(3 * block_lanes, 0, steps, rows);
   const auto far = std::ranges::count_if(expected, [](double x) { return std::fabs(x) > 4.34 * scale; });
   EXPECT_GT(far, 0) << "choose another place: there is no tail here";
