@@ -29,6 +29,7 @@ constexpr std::string_view name_of(verdict_kind kind) {
 struct provenance {
   std::string version, commit, compiler, flags, cpu;
   std::string isa;  ///< instruction set of the inner loops: v2, v3, v4 (x86-64 levels) or portable
+  std::string generator;  ///< of the noise: philox or ars
   int threads = 1;
   std::uint64_t seed = 0;
   std::string effort;

@@ -39,7 +39,7 @@ struct simulation {
   report::scheme scheme;
   double dt = 0;
   std::int64_t steps = 0, bodies = 0;
-  std::string noise, start;
+  std::string noise, start, normals;
   std::uint64_t numbers_drawn = 0;  ///< increments and areas of the noise
   double path_steps = 0, ns_per_path_step = 0;
   std::vector<std::string> remarks;

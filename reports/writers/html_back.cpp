@@ -65,6 +65,7 @@ void put_provenance(std::string& out, const provenance& p) {
   put_fact(out, "flags", p.flags);
   put_fact(out, "CPU", p.cpu);
   put_fact(out, "instruction set", p.isa);
+  put_fact(out, "random bits", p.generator);
   put_fact(out, "threads", std::to_string(p.threads));
   put_fact(out, "seed", std::to_string(p.seed));
   put_fact(out, "effort", p.effort);

@@ -18,9 +18,19 @@ verdict_kind kind_from(const node& n) {
 }
 
 provenance provenance_from(const node& n) {
-  return {n["version"].text(), n["commit"].text(),  n["compiler"].text(),        n["flags"].text(),
-          n["cpu"].text(),     n["isa"].text(),     n["threads"].integer<int>(), n["seed"].integer<std::uint64_t>(),
-          n["effort"].text(),  n["started"].text(), n["wall_seconds"].number(),  n["cpu_seconds"].number()};
+  return {n["version"].text(),
+          n["commit"].text(),
+          n["compiler"].text(),
+          n["flags"].text(),
+          n["cpu"].text(),
+          n["isa"].text(),
+          n.maybe("generator") ? n["generator"].text() : "",
+          n["threads"].integer<int>(),
+          n["seed"].integer<std::uint64_t>(),
+          n["effort"].text(),
+          n["started"].text(),
+          n["wall_seconds"].number(),
+          n["cpu_seconds"].number()};
 }
 
 scene scene_from(const node& n) {

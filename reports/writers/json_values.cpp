@@ -25,6 +25,7 @@ json to_value(const provenance& p) {
           {"flags", p.flags},
           {"cpu", p.cpu},
           {"isa", p.isa},
+          {"generator", p.generator},
           {"threads", p.threads},
           {"seed", p.seed},
           {"effort", p.effort},

@@ -151,6 +151,7 @@ void append_provenance(std::string& out, const provenance& p) {
   append_row(out, {"flags", safe(p.flags)});
   append_row(out, {"CPU", safe(p.cpu)});
   append_row(out, {"instruction set", safe(p.isa)});
+  append_row(out, {"random bits", safe(p.generator)});
   append_row(out, {"threads", std::to_string(p.threads)});
   append_row(out, {"seed", std::to_string(p.seed)});
   append_row(out, {"effort", safe(p.effort)});

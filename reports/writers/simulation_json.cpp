@@ -30,6 +30,7 @@ std::string to_json(const simulation& s) {
   out["bodies"] = s.bodies;
   out["noise"] = s.noise;
   out["start"] = s.start;
+  out["normals"] = s.normals;
   out["lost"] = s.final.lost;
   out["numbers_drawn"] = s.numbers_drawn;
   out["path_steps"] = s.path_steps;

@@ -30,7 +30,7 @@ constexpr std::uint64_t most_bodies = std::numeric_limits<std::uint32_t>::max();
 
 struct arguments {
   std::string scene = "paper", scheme, dt, bodies, noise, start, snapshots;
-  std::string out = "simulation", threads, seed = "1", isa = "auto", format = "text";
+  std::string out = "simulation", threads, seed = "1", isa = "auto", generator = "philox", normals = "fast", format = "text";
   bool quiet = false;
 };
 
@@ -65,6 +65,8 @@ simulate_options checked_options(const arguments& given) {
   options.threads = static_cast<int>(integer_option("--threads", given.threads, 1, most_threads));
   options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
   options.isa = given.isa;
+  options.generator = given.generator;
+  options.normals = given.normals;
   return options;
 }
 
@@ -127,6 +129,8 @@ void add_common(CLI::App& parser, arguments& given) {
   parser.add_option("--threads", given.threads, "1 to 1024 [" + given.threads + "]")->type_name("N");
   parser.add_option("--seed", given.seed, "Seed of the noise [1]")->type_name("N");
   parser.add_option("--isa", given.isa, "Instruction set: auto, v2, v3, v4 [auto]")->type_name("NAME");
+  parser.add_option("--generator", given.generator, "Random bits: philox, ars [philox]")->type_name("NAME");
+  parser.add_option("--normals", given.normals, "fast (to 1e-6), precise [fast]")->type_name("K");
   parser.add_option("--format", given.format, "On standard output: text, json [text]")->type_name("F");
   parser.add_flag("-q,--quiet", given.quiet, "No summary, no progress");
 }

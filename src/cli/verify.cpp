@@ -30,7 +30,7 @@ constexpr std::uint64_t most_threads = 1024;
 /// As given: checked in one place, so that every fault reads alike.
 struct arguments {
   std::vector<std::string> scenes;
-  std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto",
+  std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto", generator = "philox",
                                     format = "text";
   bool fresh = false, no_cache = false, quiet = false;
 };
@@ -44,6 +44,7 @@ verify_options checked_options(const arguments& given) {
   options.threads = static_cast<int>(integer_option("--threads", given.threads, 1, most_threads));
   options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
   options.isa = given.isa;
+  options.generator = given.generator;
   return options;
 }
 
@@ -137,6 +138,7 @@ command add_verify(CLI::App& app) {
   parser->add_option("--out", given->out, "Folder for the report [report]")->type_name("DIR");
   parser->add_option("--threads", given->threads, "1 to 1024 [" + given->threads + "]")->type_name("N");
   parser->add_option("--seed", given->seed, "Seed of the noise [1]")->type_name("N");
+  parser->add_option("--generator", given->generator, "Random bits: philox, ars [philox]")->type_name("NAME");
   parser->add_option("--isa", given->isa, "Instruction set: auto, v2, v3, v4 [auto]")->type_name("NAME");
   parser->add_option("--format", given->format, "On standard output: text, json [text]")->type_name("F");
   parser->add_flag("--fresh", given->fresh, "Compute all anew and replace what is cached");

@@ -29,8 +29,8 @@ struct shared_steps {
   std::vector<double> table;
 };
 
-/// Which piece of a run a call advances. Between pieces the states are the kernel's own: a splitting whose last flow merges
-/// with the first of the next step leaves it out until the run ends.
+/// Which piece of a run a call advances. Between pieces the states are the kernel's own: a splitting whose last flow
+/// merges with the first of the next step leaves it out until the run ends.
 struct piece {
   bool first = true, last = true;
 };
@@ -38,7 +38,8 @@ struct piece {
 class kernel {
  public:
   virtual ~kernel() = default;
-  /// Advances the states, [component][lane], through all steps of the view: every lane has its own noise, or there is none.
+  /// Advances the states, [component][lane], through all steps of the view: every lane has its own noise, or there is
+  /// none.
   virtual void advance(std::span<double> states, const increment_view&, piece = {}) const = 0;
 
   /// The steps of one path that is to drive all others.

@@ -12,6 +12,7 @@
 #include <polhode/simd.hpp>
 
 #include "ensemble/kernel.hpp"
+#include "ensemble/work_counters.hpp"
 
 namespace polhode {
 
@@ -27,8 +28,8 @@ void store_lanes(const vec<S, N>& v, double* at) {
   for (int k = 0; k < N; ++k) v[k].copy_to(at + k * block_lanes, stdx::element_aligned);
 }
 
-/// The scalar of the loops: two packs whose operations alternate and hide each other's latency, but one where that leaves
-/// too few registers (measured: with AVX2 two are slower, with SSE and AVX-512 faster).
+/// The scalar of the loops: two packs whose operations alternate and hide each other's latency, but one where that
+/// leaves too few registers (measured: with AVX2 two are slower, with SSE and AVX-512 faster).
 using loop_pack =
     std::conditional_t<pack::size() == 4, pack, stdx::fixed_size_simd<double, static_cast<int>(2 * pack::size())>>;
 
@@ -49,9 +50,9 @@ struct block_step {
 /// Forms: a system in the forms in which the loops need it (plain_forms below is the simplest).
 ///   own(): for paths with increments of their own, which take(view, scratch) brings into the form it expects
 ///   silent(): without noise
-///   share(view): the table of a common noise;   common(): a system that enter(system, row, dt) puts into the step of a row
-///   of that table, and that takes the increment which enter returns
-///   axis(k): the row of the states that is component k of the system
+///   share(view): the table of a common noise;   common(): a system that enter(system, row, dt) puts into the step of a
+///   row of that table, and that takes the increment which enter returns axis(k): the row of the states that is
+///   component k of the system
 template <class Scheme, class Forms, class S = loop_pack>
 class kernel_of final : public kernel {
  public:
@@ -59,11 +60,11 @@ class kernel_of final : public kernel {
 
   [[gnu::flatten]] void advance(std::span<double> states, const increment_view& given, piece p) const override {
     const double dt = given.dt;
+    count_path_steps(static_cast<std::uint64_t>(given.steps) * block_lanes);
     if (given.dw.empty()) {
       const auto system = forms_.silent();
-      run(rows_of(states), given.steps, dt, p, [&](std::int64_t, auto&& pass) {
-        pass(system, [dt](int) { return levy(dt); });
-      });
+      run(rows_of(states), given.steps, dt, p,
+          [&](std::int64_t, auto&& pass) { pass(system, [dt](int) { return levy(dt); }); });
       return;
     }
     std::vector<double> scratch;
@@ -84,6 +85,7 @@ class kernel_of final : public kernel {
 
   [[gnu::flatten]] void advance(std::span<double> states, const shared_steps& noise, std::int64_t first_step,
                                 std::int64_t steps, piece p) const override {
+    count_path_steps(static_cast<std::uint64_t>(steps) * block_lanes);
     const double* row = noise.table.data() + static_cast<std::size_t>(first_step) * noise.words;
     auto system = forms_.common();
     run(rows_of(states), steps, noise.dt, p, [&](std::int64_t, auto&& pass) {

@@ -9,6 +9,7 @@
 
 #include "ensemble/denormals.hpp"
 #include "ensemble/normal_block.hpp"
+#include "ensemble/work_counters.hpp"
 
 namespace polhode {
 
@@ -34,20 +35,22 @@ void parallel_for(int threads, int count, const std::function<void(int)>& work) 
   if (failure) std::rethrow_exception(failure);
 }
 
-increment_buffer::increment_buffer(const model& m, int steps, bool with_areas)
+increment_buffer::increment_buffer(const model& m, int steps, bool with_areas, noise_source source)
     : channels_(m.channels()),
       active_(m.active_channels()),
       pairs_(m.channels() * (m.channels() - 1) / 2),
+      source_(source),
       dw_(static_cast<std::size_t>(steps * channels_ * block_lanes)),
       area_(with_areas ? static_cast<std::size_t>(steps * pairs_ * block_lanes) : 0) {}
 
 increment_view increment_buffer::fill(std::uint64_t seed, std::uint64_t first_path, std::uint64_t first_step, int steps,
                                       double dt) {
-  fill_normals(
-      {seed, noise_kind::increment, first_path, first_step, steps, channels_, active_, std::sqrt(dt), dw_.data()});
-  if (!area_.empty())
-    fill_normals({seed, noise_kind::area, first_path, first_step, steps, pairs_, active_ < 2 ? 0 : pairs_, dt / 2,
-                  area_.data()});
+  const auto draw = [&](noise_kind kind, int rows, int wanted, double scale, std::vector<double>& out) {
+    fill_normals({seed, kind, first_path, first_step, steps, rows, wanted, scale, out.data(), source_});
+    count_normals(static_cast<std::uint64_t>(steps) * static_cast<std::uint64_t>(wanted) * block_lanes);
+  };
+  draw(noise_kind::increment, channels_, active_, std::sqrt(dt), dw_);
+  if (!area_.empty()) draw(noise_kind::area, pairs_, active_ < 2 ? 0 : pairs_, dt / 2, area_);
   return {dt, steps, dw_, area_};
 }
 

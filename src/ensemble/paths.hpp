@@ -22,13 +22,14 @@ class increment_buffer {
  public:
   /// with_areas: areas of one step, drawn from a weak surrogate: independent normals of variance dt^2/4, which has the
   /// moments of the true areas that weak order two needs. For strong errors use model::coarsen instead.
-  increment_buffer(const model&, int steps, bool with_areas);
+  increment_buffer(const model&, int steps, bool with_areas, noise_source = {});
 
   /// Steps first_step … of size dt.
   increment_view fill(std::uint64_t seed, std::uint64_t first_path, std::uint64_t first_step, int steps, double dt);
 
  private:
   int channels_, active_, pairs_;
+  noise_source source_;
   std::vector<double> dw_, area_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ensemble/paths.hpp"
+#include "ensemble/work_counters.hpp"
 
 namespace polhode {
 namespace {
@@ -11,9 +12,9 @@ namespace {
 int pairs_among(int channels) { return channels * (channels - 1) / 2; }
 
 /// The first `wanted` of `rows` normals at the address, scaled; the others stay zero.
-void draw(const noise_address& address, int wanted, double scale, double* out) {
+void draw(const noise_address& address, int wanted, double scale, noise_source source, double* out) {
   for (int k = 0; k < wanted; k += 2) {
-    const auto pair = normal_pair(address, static_cast<std::uint32_t>(k / 2));
+    const auto pair = normal_pair(address, static_cast<std::uint32_t>(k / 2), source);
     out[k] = scale * pair[0];
     if (k + 1 < wanted) out[k + 1] = scale * pair[1];
   }
@@ -22,7 +23,7 @@ void draw(const noise_address& address, int wanted, double scale, double* out) {
 }  // namespace
 
 shared_increments::shared_increments(const model& m, std::uint64_t seed, std::int64_t steps, double dt, bool with_areas,
-                                     int threads)
+                                     int threads, noise_source source)
     : dt_(dt),
       channels_(m.channels()),
       pairs_(pairs_among(m.channels())),
@@ -32,11 +33,12 @@ shared_increments::shared_increments(const model& m, std::uint64_t seed, std::in
   constexpr std::int64_t piece = 4096;
   const int active = m.active_channels(), areas = with_areas && active > 1 ? pairs_ : 0;
   drawn_ = static_cast<std::uint64_t>(steps) * static_cast<std::uint64_t>(active + areas);
+  count_normals(drawn_);
   parallel_for(threads, static_cast<int>((steps + piece - 1) / piece), [&](int p) {
     for (std::int64_t i = p * piece; i < std::min(steps, (p + 1) * piece); ++i) {
       const auto step = static_cast<std::uint64_t>(i);
-      draw({seed, noise_kind::increment, 0, step}, active, std::sqrt(dt), dw_.data() + i * channels_);
-      if (areas > 0) draw({seed, noise_kind::area, 0, step}, areas, dt / 2, area_.data() + i * pairs_);
+      draw({seed, noise_kind::increment, 0, step}, active, std::sqrt(dt), source, dw_.data() + i * channels_);
+      if (areas > 0) draw({seed, noise_kind::area, 0, step}, areas, dt / 2, source, area_.data() + i * pairs_);
     }
   });
 }

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <polhode/noise/address.hpp>
+
 #include "ensemble/kernel.hpp"
 #include "ensemble/model.hpp"
 
@@ -12,7 +14,8 @@ namespace polhode {
 class shared_increments {
  public:
   /// The numbers that increment_buffer gives to path 0, areas included.
-  shared_increments(const model&, std::uint64_t seed, std::int64_t steps, double dt, bool with_areas, int threads);
+  shared_increments(const model&, std::uint64_t seed, std::int64_t steps, double dt, bool with_areas, int threads,
+                    noise_source = {});
 
   /// Steps first_step … first_step + steps - 1.
   increment_view view(std::int64_t first_step, int steps) const;

@@ -48,7 +48,7 @@ class ensemble_run {
       : model_(m), kernel_(k), plan_(p), progress_(progress), counting_(p.snapshots.size()) {
     noiseless_ = p.noise == ensemble_noise::none || m.active_channels() == 0;
     if (!noiseless_ && p.noise == ensemble_noise::common) {
-      common_.emplace(m, p.seed, p.steps, p.dt, p.with_areas, p.threads);
+      common_.emplace(m, p.seed, p.steps, p.dt, p.with_areas, p.threads, p.source);
       common_steps_ = k.share(common_->view(0, static_cast<int>(p.steps)));
     }
     out_.states.resize(static_cast<std::size_t>(m.dimension()) * static_cast<std::size_t>(p.bodies));
@@ -66,7 +66,7 @@ class ensemble_run {
   }
 
   void run_piece(int piece) {
-    increment_buffer noise(model_, chunk, plan_.with_areas);
+    increment_buffer noise(model_, chunk, plan_.with_areas, plan_.source);
     ensemble_observer observer(model_, plan_.momentum);
     auto states = replicated(plan_.momentum);
     std::vector<double> seen;
@@ -116,8 +116,7 @@ class ensemble_run {
                increment_buffer& noise) const {
     const auto part = [&](std::int64_t from, std::int64_t n) { return piece{from == 0, from + n == plan_.steps}; };
     if (common_) return kernel_.advance(states, common_steps_, step, steps, part(step, steps));
-    if (noiseless_)
-      return kernel_.advance(states, silence(static_cast<int>(steps), plan_.dt), part(step, steps));
+    if (noiseless_) return kernel_.advance(states, silence(static_cast<int>(steps), plan_.dt), part(step, steps));
     for (std::int64_t done = 0; done < steps; done += chunk) {
       const int n = static_cast<int>(std::min<std::int64_t>(chunk, steps - done));
       const auto view = noise.fill(plan_.seed, static_cast<std::uint64_t>(block * block_lanes),
@@ -175,6 +174,15 @@ simulated simulate_ensemble(const model& m, const kernel& k, const simulation_pl
   return run.result();
 }
 
+namespace {
+
+/// Increments, and the table of what a kernel does with them.
+double shared_bytes(const model& m, const simulation_plan& p) {
+  return shared_increments::bytes(m, p.steps, p.with_areas) + static_cast<double>(p.steps) * 24 * sizeof(double);
+}
+
+}  // namespace
+
 double simulation_bytes(const model& m, const simulation_plan& p) {
   const bool common = p.noise == ensemble_noise::common && m.active_channels() > 0;
   const double states = static_cast<double>(p.bodies) * m.dimension() * sizeof(double);
@@ -182,7 +190,7 @@ double simulation_bytes(const model& m, const simulation_plan& p) {
   const double pieces = static_cast<double>(blocks_of(p)) / static_cast<double>(blocks_a_piece(p)) + 1;
   const double stops = static_cast<double>(p.snapshots.size());
   const double moments = pieces * (stops + 1) * (sizeof(ensemble_moments) + 96.0);
-  return states + stops * counts + moments + (common ? shared_increments::bytes(m, p.steps, p.with_areas) : 0);
+  return states + stops * counts + moments + (common ? shared_bytes(m, p) : 0);
 }
 
 }  // namespace polhode

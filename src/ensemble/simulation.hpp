@@ -5,6 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include <polhode/noise/address.hpp>
+
 #include "ensemble/kernel.hpp"
 #include "ensemble/model.hpp"
 #include "ensemble/observation.hpp"
@@ -22,6 +24,7 @@ struct simulation_plan {
   std::int64_t steps = 0, bodies = 0;
   std::vector<std::int64_t> snapshots;  ///< step numbers, strictly increasing, in [1, steps]
   bool with_areas = false;
+  noise_source source;
   std::uint64_t seed = 0;
   int threads = 1;
 };

@@ -91,7 +91,7 @@ void run_exact(const context& c, report::results& out) {
   for (const auto& scheme : s.schemes)
     if (scheme.info.casimir.exact) runs.push_back({&scheme, scheme.make(dt), replicated(s.scene.momentum), {}, {}, {}});
   if (runs.empty()) return;
-  increment_buffer noise(*s.model, chunk_steps, any_needs_areas(s.schemes));
+  increment_buffer noise(*s.model, chunk_steps, any_needs_areas(s.schemes), {c.generator, noise_quality::fast});
   double next = 1;
   for (int chunk = 0; chunk < chunks; ++chunk) {
     const auto first = static_cast<std::uint64_t>(chunk) * chunk_steps;
@@ -128,13 +128,13 @@ void run_block(const context& c, const level_grid& grid, std::span<const int> op
   const auto& m = *c.subject.model;
   const bool areas =
       std::ranges::any_of(open, [&](int k) { return samples[static_cast<std::size_t>(k)].scheme->needs_areas; });
-  increment_buffer noise(m, grid.steps.back(), areas);
+  increment_buffer noise(m, grid.steps.back(), areas, {c.generator, noise_quality::precise});
   const int first_path = block * block_lanes;
   for (std::size_t l = 0; l < grid.steps.size(); ++l) {
     const int n = grid.steps[l];
     const double dt = grid.horizon / n;
-    const auto view = m.active_channels() > 0 ? noise.fill(c.seed, static_cast<std::uint64_t>(first_path), 0, n, dt)
-                                              : silence(n, dt);
+    const auto view =
+        m.active_channels() > 0 ? noise.fill(c.seed, static_cast<std::uint64_t>(first_path), 0, n, dt) : silence(n, dt);
     for (const int k : open) {
       auto& sample = samples[static_cast<std::size_t>(k)];
       auto states = replicated(c.subject.scene.momentum);

@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <polhode/noise/address.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "experiments/subject.hpp"
 #include "reports/model/results.hpp"
@@ -19,6 +22,7 @@ struct context {
   polhode::effort effort = effort::standard;
   int threads = 1;
   std::uint64_t seed = 1;
+  noise_generator generator = noise_generator::philox;
   std::function<void(double share)> progress = [](double) {};
 };
 
@@ -29,12 +33,15 @@ struct experiment {
   std::function<std::optional<std::string>(const subject&)> cannot_say;
   /// Appends measurements, fits, verdicts and skips.
   std::function<void(const context&, report::results&)> run;
+  /// Names under which it reports what follows from a scheme's results, and that scheme: kept and computed with it.
+  std::vector<std::pair<std::string, std::string>> derived = {};
 };
 
 experiment casimir_experiment();
 experiment strong_experiment();
 experiment energy_experiment();
 experiment gibbs_experiment();
+experiment weak_experiment();
 
 /// By effort: quick, standard, thorough.
 template <class T>

@@ -10,7 +10,7 @@ namespace polhode {
 
 struct level_grid {
   double horizon = 0;      ///< the scene's, or four times the fastest time scale if that is shorter
-  std::vector<int> steps;  ///< increasing, each twice the one before
+  std::vector<int> steps;  ///< increasing; of asymptotic_levels each twice the one before
   std::vector<double> dt() const {
     std::vector<double> out;
     for (const int n : steps) out.push_back(horizon / n);
@@ -23,5 +23,9 @@ double fastest_rate(const subject&);
 
 /// The finest dt times the fastest rate is at most 1/resolution.
 level_grid asymptotic_levels(const subject&, double resolution);
+
+/// The scene's own numbers of steps and its horizon. Where these are fewer than five: halved while a step stays short
+/// against the fastest rate, else doubled. Doubled further until the finest dt times that rate is at most 1/resolution.
+level_grid scene_levels(const subject&, double resolution);
 
 }  // namespace polhode

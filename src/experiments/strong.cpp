@@ -31,8 +31,10 @@ struct level_increments {
 /// Increments of every level, coarsest first, from the fine ones.
 class increment_ladder {
  public:
-  increment_ladder(const model& m, const level_grid& grid)
-      : model_(m), levels_(grid.steps.size()), fine_(m, grid.steps.back() / grid.steps.front() * fine_per_step, false) {
+  increment_ladder(const model& m, const level_grid& grid, noise_source source)
+      : model_(m),
+        levels_(grid.steps.size()),
+        fine_(m, grid.steps.back() / grid.steps.front() * fine_per_step, false, source) {
     for (std::size_t l = 0; l < levels_.size(); ++l) {
       const int steps = grid.steps[l] / grid.steps.front();
       const int channels = m.channels(), pairs = channels * (channels - 1) / 2;
@@ -69,7 +71,7 @@ void run_block(const context& c, const level_grid& grid, const kernel_table& ker
                std::span<const int> open, int block, std::vector<squared_errors>& errors) {
   const auto& s = c.subject;
   const std::size_t levels = grid.steps.size();
-  increment_ladder ladder(*s.model, grid);
+  increment_ladder ladder(*s.model, grid, {c.generator, noise_quality::precise});
   auto truth = replicated(s.scene.momentum);
   std::vector<std::vector<std::vector<double>>> states(kernels.size(), std::vector<std::vector<double>>(levels, truth));
   const int first_path = block * block_lanes;

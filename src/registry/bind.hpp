@@ -41,7 +41,8 @@ class model_of final : public model {
     const auto x = state(mu);
     std::ranges::copy(System::algebra::coad(system_.generator(x), x).c, out.begin());
   }
-  [[gnu::flatten]] void coarsen(const increment_view& fine, int factor, std::span<double> dw, std::span<double> area) const override {
+  [[gnu::flatten]] void coarsen(const increment_view& fine, int factor, std::span<double> dw,
+                                std::span<double> area) const override {
     constexpr int pairs = pairs_of<m>;
     const auto at = [&](int i, int lane) {
       wiener_levy<pack, m> w;
@@ -73,8 +74,8 @@ class model_of final : public model {
 template <class Scheme>
 struct scheme_tag {};
 
-/// The kernel of a scheme on a system at one step size, for states on the orbit of the momentum. A system with kernels of
-/// its own overloads this.
+/// The kernel of a scheme on a system at one step size, for states on the orbit of the momentum. A system with kernels
+/// of its own overloads this.
 template <class Scheme, class System>
 std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const System& system, const std::vector<double>&, double dt) {
   return std::make_unique<kernel_of<Scheme, plain_forms<System>>>(plain_forms(prepared<Scheme>(system, dt)));
@@ -83,10 +84,10 @@ std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const System& system, con
 template <class Scheme, class System>
 void add_scheme(subject& out, const System& system) {
   if constexpr (requires { requires scheme_on<Scheme, System>; }) {
-    out.schemes.push_back(
-        {Scheme::info, needs_areas_on<Scheme, System>, [system, momentum = out.scene.momentum](double dt) -> std::unique_ptr<kernel> {
-           return kernel_for(scheme_tag<Scheme>{}, system, momentum, dt);
-         }});
+    out.schemes.push_back({Scheme::info, needs_areas_on<Scheme, System>,
+                           [system, momentum = out.scene.momentum](double dt) -> std::unique_ptr<kernel> {
+                             return kernel_for(scheme_tag<Scheme>{}, system, momentum, dt);
+                           }});
   } else {
     out.inapplicable.push_back({"", std::string(Scheme::info.name), "the system does not split into exact flows"});
   }

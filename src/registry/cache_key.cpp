@@ -53,8 +53,9 @@ std::string text_of(const report::scene& s) {
 
 std::string cache_key(const context& c, std::string_view experiment, std::string_view scheme) {
   if (build_identity().empty()) return "";
-  return fmt::format("experiment {}\nscheme {}\neffort {}\nseed {}\nisa {}\n{}{}", experiment, scheme,
-                     by_effort(c.effort, "quick", "standard", "thorough"), c.seed, name_of(active_isa()),
+  return fmt::format("experiment {}\nscheme {}\neffort {}\nseed {}\ngenerator {}\nisa {}\n{}{}", experiment, scheme,
+                     by_effort(c.effort, "quick", "standard", "thorough"), c.seed,
+                     c.generator == noise_generator::ars ? "ars" : "philox", name_of(active_isa()),
                      text_of(c.subject.scene), build_identity());
 }
 

@@ -11,7 +11,10 @@ rotation_size rotation_size_of(const rigid_body& body, double radius, double dt)
                least = std::min({inverse[0], inverse[1], inverse[2]}), c = radius,
                noise = (body.sigma() * body.sigma().transpose()).operatorNorm();
   const double drift = dt * c * (most + 0.5 * body.theta * c * (most - least));
-  const rotation_bounds needed{dt * c * most, drift + 4.5 * std::sqrt(dt * noise),
+  // The longest turns: of the free motion in five, and of the two after the Casimir shift, the first merged.
+  const double turn = std::max({inverse[0] / 2, inverse[1] / 2, inverse[2], std::abs(inverse[0] - inverse[1]),
+                                std::abs(inverse[2] - inverse[1]) / 2});
+  const rotation_bounds needed{dt * c * turn, drift + 4.5 * std::sqrt(dt * noise),
                                std::expm1(2 * body.theta * c * c * (most - least) * dt)};
   const auto within = [&](const rotation_bounds& b) {
     return needed.turn <= b.turn && needed.generator <= b.generator && needed.spread <= b.spread;
@@ -21,16 +24,12 @@ rotation_size rotation_size_of(const rigid_body& body, double radius, double dt)
                                                               : rotation_size::any;
 }
 
-int first_axis_of(const rigid_body& body) {
-  for (int odd = 0; odd < 3; ++odd)
-    if (body.inverse_inertia[(odd + 1) % 3] == body.inverse_inertia[(odd + 2) % 3]) return (odd + 1) % 3;
-  return 0;
-}
+int first_axis_of(const rigid_body& body) { return body.odd_axis() < 0 ? 0 : (body.odd_axis() + 1) % 3; }
 
 body_parts parts_of(const rigid_body& body) {
   const auto& i = body.inverse_inertia;
-  const bool spherical = i[0] == i[1] && i[1] == i[2], symmetric = i[0] == i[1] || i[1] == i[2] || i[0] == i[2];
-  return {!symmetric, !spherical, body.theta > 0 && !spherical};
+  const bool spherical = i[0] == i[1] && i[1] == i[2];
+  return {body.odd_axis() < 0, !spherical, body.theta > 0 && !spherical};
 }
 
 }  // namespace polhode

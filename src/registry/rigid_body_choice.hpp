@@ -6,8 +6,8 @@
 
 namespace polhode {
 
-/// The size of one step's rotations: the smallest whose bounds hold, the noise taken at 4.5 standard deviations (in three
-/// dimensions one increment in 6000 is larger).
+/// The size of one step's rotations: the smallest whose bounds hold, the noise taken at 4.5 standard deviations (in
+/// three dimensions one increment in 6000 is larger).
 rotation_size rotation_size_of(const rigid_body&, double radius, double dt);
 
 /// Two equal moments of inertia: the axis to be numbered 1 so that the odd one is 3. Otherwise 0.

@@ -11,8 +11,8 @@
 
 namespace polhode {
 
-/// A rigid body bound to its step size, in the forms of kernel_of. `first_axis`: the body's axis that is numbered 1 in the
-/// kernel (a symmetric body is turned so that its odd axis is 3).
+/// A rigid body bound to its step size, in the forms of kernel_of. `first_axis`: the body's axis that is numbered 1 in
+/// the kernel (a symmetric body is turned so that its odd axis is 3).
 template <body_parts parts, rotation_size size>
 class rigid_body_forms {
  public:
@@ -30,7 +30,8 @@ class rigid_body_forms {
   /// Noise that is not diagonal in the kernel's axes is brought into their basis first.
   increment_view take(const increment_view& view, std::vector<double>& scratch) const {
     if (diagonal_) return view;
-    const std::size_t rows = static_cast<std::size_t>(view.steps) * 3 * block_lanes, areas = view.area.empty() ? 0 : rows;
+    const std::size_t rows = static_cast<std::size_t>(view.steps) * 3 * block_lanes,
+                      areas = view.area.empty() ? 0 : rows;
     scratch.resize(rows + areas);
     for (int i = 0; i < view.steps; ++i)
       for (int lane = 0; lane < block_lanes; lane += static_cast<int>(pack::size())) {

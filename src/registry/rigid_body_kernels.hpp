@@ -22,14 +22,29 @@ struct unsplit_body : constant_noise<so3> {
 template <class Scheme>
 inline constexpr bool splits = !scheme_on<Scheme, unsplit_body>;
 
+/// One without turns: what a scheme that uses the free motion as a whole can still step.
+struct unturned_body : unsplit_body {
+  template <class S>
+  vec<S, 3> free_flow(const vec<S, 3>& pi, double) const {
+    return pi;
+  }
+  template <class S>
+  vec<S, 3> dissipation_flow(const vec<S, 3>& pi, double) const {
+    return pi;
+  }
+  unturned_body with_noise(const constant_noise<so3>&) const { return *this; }
+};
+template <class Scheme>
+inline constexpr bool turns = !scheme_on<Scheme, unturned_body>;
+
 /// The others are made of sums, products and quotients: they have no rotations whose size matters.
 template <class Scheme>
 inline constexpr bool rotates = Scheme::info.action == group_action::exponential;
 
 /// Long steps hide their latency themselves.
 template <class Scheme, rotation_size size>
-using loop_scalar = std::conditional_t<Scheme::info.implicit || (rotates<Scheme> && size == rotation_size::any), pack,
-                                       loop_pack>;
+using loop_scalar =
+    std::conditional_t<Scheme::info.implicit || (rotates<Scheme> && size == rotation_size::any), pack, loop_pack>;
 
 template <class Scheme, body_parts parts>
 std::unique_ptr<kernel> rigid_body_kernel(const rigid_body& body, double radius, double dt) {
@@ -54,12 +69,12 @@ std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const rigid_body& body, c
   const double radius = std::hypot(momentum[0], momentum[1], momentum[2]);
   const auto parts = parts_of(body);
   const auto made = [&]<body_parts p>() { return rigid_body_kernel<Scheme, p>(prepared_body, radius, dt); };
-  if constexpr (splits<Scheme>) {
+  if constexpr (splits<Scheme>)
     if (!parts.last_turn) return made.template operator()<body_parts{false, false, false}>();
+  if constexpr (turns<Scheme>)
     if (!parts.first_turn)
       return parts.dissipation ? made.template operator()<body_parts{false, true, true}>()
                                : made.template operator()<body_parts{false, true, false}>();
-  }
   return parts.dissipation ? made.template operator()<body_parts{true, true, true}>()
                            : made.template operator()<body_parts{true, true, false}>();
 }

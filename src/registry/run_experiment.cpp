@@ -1,4 +1,5 @@
 #include "registry/run_experiment.hpp"
+#include "ensemble/work_counters.hpp"
 
 #include <algorithm>
 #include <ctime>
@@ -15,6 +16,12 @@ using names = std::vector<std::string>;
 
 bool contains(const names& all, std::string_view name) { return std::ranges::find(all, name) != all.end(); }
 
+/// The scheme whose result a row belongs to.
+const std::string& owner_of(const experiment& e, const std::string& scheme) {
+  const auto found = std::ranges::find(e.derived, scheme, &std::pair<std::string, std::string>::first);
+  return found == e.derived.end() ? scheme : found->second;
+}
+
 /// Appends the rows whose scheme is wanted; savings are of a run and not of a scheme.
 template <class Wanted>
 void append_rows(const report::results& from, Wanted wanted, report::results& to) {
@@ -28,7 +35,10 @@ void append_rows(const report::results& from, Wanted wanted, report::results& to
 }
 
 /// What the inner loops of this program have done so far.
-report::counters work_so_far() { return {}; }
+report::counters work_done_so_far() {
+  const auto w = work_so_far();
+  return {w.normals, w.path_steps, w.kernels};
+}
 
 report::counters operator-(const report::counters& a, const report::counters& b) {
   return {a.normals_drawn - b.normals_drawn, a.path_steps - b.path_steps, a.kernels_run - b.kernels_run};
@@ -46,20 +56,22 @@ report::results compute(const experiment& e, const context& c, const names& sche
   const auto s = restricted(c.subject, schemes);
   report::results out;
   out.provenance = build_provenance();
-  const auto work = work_so_far();
+  const auto work = work_done_so_far();
   const double cpu = cpu_seconds();
-  e.run({s, c.effort, c.threads, c.seed, c.progress}, out);
+  e.run({s, c.effort, c.threads, c.seed, c.generator, c.progress}, out);
   out.provenance.cpu_seconds = cpu_seconds() - cpu;
-  out.done.work = work_so_far() - work;
+  out.done.work = work_done_so_far() - work;
   return out;
 }
 
 /// One scheme's part of a run, as it is kept: its rows, those of no scheme, and an equal share of the work.
-report::results part_of(const report::results& run, const names& computed, const std::string& scheme) {
+report::results part_of(const experiment& e, const report::results& run, const names& computed,
+                        const std::string& scheme) {
   report::results part;
   part.provenance = run.provenance;
   append_rows(
-      run, [&](const std::string& of) { return of == scheme || !contains(computed, of); }, part);
+      run, [&](const std::string& of) { return owner_of(e, of) == scheme || !contains(computed, owner_of(e, of)); },
+      part);
   const auto shares = computed.size();
   part.provenance.cpu_seconds /= static_cast<double>(shares);
   part.done.work = {run.done.work.normals_drawn / shares, run.done.work.path_steps / shares,
@@ -92,7 +104,7 @@ void compute_missing(const experiment& e, const context& c, report::result_store
   const auto run = compute(e, c, missing);
   for (auto& one : entries) {
     if (one.part) continue;
-    one.part = part_of(run, missing, one.scheme);
+    one.part = part_of(e, run, missing, one.scheme);
     if (!one.key.empty()) store->save(one.key, *one.part);
   }
   out.savings.insert(out.savings.end(), run.savings.begin(), run.savings.end());
@@ -123,9 +135,9 @@ void run_experiment(const experiment& e, const context& c, report::result_store*
   for (const auto& one : entries) {
     if (&one == &entries.front())
       append_rows(
-          *one.part, [&](const std::string& scheme) { return scheme != one.scheme; }, out);
+          *one.part, [&](const std::string& scheme) { return owner_of(e, scheme) != one.scheme; }, out);
     append_rows(
-        *one.part, [&](const std::string& scheme) { return scheme == one.scheme; }, out);
+        *one.part, [&](const std::string& scheme) { return owner_of(e, scheme) == one.scheme; }, out);
   }
 }
 

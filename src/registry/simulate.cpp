@@ -12,7 +12,7 @@
 #include "ensemble/isa.hpp"
 #include "ensemble/simulation.hpp"
 #include "ensemble/sphere_bins.hpp"
-#include "registry/isa_option.hpp"
+#include "registry/machine_options.hpp"
 #include "registry/memory.hpp"
 #include "registry/nearest.hpp"
 #include "registry/provenance.hpp"
@@ -23,7 +23,8 @@ namespace polhode {
 namespace {
 
 constexpr double most_steps = 1e9, memory_share = 0.8;
-const std::vector<std::string> noises{"common", "independent", "none"}, starts{"uniform", "momentum"};
+const std::vector<std::string> noises{"common", "independent", "none"}, starts{"uniform", "momentum"},
+    qualities{"fast", "precise"};
 
 [[noreturn]] void refuse(std::string_view option, std::string_view value, std::string_view fault) {
   throw input_error(fmt::format("{} '{}': {}", option, one_line(value, 60), fault));
@@ -104,6 +105,8 @@ prepared_run prepare(const scene& s, const simulate_options& o) {
   p.snapshots = checked_snapshots(s, o, p.steps);
   p.with_areas = r.scheme->needs_areas;
   p.seed = o.seed;
+  p.source = {generator_named(o.generator),
+              choice("--normals", o.normals, qualities) == 0 ? noise_quality::fast : noise_quality::precise};
   p.threads = o.threads;
   const bool sphere = r.subject.model->dimension() == 3;
   if (!sphere && p.start == ensemble_start::uniform) refuse("--start", "uniform", "accepted for this system: momentum");
@@ -142,11 +145,13 @@ void take_over(simulated&& run, const prepared_run& r, report::simulation& out) 
   }
 }
 
-report::simulation frame_of(const scene& s, const prepared_run& r) {
+report::simulation frame_of(const scene& s, const simulate_options& o, const prepared_run& r) {
   const auto& p = r.plan;
   report::simulation out;
   out.provenance = build_provenance();
   out.provenance.seed = p.seed;
+  out.provenance.generator = o.generator;
+  out.normals = o.normals;
   out.provenance.threads = p.threads;
   out.provenance.isa = name_of(active_isa());
   out.scene = s;
@@ -168,7 +173,7 @@ void check_simulation(const scene& s, const simulate_options& o) { prepare(s, o)
 
 report::simulation simulate(const scene& s, const simulate_options& o, const progress_sink& progress) {
   const auto r = prepare(s, o);
-  auto out = frame_of(s, r);
+  auto out = frame_of(s, o, r);
   const auto tell = [&](double share) {
     if (progress) progress(share, o.scheme);
   };

@@ -18,7 +18,8 @@ struct simulate_options {
   std::vector<double> snapshots;  ///< times; each is moved to the nearest step
   std::uint64_t seed = 1;
   int threads = 1;
-  std::string isa = "auto";  ///< as in verify_options
+  std::string isa = "auto", generator = "philox";  ///< as in verify_options
+  std::string normals = "fast";                    ///< fast (float-accurate) or precise
 };
 
 /// Throws input_error, before any work, on what cannot be run.

@@ -8,7 +8,7 @@
 #include <ctime>
 
 #include "ensemble/isa.hpp"
-#include "registry/isa_option.hpp"
+#include "registry/machine_options.hpp"
 #include "registry/nearest.hpp"
 #include "registry/provenance.hpp"
 #include "registry/run_experiment.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 /// Adding an experiment: its source, and its name here.
 std::vector<experiment> all_experiments() {
-  return {casimir_experiment(), strong_experiment(), energy_experiment(), gibbs_experiment()};
+  return {casimir_experiment(), strong_experiment(), energy_experiment(), gibbs_experiment(), weak_experiment()};
 }
 
 report::scheme described(const scheme_entry& entry) {
@@ -76,7 +76,8 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
     if (const auto reason = e.cannot_say(s))
       out.skipped.push_back({e.info.name, "", *reason});
     else
-      run_experiment(e, {s, options.effort, options.threads, options.seed, tell}, options.store, out);
+      run_experiment(e, {s, options.effort, options.threads, options.seed, generator_named(options.generator), tell},
+                     options.store, out);
     before += e.weight;
   }
   if (progress) progress(1, "done");
@@ -101,6 +102,7 @@ subject bind_scene(const scene& s) {
 
 void check_options(const scene& s, const verify_options& options) {
   apply_isa(options.isa);
+  generator_named(options.generator);
   auto subject = bind_scene(s);
   auto experiments = all_experiments();
   keep_wanted(subject.schemes, options.schemes, "scheme", [](const scheme_entry& e) { return e.info.name; });
@@ -120,6 +122,7 @@ report::results verify_subject(subject s, const verify_options& options, const p
   for (const auto& e : s.schemes) out.schemes.push_back(described(e));
   out.provenance = build_provenance();
   out.provenance.seed = options.seed;
+  out.provenance.generator = options.generator;
   out.provenance.effort = effort_name(options.effort);
   out.provenance.threads = options.threads;
   out.provenance.isa = name_of(active_isa());
@@ -134,6 +137,7 @@ report::results verify_subject(subject s, const verify_options& options, const p
 
 report::results verify(const scene& s, const verify_options& options, const progress_sink& progress) {
   apply_isa(options.isa);
+  generator_named(options.generator);
   return verify_subject(bind_scene(s), options, progress);
 }
 

@@ -20,7 +20,8 @@ struct verify_options {
   polhode::effort effort = effort::standard;
   int threads = 1;
   std::uint64_t seed = 1;
-  std::string isa = "auto";  ///< instruction set of the inner loops; auto: the widest that this machine has
+  std::string generator = "philox";  ///< of random bits: philox, or ars where the processor has AES
+  std::string isa = "auto";          ///< instruction set of the inner loops; auto: the widest that this machine has
   report::result_store* store = nullptr;  ///< keeps results from run to run; for schemes of the registry only
 };
 

@@ -38,7 +38,8 @@ class maker {
   report::counters work() { return {random_(), random_(), random_()}; }
   report::results made() {
     report::results r;
-    r.provenance = {text(), text(), text(), text(), text(), text(), 3, random_(), text(), text(), number(), number()};
+    r.provenance = {text(), text(),    text(), text(), text(),   text(),  text(),
+                    3,      random_(), text(), text(), number(), number()};
     r.scene = {text(),   text(),        {number(), number(), number()}, number(), {{number(), 0, 1}}, {number()},
                number(), {1, 1LL << 60}};
     for (int i = 0; i < 5; ++i) {

@@ -107,6 +107,7 @@ results sample() {
                   "-O2 -DNAME=\"a b\"",
                   "A CPU & its cache",
                   "v3",
+                  "ars",
                   2,
                   18446744073709551615u,
                   "quick",

@@ -13,7 +13,8 @@ using polynomial = std::array<double, static_cast<std::size_t>(degree) + 1>;
 
 namespace detail {
 
-/// sum_k (-q)^k / (2k + first)!: cos sqrt(q) for first = 0, sinc sqrt(q) for 1, (1 - cos sqrt(q))/q for 2. q of order 1.
+/// sum_k (-q)^k / (2k + first)!: cos sqrt(q) for first = 0, sinc sqrt(q) for 1, (1 - cos sqrt(q))/q for 2. q of
+/// order 1.
 constexpr long double cosine_series(long double q, int first) {
   long double term = first == 2 ? 0.5L : 1, sum = 0;
   for (int k = 0; k < 24; ++k) {

@@ -31,18 +31,18 @@ struct strang {
                                     .action = group_action::exponential};
 
   /// Two of these in a row are one of the sum of their times.
-  template <splittable_system System, class S, class Time>
+  template <turning_system System, class S, class Time>
   static auto outer(const System& system, const vec<S, System::dimension>& mu, Time t) {
     return system.first_turn(mu, t);
   }
 
-  template <splittable_system System, class S>
+  template <turning_system System, class S>
   static auto inner(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
     const half_step half{w.dt};
     return system.last_turn(damped_noise_flow(system, system.last_turn(mu, half), w), half);
   }
 
-  template <splittable_system System, class S>
+  template <turning_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
     const half_step half{w.dt};
     return outer(system, inner(system, outer(system, mu, half), w), half);

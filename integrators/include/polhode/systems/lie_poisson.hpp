@@ -37,15 +37,20 @@ concept lie_poisson_system = lie_algebra<typename System::algebra> &&
   { system.energy(mu) } -> std::same_as<double>;
 };
 
-/// A system that splits into parts with exact flows; splitting schemes need it. The free motion comes in two ways: whole,
-/// to second order, and as two turns, each the exact flow of its part of h plus a Casimir.
+/// A system that splits into parts with flows of their own; splitting schemes need it.
 template <class System>
 concept splittable_system = lie_poisson_system<System> &&
     requires(const System& system, const state_of<System>& mu, half_step t) {
   { system.free_flow(mu, t) } -> std::same_as<state_of<System>>;
+  { system.dissipation_flow(mu, t) } -> std::same_as<state_of<System>>;
+};
+
+/// One whose free motion splits into two turns, each the exact flow of its part of h plus a Casimir.
+template <class System>
+concept turning_system = splittable_system<System> &&
+    requires(const System& system, const state_of<System>& mu, half_step t) {
   { system.first_turn(mu, t) } -> std::same_as<state_of<System>>;
   { system.last_turn(mu, t) } -> std::same_as<state_of<System>>;
-  { system.dissipation_flow(mu, t) } -> std::same_as<state_of<System>>;
 };
 
 // What a step is built of. A system that knows better (a term that is not there, a constant that is computed once) says

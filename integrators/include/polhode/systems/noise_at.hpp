@@ -44,8 +44,8 @@ struct diagonal_noise {
 
 /// What all paths share of one step: computed once, not once a path.
 struct shared_step {
-  vec<double, 3> b, area;                              ///< sum sigma_i dW^i and sum A^ij [sigma_i, sigma_j]
-  std::array<vec<double, 3>, 3> rotation, damped;      ///< of the noise; with half a dissipation before and after it
+  vec<double, 3> b, area;                          ///< sum sigma_i dW^i and sum A^ij [sigma_i, sigma_j]
+  std::array<vec<double, 3>, 3> rotation, damped;  ///< of the noise; with half a dissipation before and after it
 };
 
 struct shared_noise {

@@ -75,9 +75,11 @@ struct rigid_body : constant_noise<so3> {
   }
 
   /// The free rotation for a time t, to second order and on the sphere: rotations about the axes 1, 2 (half the time),
-  /// 3 (all of it), 2, 1 (half). Each is the exact flow of its part Pi_j^2 / 2 I_j of the energy.
+  /// 3 (all of it), 2, 1 (half); of a spherical body nothing. Each is the exact flow of its part Pi_j^2 / 2 I_j of the
+  /// energy.
   template <class S>
   vec<S, 3> free_flow(vec<S, 3> pi, double t) const {
+    if (inverse_inertia[0] == inverse_inertia[1] && inverse_inertia[1] == inverse_inertia[2]) return pi;
     turn<0>(pi, t / 2);
     turn<1>(pi, t / 2);
     turn<2>(pi, t);
@@ -86,16 +88,28 @@ struct rigid_body : constant_noise<so3> {
     return pi;
   }
 
-  /// The free motion as two turns, about the axes 1 and 3: h - |Pi|^2/2I_2 moves Pi as h does, as Pi x Pi = 0.
+  /// The free motion as two turns, about the axes 1 and 3: h - |Pi|^2/2I_2 moves Pi as h does, as Pi x Pi = 0. A
+  /// symmetric body has the last turn alone, about its odd axis, and a spherical one none.
   template <class S>
   vec<S, 3> first_turn(vec<S, 3> pi, double t) const {
-    turn<0>(pi, t, inverse_inertia[1]);
+    if (odd_axis() < 0) turn<0>(pi, t, inverse_inertia[1]);
     return pi;
   }
   template <class S>
   vec<S, 3> last_turn(vec<S, 3> pi, double t) const {
-    turn<2>(pi, t, inverse_inertia[1]);
+    switch (odd_axis()) {
+      case 0: turn<0>(pi, t, inverse_inertia[1]); break;
+      case 1: turn<1>(pi, t, inverse_inertia[2]); break;
+      default: turn<2>(pi, t, inverse_inertia[1]); break;
+    }
     return pi;
+  }
+
+  /// Of a symmetric body the axis whose moment of inertia is not the others'; -1 if all three differ.
+  int odd_axis() const {
+    for (int axis = 0; axis < 3; ++axis)
+      if (inverse_inertia[(axis + 1) % 3] == inverse_inertia[(axis + 2) % 3]) return axis;
+    return -1;
   }
 
  private:

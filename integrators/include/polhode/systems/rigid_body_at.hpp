@@ -1,5 +1,5 @@
-// The rigid body bound to a step size and an orbit: the same mathematics as systems/rigid_body.hpp, with everything that
-// does not change from step to step computed once, absent parts absent, and no division in the step.
+// The rigid body bound to a step size and an orbit: the same mathematics as systems/rigid_body.hpp, with everything
+// that does not change from step to step computed once, absent parts absent, and no division in the step.
 //
 // For states on the orbit |Pi| = c for which it was made; others are integrated with this orbit's dissipation factors.
 #pragma once
@@ -19,12 +19,12 @@ namespace polhode {
 struct rigid_body_constants {
   vec<double, 3> inverse_inertia;
   double theta, dt, radius;
-  vec<double, 3> excess;     ///< 1/I_k - 1/I_2: the Casimir shift
-  vec<double, 3> kappa;      ///< dt / I_k
-  vec<double, 3> shifted;    ///< dt (1/I_k - 1/I_2)
-  vec<double, 3> gamma;      ///< theta dt (Pi x Omega)_k = gamma_k Pi_i Pi_j
+  vec<double, 3> excess;                  ///< 1/I_k - 1/I_2: the Casimir shift
+  vec<double, 3> kappa;                   ///< dt / I_k
+  vec<double, 3> shifted;                 ///< dt (1/I_k - 1/I_2)
+  vec<double, 3> gamma;                   ///< theta dt (Pi x Omega)_k = gamma_k Pi_i Pi_j
   std::array<vec<double, 3>, 2> damping;  ///< exp(-theta c^2 t (1/I_k - shift)) for the whole step and half of it
-  double least_square;       ///< the least |y|^2 after a whole step's damping
+  double least_square;                    ///< the least |y|^2 after a whole step's damping
 
   rigid_body_constants(const vec<double, 3>& inverse, double theta_, double dt_, double c, bool shift_by_least)
       : inverse_inertia(inverse), theta(theta_), dt(dt_), radius(c) {
@@ -111,11 +111,11 @@ class rigid_body_at : public Noise {
       return algebra::coad(b, pi);
     } else {
       constexpr bool g = parts.dissipation;
-      const auto first = turning<parts.first_turn>(k_.shifted[0], pi[0], b[0]) +
-                         turned<g && parts.last_turn>(k_.gamma[0], pi[1], pi[2]);
+      const auto first = turning<parts.first_turn>(k_.shifted[0], pi[0], b[0]) + turned < g &&
+                         parts.last_turn > (k_.gamma[0], pi[1], pi[2]);
       const auto second = b[1] + turned<g>(k_.gamma[1], pi[2], pi[0]);
-      const auto third = turning<parts.last_turn>(k_.shifted[2], pi[2], b[2]) +
-                         turned<g && parts.first_turn>(k_.gamma[2], pi[0], pi[1]);
+      const auto third = turning<parts.last_turn>(k_.shifted[2], pi[2], b[2]) + turned < g &&
+                         parts.first_turn > (k_.gamma[2], pi[0], pi[1]);
       return algebra::coad(vec<S, 3>{{value_of<S>(first), value_of<S>(second), value_of<S>(third)}}, pi);
     }
   }
@@ -206,8 +206,8 @@ class rigid_body_at : public Noise {
   vec<S, 3> driven(const vec<S, 3>& pi, const B& b) const {
     vec<S, 3> out;
     for (int k = 0; k < 3; ++k)
-      out[k] = (b[k] + S(k_.kappa[k]) * pi[k]) +
-               turned<parts.dissipation>(k_.gamma[k], pi[(k + 1) % 3], pi[(k + 2) % 3]);
+      out[k] =
+          (b[k] + S(k_.kappa[k]) * pi[k]) + turned<parts.dissipation>(k_.gamma[k], pi[(k + 1) % 3], pi[(k + 2) % 3]);
     return out;
   }
 
@@ -250,10 +250,10 @@ class rigid_body_at : public Noise {
     } else {
       static constexpr double reach = rotations<size>::bounds.turn;
       static constexpr auto sinc = cosine_polynomial<rotations<size>::sine_degree>(1, reach * reach);
-      static constexpr auto cosine = cosine_polynomial<rotations<size>::cosine_degree>(0, reach * reach);
+      static constexpr auto cosc = cosine_polynomial<rotations<size>::cosine_degree>(2, reach * reach);
       const S q = angle * angle;
       sin = angle * evaluate(sinc, q);
-      cos = evaluate(cosine, q);
+      cos = S(1.0) - q * evaluate(cosc, q);  // exact at 0: a rounded first coefficient would shrink every turn alike
     }
     const S a = pi[next], b = pi[last];
     pi[next] = a * cos + b * sin;

@@ -1,4 +1,4 @@
-#include "registry/isa_option.hpp"
+#include "registry/machine_options.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ensemble/isa.hpp"
+#include "ensemble/normal_block.hpp"
 #include "reports/model/errors.hpp"
 
 namespace polhode {
@@ -21,6 +22,14 @@ void apply_isa(const std::string& wanted) {
     throw input_error(fmt::format("--isa: \"{}\" is not to be had here; accepted: {}", wanted, fmt::join(names, ", ")));
   }
   choose_isa(*level);
+}
+
+noise_generator generator_named(const std::string& name) {
+  if (name == "philox") return noise_generator::philox;
+  if (name == "ars" && ars_usable()) return noise_generator::ars;
+  throw input_error(fmt::format("--generator: \"{}\" is {}; accepted: philox{}", name,
+                                name == "ars" ? "not to be had here: the processor has no AES" : "not known",
+                                ars_usable() ? ", ars" : ""));
 }
 
 }  // namespace polhode

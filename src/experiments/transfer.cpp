@@ -1,0 +1,203 @@
+#include "experiments/transfer.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "ensemble/basis_sums.hpp"
+#include "experiments/vectors.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::array on_a_sphere{transfer_rule{12, 1, 5, 2, 0}, transfer_rule{16, 1, 7, 3, 0},
+                                 transfer_rule{20, 1, 9, 3, 0}, transfer_rule{24, 1, 11, 4, 0},
+                                 transfer_rule{32, 1, 13, 4, 0}};
+constexpr std::array on_a_shell{transfer_rule{8, 5, 4, 2, 4}, transfer_rule{10, 6, 5, 3, 4.5},
+                                transfer_rule{12, 7, 6, 3, 5}};
+constexpr double negligible = 1e-18;  // weight of a node
+constexpr double widest = 0.8;        // of log(radius), to either side
+constexpr double rounding = 1e-15;    // of a step, relative
+
+/// Nodes and weights for the standard normal (Golub and Welsch, Math. Comp. 23 (1969) 221).
+struct normal_rule {
+  Eigen::VectorXd nodes, weights;
+  explicit normal_rule(int n) {
+    Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(n, n);
+    for (int k = 1; k < n; ++k) jacobi(k, k - 1) = jacobi(k - 1, k) = std::sqrt(k);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(jacobi);
+    nodes = eigen.eigenvalues();
+    weights = eigen.eigenvectors().row(0).cwiseAbs2();
+  }
+};
+
+/// The noise of one step as one path of as many steps as there are nodes.
+struct noise_nodes {
+  double dt;
+  std::vector<double> dw, area, weight;
+  increment_view path() const { return {dt, static_cast<int>(weight.size()), dw, area}; }
+};
+
+noise_nodes nodes_of(const model& m, bool with_areas, double dt, const transfer_rule& rule) {
+  const int channels = m.channels(), active = m.active_channels(), pairs = channels * (channels - 1) / 2;
+  const int areas = with_areas && active > 1 ? pairs : 0;
+  const normal_rule hermite(rule.hermite), area(rule.area);
+  noise_nodes out{dt, {}, {}, {}};
+  std::vector<int> at(static_cast<std::size_t>(active + areas), 0);
+  const auto axis = [&](int d) -> const normal_rule& { return d < active ? hermite : area; };
+  for (bool more = true; more;) {
+    double weight = 1;
+    for (int d = 0; d < active + areas; ++d) weight *= axis(d).weights[at[static_cast<std::size_t>(d)]];
+    if (weight > negligible) {
+      out.weight.push_back(weight);
+      const auto node = [&](int d) { return axis(d).nodes[at[static_cast<std::size_t>(d)]]; };
+      for (int k = 0; k < channels; ++k) out.dw.push_back(k < active ? std::sqrt(dt) * node(k) : 0);
+      for (int k = 0; with_areas && k < pairs; ++k) out.area.push_back(k < areas ? dt / 2 * node(active + k) : 0);
+    }
+    more = false;
+    for (int d = 0; d < active + areas && !more; ++d) {
+      auto& i = at[static_cast<std::size_t>(d)];
+      more = ++i < axis(d).nodes.size();
+      if (!more) i = 0;
+    }
+  }
+  return out;
+}
+
+/// Calls use(first point, lanes in use, nodes, states of these nodes [node][component][lane]) for all points and nodes.
+template <class Use>
+void map_points(const kernel& k, const Eigen::Matrix<double, Eigen::Dynamic, 3>& points, const noise_nodes& noise,
+                const Use& use) {
+  constexpr int chunk = 32, block = 3 * block_lanes;
+  const auto table = k.share(noise.path());
+  const int nodes = static_cast<int>(noise.weight.size()), count = static_cast<int>(points.rows());
+  std::vector<double> start(block), mapped(static_cast<std::size_t>(block) * chunk);
+  for (int first = 0; first < count; first += block_lanes) {
+    const int lanes = std::min(block_lanes, count - first);
+    for (int i = 0; i < 3; ++i)
+      for (int lane = 0; lane < block_lanes; ++lane)
+        start[static_cast<std::size_t>(i * block_lanes + lane)] = points(first + std::min(lane, lanes - 1), i);
+    for (int node = 0; node < nodes; node += chunk) {
+      const int n = std::min(chunk, nodes - node);
+      for (int i = 0; i < n; ++i) {
+        const std::span state(mapped.data() + i * block, block);
+        std::ranges::copy(start, state.begin());
+        k.advance(state, table, node + i, 1);
+      }
+      use(first, lanes, std::span(noise.weight).subspan(static_cast<std::size_t>(node), static_cast<std::size_t>(n)),
+          mapped.data());
+    }
+  }
+}
+
+/// Values of T B_j at the points of the basis.
+Eigen::MatrixXd mapped_basis(const kernel& k, const shell_basis& basis, const noise_nodes& noise) {
+  const int size = basis.size();
+  Eigen::MatrixXd values(basis.points().rows(), size);
+  std::vector<double> sums(static_cast<std::size_t>(size) * block_lanes);
+  int done = 0;
+  map_points(k, basis.points(), noise,
+             [&](int first, int lanes, std::span<const double> weights, const double* states) {
+               if (done == 0) std::ranges::fill(sums, 0.0);
+               add_basis({basis.degree(), basis.radial(), basis.middle(), basis.half(), basis.recurrence().data(),
+                          static_cast<int>(weights.size()), weights.data(), states, sums.data()});
+               done += static_cast<int>(weights.size());
+               if (done < static_cast<int>(noise.weight.size())) return;
+               done = 0;
+               for (int lane = 0; lane < lanes; ++lane)
+                 for (int j = 0; j < size; ++j)
+                   values(first + lane, j) =
+                       sums[static_cast<std::size_t>((lane / sum_lanes * size + j) * sum_lanes + lane % sum_lanes)];
+             });
+  return values;
+}
+
+/// Wide enough for the radius of a path: the largest mean and variance of log |Pi| in one step from the sphere.
+shell shell_around(const kernel& k, double radius, const noise_nodes& noise, std::int64_t steps, double deviations) {
+  const Eigen::Matrix<double, Eigen::Dynamic, 3> points = radius * sphere_quadrature(6).points;
+  Eigen::ArrayXd mean = Eigen::ArrayXd::Zero(points.rows()), square = mean;
+  map_points(k, points, noise, [&](int first, int lanes, std::span<const double> weights, const double* states) {
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      for (int lane = 0; lane < lanes; ++lane) {
+        const double* at = states + 3 * block_lanes * static_cast<int>(i) + lane;
+        const double change = std::log(std::hypot(at[0], at[block_lanes], at[2 * block_lanes]) / radius);
+        mean[first + lane] += weights[i] * change;
+        square[first + lane] += weights[i] * change * change;
+      }
+  });
+  const auto n = static_cast<double>(steps);
+  const double spread = deviations * std::sqrt(n * std::max(0.0, (square - mean.square()).maxCoeff()));
+  const auto width = [&](double drift) { return std::clamp(n * drift + spread, 1e-3, widest); };
+  return {radius * std::exp(-width(-mean.minCoeff())), radius * std::exp(width(mean.maxCoeff()))};
+}
+
+}  // namespace
+
+std::optional<sphere_problem> sphere_problem_of(const subject& s) {
+  if (s.scene.system != "rigid_body" || s.model->dimension() != 3) return std::nullopt;
+  sphere_problem out{s.scene.inertia, s.scene.theta, length(s.scene.momentum), Eigen::Matrix3d::Zero()};
+  for (const auto& v : s.scene.sigma) {
+    const Eigen::Map<const Eigen::Vector3d> e(v.data());
+    out.covariance += e * e.transpose();
+  }
+  return out;
+}
+
+Eigen::RowVectorXd transfer_operator::law_after(const Eigen::Vector3d& start, std::int64_t steps) const {
+  Eigen::RowVectorXd law = basis.at(start);
+  Eigen::MatrixXd power = matrix;
+  for (; steps > matrix.rows(); steps /= 2) {  // squaring costs less than so many steps
+    if (steps % 2 == 1) law *= power;
+    power *= power;
+  }
+  for (; steps > 0; --steps) law *= power;
+  return law;
+}
+
+// law (T - 1) = 0 with T 1 = 1: the first column is empty, and the first component is given.
+Eigen::RowVectorXd transfer_operator::stationary_law() const {
+  const auto n = matrix.rows() - 1;
+  const Eigen::MatrixXd rest = matrix.bottomRightCorner(n, n) - Eigen::MatrixXd::Identity(n, n);
+  Eigen::RowVectorXd law(n + 1);
+  law[0] = basis.at(Eigen::Vector3d::UnitZ() * basis.middle())[0];
+  law.tail(n) = rest.transpose().partialPivLu().solve(-law[0] * matrix.row(0).tail(n).transpose()).transpose();
+  return law;
+}
+
+transfer_operator make_transfer(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,
+                                const transfer_rule& rule) {
+  const auto stepper = scheme.make(dt);
+  const auto noise = nodes_of(*s.model, scheme.needs_areas, dt, rule);
+  const double c = length(s.scene.momentum);
+  const shell around = rule.radial == 1 ? shell{c, c} : shell_around(*stepper, c, noise, steps, rule.deviations);
+  transfer_operator out{shell_basis(rule.degree, rule.radial, around), {}};
+  out.matrix = out.basis.coefficients(mapped_basis(*stepper, out.basis, noise));
+  if (!out.matrix.col(0).hasNaN()) out.matrix.col(0) = Eigen::VectorXd::Unit(out.matrix.rows(), 0);  // T 1 = 1
+  return out;
+}
+
+transfer_answer refine(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,
+                       const transfer_question& question) {
+  const auto rules = scheme.info.casimir.exact ? std::span<const transfer_rule>(on_a_sphere) : on_a_shell;
+  const Eigen::ArrayXd floor = rounding * static_cast<double>(steps) * question.scale.array();
+  transfer_answer out;
+  for (const auto& rule : rules) {
+    const Eigen::VectorXd error = question.ask(make_transfer(s, scheme, dt, steps, rule)) - question.exact;
+    const bool first = out.error.size() == 0;
+    const Eigen::ArrayXd change = (first ? error : Eigen::VectorXd(error - out.error)).array().abs();
+    out.error = error;
+    out.uncertainty = change.max(floor);
+    out.rule = rule;
+    if (!error.allFinite()) return out;
+    const Eigen::ArrayXd relative = error.array().abs() / question.scale.array();
+    const Eigen::ArrayXd allowed = question.tolerance * relative.max(relative.maxCoeff() / 10) * question.scale.array();
+    out.resolved = !first && (out.uncertainty.array() <= allowed.max(10 * floor)).all();
+    if (out.resolved) return out;
+  }
+  return out;
+}
+
+}  // namespace polhode

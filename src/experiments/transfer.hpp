@@ -1,0 +1,66 @@
+// A scheme's own operator: (T_dt f)(Pi) = E[f(Phi_dt(Pi, dW))], without sampling.
+//
+// The expectation over one step's noise is a product of Gauss-Hermite rules, each node a step of the laboratory's
+// kernel for every point of a quadrature; the result is projected on the functions of shell_basis.hpp: on the sphere
+// for schemes that keep it, else on a shell around it. Then law_0 T^n is the law of n steps, its product with the
+// coefficients of f is E[f(Pi_n)] without sampling error, and the law that T leaves as it is is the scheme's stationary
+// law. What is left is the error of the projection and of the rules: all are refined until two successive answers
+// agree.
+//
+// Areas, where a scheme asks for them: the weak surrogate of ensemble/paths.hpp, independent normals of variance
+// dt^2/4. On a shell a function keeps the value that it has on the edge: a path beyond is taken back (Milstein and
+// Tretyakov, SIAM J. Numer. Anal. 43 (2005) 1139; for such schemes the moments themselves need not exist).
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "experiments/shell_basis.hpp"
+#include "experiments/subject.hpp"
+
+namespace polhode {
+
+/// The sphere on which a scene's diffusion lives; nothing where the system is not a rigid body.
+std::optional<sphere_problem> sphere_problem_of(const subject&);
+
+/// How finely the operator is computed.
+struct transfer_rule {
+  int degree;         ///< of the harmonics
+  int radial;         ///< Chebyshev polynomials; 1 on a sphere
+  int hermite;        ///< nodes a channel
+  int area;           ///< nodes an area
+  double deviations;  ///< of the radius in `steps` steps that the shell covers; 0 on a sphere
+};
+
+struct transfer_operator {
+  shell_basis basis;
+  Eigen::MatrixXd matrix;  ///< T B_j = sum_i matrix(i, j) B_i; not finite where a step of the scheme is not
+
+  Eigen::RowVectorXd law_after(const Eigen::Vector3d& start, std::int64_t steps) const;
+  /// Of total weight one, as law_after; it is unique where the scheme forgets its start.
+  Eigen::RowVectorXd stationary_law() const;
+};
+
+/// steps: over which the shell is to hold the radius of a scheme that leaves the sphere.
+transfer_operator make_transfer(const subject&, const scheme_entry&, double dt, std::int64_t steps,
+                                const transfer_rule&);
+
+/// Numbers that an operator answers, and what they are compared with.
+struct transfer_question {
+  std::function<Eigen::VectorXd(const transfer_operator&)> ask;
+  Eigen::VectorXd exact, scale;  ///< scale: the size of what is averaged, by which errors of several are compared
+  double tolerance = 1e-4;       ///< of each error, or of a tenth of the largest
+};
+
+struct transfer_answer {
+  Eigen::VectorXd error, uncertainty;  ///< of the answers less the exact ones
+  transfer_rule rule;                  ///< with which they were found
+  bool resolved = false;               ///< to the tolerance
+};
+
+/// Refines until two successive answers agree to the tolerance; their difference is the uncertainty.
+transfer_answer refine(const subject&, const scheme_entry&, double dt, std::int64_t steps, const transfer_question&);
+
+}  // namespace polhode

@@ -1,0 +1,15 @@
+// exp(t A) b without exp(t A).
+#pragma once
+
+#include <Eigen/SparseCore>
+
+namespace polhode {
+
+/// exp(t A) b by scaled and shifted Taylor series to double precision (Al-Mohy and Higham, SIAM J. Sci. Comput. 33
+/// (2011) 488, algorithm 3.2 with m = 55): backward error below 2^-53 |tA|. t >= 0.
+Eigen::VectorXd exponential_action(const Eigen::SparseMatrix<double>& a, double t, Eigen::VectorXd b);
+
+/// About how many products with A that takes.
+double exponential_action_products(const Eigen::SparseMatrix<double>& a, double t);
+
+}  // namespace polhode

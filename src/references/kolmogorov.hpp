@@ -1,0 +1,68 @@
+// The rigid body's diffusion on the momentum sphere as linear algebra: expectations, stationary law and spectral gap
+// without sampling. With x = Pi / c, c the radius, in spherical harmonics up to a degree:
+//
+//   L = -sum_i M[a_i] L_i + 1/2 sum_jk Q_jk L_j L_k,   a = Omega + theta Pi x Omega,   Q = sum_i sigma_i sigma_i^T,
+//   E[f(Pi_T)] = (exp(T L) f)(Pi_0),   L^T rho = 0,   gap = least |Re lambda| besides the constant's 0.
+//
+// L_i = (x cross grad)_i. A Galerkin projection: the degree is raised until two successive answers agree, and the last
+// difference is the uncertainty (the coefficients fall faster than any power for noise that reaches every direction).
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "references/harmonics.hpp"
+
+namespace polhode {
+
+/// Inertia > 0, theta >= 0, radius |Pi| > 0, covariance Q symmetric and positive semidefinite; isotropic: sigma^2 times
+/// one.
+struct sphere_problem {
+  std::array<double, 3> inertia;
+  double theta;
+  double radius;
+  Eigen::Matrix3d covariance;
+};
+
+struct reference_value {
+  std::optional<double> value{};  ///< absent where the question has no answer of this kind
+  double uncertainty = 0;         ///< difference of the last two degrees; never below rounding
+  int degree = 0;
+  std::string reason{};  ///< empty if converged to the tolerance; else one sentence
+
+  bool converged() const { return value && reason.empty(); }
+};
+
+using sphere_function = std::function<double(const Eigen::Vector3d& pi)>;
+
+/// energy, pi1, pi2, pi3, pi1^2, pi2^2, pi3^2, exp(pi3), casimir (half the square of |Pi|).
+std::optional<sphere_function> named_observable(std::string_view name, const std::array<double, 3>& inertia);
+
+/// The generator on harmonics up to the degree; column 0 vanishes.
+sparse_matrix backward_operator(const sphere_problem& problem, int degree);
+
+/// E[f(Pi_time)] from Pi_0 = start (of length radius), time >= 0, to an absolute tolerance. Without noise: no value.
+reference_value expectation(const sphere_problem& problem, const sphere_function& f, const Eigen::Vector3d& start,
+                            double time, double tolerance);
+
+/// Density against the area of the unit sphere, in harmonics.
+struct stationary_law {
+  std::optional<Eigen::VectorXd> density{};
+  Eigen::VectorXd change{};  ///< what the last degree added to it
+  double uncertainty = 0;    ///< its L2 norm: bounds the change of E[f] over |f|_2
+  int degree = 0;
+  std::string reason{};
+};
+stationary_law stationary(const sphere_problem& problem, double tolerance);
+
+/// E[f] under the law, uncertain by what the last degree changed.
+reference_value mean(const sphere_problem& problem, const stationary_law& law, const sphere_function& f);
+
+/// The slowest rate at which expectations relax. 0 where a further function is conserved (then no law is unique).
+reference_value spectral_gap(const sphere_problem& problem, double tolerance);
+
+}  // namespace polhode

@@ -1,0 +1,86 @@
+#include "references/lyapunov.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "references/raise_degree.hpp"
+#include "references/sparse_blocks.hpp"
+#include "references/wigner.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::array degrees{4, 6, 8, 10, 12, 14, 16, 20, 24, 28, 32};
+constexpr int affordable = 7000;  // unknowns in the block: seconds
+constexpr double rounding = 1e-14;
+
+sparse_matrix bracket(const sparse_matrix& a, const sparse_matrix& b) {
+  return sparse_matrix(a * b) - sparse_matrix(b * a);
+}
+
+struct frame_operator {
+  sparse_matrix generator;
+  Eigen::VectorXd stretching;  // coefficients of s
+};
+
+frame_operator operator_on_frames(const sphere_problem& problem, int degree) {
+  const int inside = degree + 1;  // so that products of two coordinates are exact up to the degree
+  const auto turn = wigner_generators(inside);
+  const auto x = wigner_coordinates(inside, turn);
+  const double c = problem.radius, t = problem.theta * c;
+  const Eigen::Array3d a = c / Eigen::Array3d(problem.inertia.data());
+  sparse_matrix generator(wigner_count(inside), wigner_count(inside)), xx = generator, one = generator;
+  one.setIdentity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const sparse_matrix drift = a[long(i)] * x[i] + t * (a[long(k)] - a[long(j)]) * sparse_matrix(x[j] * x[k]);
+    generator -= sparse_matrix(drift * turn.left[i]);
+    xx += a[long(i)] * sparse_matrix(x[i] * x[i]);
+    for (std::size_t l = 0; l < 3; ++l) {
+      const double q = problem.covariance(long(i), long(l));
+      if (q != 0) generator += 0.5 * q * sparse_matrix(turn.left[i] * turn.left[l]);
+    }
+  }
+  // right_2 right_1 (x.Ax) = -2 w.Av and right_2 right_2 (x.Ax) = 2 (v.Av - x.Ax)
+  const sparse_matrix wv = -0.5 * bracket(turn.right[1], bracket(turn.right[0], xx));
+  const sparse_matrix vv = xx + 0.5 * bracket(turn.right[1], bracket(turn.right[1], xx));
+  const sparse_matrix omega = vv - t * wv, stretching = t * (xx - vv) - wv;
+  generator += sparse_matrix(omega * turn.right[2]);
+  const int size = wigner_count(degree);
+  sparse_matrix corner = generator.block(0, 0, size, size);
+  corner.prune(corner.coeffs().cwiseAbs().maxCoeff(), 1e-15);  // what cancelled
+  return {corner, Eigen::VectorXd(stretching.col(0)).head(size)};
+}
+
+}  // namespace
+
+double kaplan_yorke(double lambda1, double sum) {
+  if (sum > -1e-13) return 2;
+  return lambda1 > 0 ? 1 + lambda1 / (lambda1 - sum) : 0;
+}
+
+lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance) {
+  const auto law = stationary(problem, tolerance / 10);
+  const auto energy = mean(problem, law, *named_observable("energy", problem.inertia));
+  if (!energy.value) return {.reason = energy.reason};
+  const auto lambda1 = raise_degree(degrees, tolerance, [&](int degree) -> std::optional<projected_value> {
+    const auto frames = operator_on_frames(problem, degree);
+    const auto nu = left_null_vector(frames.generator, affordable);
+    if (!nu) return {};
+    return projected_value{nu->dot(frames.stretching), rounding * frames.stretching.norm()};
+  });
+  const double c = problem.radius, trace = Eigen::Array3d(problem.inertia.data()).inverse().sum();
+  lyapunov_exponents found;
+  found.lambda1 = lambda1.value;
+  found.uncertainty = lambda1.uncertainty;
+  found.sum = -problem.theta * (c * c * trace - 6 * *energy.value);
+  found.sum_uncertainty = 6 * problem.theta * energy.uncertainty;
+  if (lambda1.value) found.dimension = kaplan_yorke(*lambda1.value, found.sum);
+  found.degree = lambda1.degree;
+  found.reason = lambda1.reason;
+  if (found.reason.empty() && found.sum_uncertainty > tolerance)
+    found.reason = "the sum is " + not_converged(tolerance, energy.degree) + " on the sphere";
+  return found;
+}
+
+}  // namespace polhode

@@ -1,0 +1,191 @@
+// The laboratory's kernels are the schemes: whatever is specialised, merged, shared or approximated in them, their
+// paths are those of the scalar step.
+#include <gtest/gtest.h>
+
+#include "ensemble/isa.hpp"
+#include "ensemble/paths.hpp"
+#include "registry/rigid_body.hpp"
+#include "registry/scene.hpp"
+#include "registry/systems.hpp"
+#include "support/schemes.hpp"
+
+namespace polhode::test {
+namespace {
+
+using triple = std::array<double, 3>;
+
+report::scene with_parts(triple inertia, double theta, std::vector<triple> sigma) {
+  auto scene = load_scene("paper");
+  scene.inertia = inertia;
+  scene.theta = theta;
+  scene.sigma = std::move(sigma);
+  return scene;
+}
+
+const std::vector<triple> isotropic{{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}},
+    diagonal{{0.2, 0, 0}, {0, 0.5, 0}, {0, 0, 0.7}}, skew{{0.3, 0.1, 0}, {-0.2, 0.4, 0.1}, {0, 0.3, 0.2}},
+    one{{0.1, 0.2, 0.3}}, none{};
+
+/// Every specialisation of a kernel: parts of the motion, numbering of the axes, form of the noise.
+std::vector<report::scene> every_part() {
+  return {with_parts({1, 2, 3}, 0.5, isotropic), with_parts({1, 2, 3}, 0, diagonal),
+          with_parts({1, 2, 3}, 0.5, skew),      with_parts({2, 1, 1}, 0.5, diagonal),
+          with_parts({1, 2, 1}, 0.5, skew),      with_parts({1, 1, 2}, 0.5, isotropic),
+          with_parts({1, 1, 2}, 0, skew),        with_parts({2, 2, 2}, 0.5, diagonal),
+          with_parts({1, 2, 3}, 0.5, one),       with_parts({1, 2, 3}, 0.5, none),
+          with_parts({3, 1, 1}, 0, none)};
+}
+
+/// Increments of a block with areas; empty where there is no noise.
+struct increments {
+  std::vector<double> dw, area;
+  increment_view view;
+  increments(const model& m, int steps, double dt) {
+    increment_buffer buffer(m, steps, true);
+    if (m.active_channels() == 0) {
+      view = silence(steps, dt);
+      return;
+    }
+    const auto filled = buffer.fill(3, 0, 0, steps, dt);
+    dw.assign(filled.dw.begin(), filled.dw.end());
+    area.assign(filled.area.begin(), filled.area.end());
+    view = {dt, steps, dw, area};
+  }
+  wiener_levy<double, 3> at(int step, int lane) const {
+    wiener_levy<double, 3> w;
+    w.dt = view.dt;
+    for (int k = 0; k < 3 && !dw.empty(); ++k) {
+      const auto i = static_cast<std::size_t>((step * 3 + k) * block_lanes + lane);
+      w.dw[k] = dw[i];
+      w.area[k] = area[i];
+    }
+    return w;
+  }
+  increment_view step(int i) const {
+    if (dw.empty()) return silence(1, view.dt);
+    const auto size = std::size_t{3} * block_lanes, from = static_cast<std::size_t>(i) * size;
+    return {view.dt, 1, std::span(dw).subspan(from, size), std::span(area).subspan(from, size)};
+  }
+};
+
+vec<double, 3> state_at(std::span<const double> states, int lane) {
+  const auto k = [&](int i) { return states[static_cast<std::size_t>(i * block_lanes + lane)]; };
+  return {{k(0), k(1), k(2)}};
+}
+
+template <class Scheme>
+std::unique_ptr<kernel> kernel_on(const report::scene& scene, double dt) {
+  for (const auto& entry : bind_rigid_body(scene).schemes)
+    if (entry.info.name == Scheme::info.name) return entry.make(dt);
+  return nullptr;
+}
+
+template <class Scheme>
+struct Kernel : testing::Test {
+  void TearDown() override { choose_isa(usable_isas().back()); }
+};
+TYPED_TEST_SUITE(Kernel, every_scheme);
+
+TYPED_TEST(Kernel, AgreesWithTheScalarStepOverAThousandSteps) {
+  constexpr int steps = 1000;
+  constexpr double dt = 0.004;
+  for (const isa level : usable_isas()) {
+    choose_isa(level);
+    for (const auto& scene : every_part()) {
+      const auto s = bind_rigid_body(scene);
+      const increments w(*s.model, steps, dt);
+      auto states = replicated(scene.momentum);
+      kernel_on<TypeParam>(scene, dt)->advance(states, w.view);
+      const auto system = prepared<TypeParam>(make_rigid_body(scene), dt);
+      for (const int lane : {0, 17, block_lanes - 1}) {
+        auto mu = paper_momentum;
+        for (int i = 0; i < steps; ++i) mu = TypeParam::step(system, mu, w.at(i, lane));
+        EXPECT_LE(distance(mu, state_at(states, lane)), 1e-13)
+            << TypeParam::info.name << " on " << name_of(level) << ", inertia " << scene.inertia[0] << scene.inertia[1]
+            << scene.inertia[2] << ", theta " << scene.theta << ", " << scene.sigma.size() << " vectors";
+      }
+    }
+  }
+}
+
+// From 1e-6 to 10 rad a step: polynomials of every degree, lanes beyond their reach, closed forms.
+TYPED_TEST(Kernel, AgreesWithTheScalarStepForRotationsOfAnySize) {
+  constexpr int steps = 20;
+  for (const isa level : usable_isas()) {
+    choose_isa(level);
+    for (const double dt : {1e-6, 1e-3, 0.01, 0.03, 0.1, 0.3, 1.0, 10.0}) {
+      const auto scene = with_parts({1, 2, 3}, 0.5, isotropic);
+      const auto s = bind_rigid_body(scene);
+      const increments w(*s.model, steps, dt);
+      const auto stepper = kernel_on<TypeParam>(scene, dt);
+      const auto system = prepared<TypeParam>(make_rigid_body(scene), dt);
+      for (int i = 0; i < steps; ++i) {
+        auto states = replicated(scene.momentum);
+        stepper->advance(states, w.step(i));
+        for (int lane = 0; lane < block_lanes; ++lane) {
+          const auto mu = TypeParam::step(system, paper_momentum, w.at(i, lane));
+          const double size = std::sqrt(dot(mu, mu));
+          if (!std::isfinite(size)) continue;  // an implicit step that found no solution
+          EXPECT_LE(distance(mu, state_at(states, lane)), 2e-14 * std::max(1.0, size))
+              << TypeParam::info.name << " on " << name_of(level) << ", dt " << dt;
+        }
+      }
+    }
+  }
+}
+
+TYPED_TEST(Kernel, PiecesAndStopsChangeNothing) {
+  constexpr int steps = 24;
+  constexpr double dt = 0.01;
+  const auto scene = load_scene("paper");
+  const auto s = bind_rigid_body(scene);
+  const increments w(*s.model, steps, dt);
+  const auto stepper = kernel_on<TypeParam>(scene, dt);
+  auto whole = replicated(scene.momentum), pieces = whole, stopped = whole;
+  stepper->advance(whole, w.view);
+  for (int i = 0; i < steps; ++i) {
+    stepper->advance(pieces, w.step(i), {i == 0, i + 1 == steps});
+    if (i != 9) continue;
+    auto seen = pieces;
+    stepper->finish(seen, dt);
+    stepper->advance(stopped,
+                     {dt, 10, std::span(w.dw).first(30 * block_lanes), std::span(w.area).first(30 * block_lanes)});
+    EXPECT_EQ(seen, stopped) << "a look in between is the run that ends there";
+  }
+  EXPECT_EQ(whole, pieces);
+}
+
+TYPED_TEST(Kernel, ALaneDoesNotSeeItsNeighbours) {
+  constexpr double dt = 0.01;
+  const auto scene = load_scene("paper");
+  const auto s = bind_rigid_body(scene);
+  increments w(*s.model, 1, dt);
+  const auto stepper = kernel_on<TypeParam>(scene, dt);
+  auto alone = replicated(scene.momentum), beside = alone;
+  stepper->advance(alone, w.view);
+  for (int lane = 1; lane < block_lanes; ++lane) w.dw[static_cast<std::size_t>(lane)] = 20;  // 10 rad
+  stepper->advance(beside, w.view);
+  EXPECT_EQ(distance(state_at(alone, 0), state_at(beside, 0)), 0.0);
+}
+
+TYPED_TEST(Kernel, ASharedNoiseIsEveryPathsNoise) {
+  constexpr int steps = 200;
+  constexpr double dt = 0.004;
+  for (const auto& scene : every_part()) {
+    const auto s = bind_rigid_body(scene);
+    increments w(*s.model, steps, dt);
+    std::vector<double> dw, area;
+    for (std::size_t row = 0; row < w.dw.size() / block_lanes; ++row) {
+      dw.push_back(w.dw[row * block_lanes]);
+      area.push_back(w.area[row * block_lanes]);
+    }
+    const auto stepper = kernel_on<TypeParam>(scene, dt);
+    auto own = replicated(scene.momentum), common = own;
+    stepper->advance(own, w.view);
+    stepper->advance(common, stepper->share({dt, steps, dw, area}), 0, steps);
+    EXPECT_LE(distance(state_at(own, 0), state_at(common, 5)), 1e-13) << TypeParam::info.name;
+  }
+}
+
+}  // namespace
+}  // namespace polhode::test

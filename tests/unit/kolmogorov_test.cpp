@@ -1,0 +1,185 @@
+#include "references/kolmogorov.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "references/exponential_action.hpp"
+#include "references/gibbs.hpp"
+#include "references/sparse_blocks.hpp"
+
+namespace polhode::test {
+namespace {
+
+const Eigen::Vector3d start(0.6, 0.48, 0.64);
+
+sphere_problem problem(double theta, const Eigen::Matrix3d& covariance) { return {{1, 2, 3}, theta, 1, covariance}; }
+sphere_problem paper() { return problem(0.5, 0.25 * Eigen::Matrix3d::Identity()); }
+sphere_function observable(std::string_view name) { return *named_observable(name, {1, 2, 3}); }
+
+Eigen::Matrix3d oblique() {
+  Eigen::Matrix3d s;
+  s << 0.5, 0.1, -0.2, 0, 0.3, 0.2, 0.1, 0, 0.6;
+  return s * s.transpose();
+}
+
+void holds(const reference_value& found, double expected, double within) {
+  ASSERT_TRUE(found.converged()) << found.reason;
+  EXPECT_NEAR(*found.value, expected, within);
+  EXPECT_LE(found.uncertainty, within);
+}
+
+TEST(Expectation, ScenePaper) {
+  const std::vector<std::pair<std::string_view, double>> known{{"energy", 0.281221439758},
+                                                               {"pi1", 0.22605229629},
+                                                               {"pi2", 0.44478743232},
+                                                               {"pi3", 0.32280817976},
+                                                               {"exp(pi3)", 1.55190822842}};
+  for (const auto& [name, value] : known) holds(expectation(paper(), observable(name), start, 2, 1e-10), value, 1e-11);
+  holds(expectation(paper(), observable("casimir"), start, 2, 1e-12), 0.5, 1e-13);
+}
+
+TEST(Expectation, EqualInertiasDecayAndTimeZero) {
+  const sphere_problem round{{2, 2, 2}, 0, 1, 0.25 * Eigen::Matrix3d::Identity()};
+  for (const double t : {0.0, 0.7, 30.0})
+    for (int k = 0; k < 3; ++k)
+      holds(expectation(
+                round, [k](const Eigen::Vector3d& pi) { return pi[k]; }, start, t, 1e-12),
+            std::exp(-0.25 * t) * start[k], 1e-13);
+}
+
+// Momentum c, time T is momentum 1, time cT with theta c and Q / c.
+TEST(Expectation, ScalesWithTheMomentum) {
+  sphere_problem large = problem(0.25, 0.5 * oblique());
+  large.radius = 2;
+  const sphere_problem unit = problem(0.5, 0.25 * oblique());
+  const auto f = observable("exp(pi3)");
+  const auto scaled = [&](const Eigen::Vector3d& pi) { return f(2 * pi); };
+  const auto expected = expectation(unit, scaled, start, 3, 1e-11);
+  holds(expectation(large, f, 2 * start, 1.5, 1e-10), *expected.value, 2e-10);
+}
+
+// The same projection written down another way: products by quadrature, the matrix exponential in full. Noise of any
+// shape.
+TEST(Expectation, AgreesWithTheDenseExponential) {
+  const int degree = 20;
+  const auto p = problem(0.8, oblique());
+  const auto rule = sphere_quadrature(2 * degree + 2);
+  const Eigen::MatrixXd y = harmonics(rule.points, degree), weighted = rule.weights.asDiagonal() * y;
+  const auto turn = rotation_generators(degree);
+  Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(y.cols(), y.cols());
+  for (long i = 0; i < 3; ++i) {
+    Eigen::VectorXd a(y.rows());
+    for (long n = 0; n < y.rows(); ++n) {
+      const Eigen::Vector3d x = rule.points.row(n), rate = x.array() / Eigen::Array3d(1, 2, 3);
+      a[n] = (rate + p.theta * x.cross(rate))[i];
+    }
+    generator -= weighted.transpose() * a.asDiagonal() * y * turn[i];
+    for (long j = 0; j < 3; ++j) generator += 0.5 * p.covariance(i, j) * Eigen::MatrixXd(turn[i] * turn[j]);
+  }
+  EXPECT_LT((generator - Eigen::MatrixXd(backward_operator(p, degree))).cwiseAbs().maxCoeff(), 1e-11);
+  const Eigen::MatrixXd propagator = (1.5 * generator).exp();
+  for (const auto name : {"energy", "pi1", "pi2^2"}) {
+    const auto f = observable(name);
+    const double dense = harmonics_at(start, degree).dot(propagator * harmonic_coefficients(f, degree));
+    holds(expectation(p, f, start, 1.5, 1e-10), dense, 1e-9);
+  }
+}
+
+TEST(Expectation, SaysWhatItCannotGive) {
+  const auto still = expectation(problem(0.5, Eigen::Matrix3d::Zero()), observable("energy"), start, 2, 1e-9);
+  EXPECT_FALSE(still.value);
+  EXPECT_NE(still.reason.find("no noise"), std::string::npos);
+  const auto faint = problem(0.5, 1e-6 * Eigen::Matrix3d::Identity());
+  const auto hard = expectation(faint, observable("pi1"), start, 5000, 1e-9);
+  EXPECT_FALSE(hard.converged());
+  EXPECT_GT(hard.uncertainty, 1e-9);
+  const auto hopeless = expectation(faint, observable("pi1"), start, 1e9, 1e-9);
+  EXPECT_FALSE(hopeless.value);
+  EXPECT_FALSE(hopeless.reason.empty());
+}
+
+TEST(Stationary, IsTheGibbsLawUnderIsotropicNoise) {
+  const auto law = stationary(paper(), 1e-12);
+  holds(mean(paper(), law, observable("energy")), 0.27662786228, 1e-11);
+  holds(mean(paper(), law, observable("pi1^2")), 0.24176699009, 1e-11);
+  holds(mean(paper(), law, observable("pi3^2")), 0.40576662289, 1e-11);
+  const auto h = observable("energy");
+  const auto second = mean(paper(), law, [&](const Eigen::Vector3d& pi) { return h(pi) * h(pi); });
+  EXPECT_NEAR(*second.value - 0.27662786228 * 0.27662786228, 0.00637133262, 2e-11);
+  for (const auto& [theta, sigma] : {std::pair{0.5, 0.15}, {2.0, 0.5}}) {
+    const auto p = problem(theta, sigma * sigma * Eigen::Matrix3d::Identity());
+    const gibbs_law gibbs({1, 2, 3}, 1, 2 * theta / (sigma * sigma));
+    holds(mean(p, stationary(p, 1e-11), h), gibbs.mean_energy(), 1e-10);
+  }
+}
+
+TEST(Stationary, IsUniformWithoutDissipation) {
+  const auto p = problem(0, oblique());
+  holds(mean(p, stationary(p, 1e-12), observable("energy")), (1 + 1 / 2.0 + 1 / 3.0) / 6, 1e-13);
+}
+
+TEST(Stationary, IsWhatALongTimeGivesForAnyNoise) {
+  const auto p = problem(0.5, oblique());
+  const auto law = stationary(p, 1e-12);
+  for (const auto name : {"energy", "pi2", "exp(pi3)"}) {
+    const auto late = expectation(p, observable(name), start, 150, 1e-11);
+    holds(mean(p, law, observable(name)), *late.value, 1e-10);
+  }
+}
+
+TEST(Stationary, SaysWhereThereIsNoneOrMany) {
+  EXPECT_FALSE(stationary(problem(0.5, Eigen::Matrix3d::Zero()), 1e-9).density);
+  // Noise about the figure axis of a body of revolution keeps pi3.
+  const sphere_problem top{{2, 2, 3}, 0, 1, Eigen::Vector3d(0, 0, 0.25).asDiagonal()};
+  const auto law = stationary(top, 1e-9);
+  EXPECT_FALSE(law.density);
+  EXPECT_NE(law.reason.find("not unique"), std::string::npos);
+}
+
+TEST(SpectralGap, ScenePaperAndSphere) {
+  holds(spectral_gap(paper(), 1e-12), 0.23706606686664, 1e-12);  // the independent program, degrees 14 to 20
+  const sphere_problem round{{2, 2, 2}, 0, 1, 0.25 * Eigen::Matrix3d::Identity()};
+  holds(spectral_gap(round, 1e-12), 0.25, 1e-12);
+}
+
+// Followed by inverse iteration beyond the dense degrees: the rate at which the last memory of the well fades.
+TEST(SpectralGap, IsTheRateAtWhichExpectationsRelax) {
+  const auto p = problem(0.5, 0.0144 * Eigen::Matrix3d::Identity());
+  const auto gap = spectral_gap(p, 1e-11);
+  ASSERT_TRUE(gap.converged()) << gap.reason << ' ' << gap.uncertainty;
+  EXPECT_GT(gap.degree, 48);
+  const auto at = [&](double t) { return *expectation(p, observable("pi3"), start, t, 1e-12).value; };
+  EXPECT_NEAR(std::log(at(150) / at(250)) / 100, *gap.value, 1e-9);
+}
+
+TEST(SpectralGap, IsNotClaimedWhereItIsNotResolved) {
+  EXPECT_FALSE(spectral_gap(problem(0.5, 0.0025 * Eigen::Matrix3d::Identity()), 1e-9).converged());
+}
+
+TEST(ExponentialAction, IsTheExponential) {
+  const Eigen::MatrixXd a = 3 * Eigen::MatrixXd::Random(40, 40);
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(40);
+  const Eigen::VectorXd dense = (0.9 * a).exp() * b;
+  EXPECT_LT((exponential_action(a.sparseView(), 0.9, b) - dense).norm(), 1e-12 * dense.norm());
+}
+
+TEST(SparseBlocks, AreFoundAndInvariantVectorsSolved) {
+  // Two chains on {0, 2, 3} and {1, 4}; columns of a backward generator act on functions, column 0 being the constant.
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(5, 5);
+  a(2, 2) = a(3, 3) = a(1, 1) = a(4, 4) = -1;
+  a(0, 2) = 0.5;
+  a(2, 3) = 0.25;
+  a(1, 4) = 0.1;
+  const sparse_matrix s = a.sparseView();
+  EXPECT_EQ(connected_blocks(s), (std::vector<index_set>{{0, 2, 3}, {1, 4}}));
+  const auto nu = left_null_vector(s, 5);
+  ASSERT_TRUE(nu);
+  EXPECT_LT((*nu - (Eigen::VectorXd(5) << 1, 0, 0.5, 0.125, 0).finished()).norm(), 1e-15);
+  EXPECT_FALSE(left_null_vector(s, 2));
+}
+
+}  // namespace
+}  // namespace polhode::test

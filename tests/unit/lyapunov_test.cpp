@@ -1,0 +1,111 @@
+#include "references/lyapunov.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "references/gibbs.hpp"
+#include "references/wigner.hpp"
+
+namespace polhode::test {
+namespace {
+
+sphere_problem isotropic(double theta, double sigma) {
+  return {{1, 2, 3}, theta, 1, sigma * sigma * Eigen::Matrix3d::Identity()};
+}
+
+double corner(const sparse_matrix& a, int degree) {
+  return Eigen::MatrixXd(a.block(0, 0, wigner_count(degree), wigner_count(degree))).cwiseAbs().maxCoeff();
+}
+
+TEST(Wigner, CoordinatesCommuteLieOnTheSphereAndJoinBothActions) {
+  const int degree = 5;
+  const auto turn = wigner_generators(degree + 1);
+  const auto x = wigner_coordinates(degree + 1, turn);
+  sparse_matrix square(x[0].rows(), x[0].cols()), joined = -turn.right[2];
+  square.setIdentity();
+  square *= -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    square += sparse_matrix(x[i] * x[i]);
+    joined += sparse_matrix(x[i] * turn.left[i]);
+    EXPECT_LT(corner(sparse_matrix(x[i] * x[j]) - sparse_matrix(x[j] * x[i]), degree), 1e-14);
+  }
+  EXPECT_LT(corner(square, degree), 1e-14);  // |x| = 1
+  EXPECT_LT(corner(joined, degree), 1e-13);  // turning about x from the left is turning about e_3 from the right
+}
+
+TEST(Wigner, ActionsHaveTheirBracketsAndCommute) {
+  const auto turn = wigner_generators(6);
+  const auto bracket = [](const sparse_matrix& a, const sparse_matrix& b) {
+    return sparse_matrix(sparse_matrix(a * b) - sparse_matrix(b * a));
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    EXPECT_LT(sparse_matrix(bracket(turn.left[i], turn.left[j]) + turn.left[k]).norm(), 1e-11);
+    EXPECT_LT(sparse_matrix(bracket(turn.right[i], turn.right[j]) - turn.right[k]).norm(), 1e-11);
+    for (std::size_t n = 0; n < 3; ++n) EXPECT_LT(bracket(turn.left[i], turn.right[n]).norm(), 1e-11);
+  }
+}
+
+TEST(Lyapunov, KnownExponents) {
+  struct known {
+    double theta, sigma, lambda1, within, sum;
+  };
+  for (const known& k :
+       {known{0.5, 0.5, 0.020196, 5e-7, -0.0867830798}, known{0.5, 1, 0.0088201, 5e-8, -0.0235339664},
+        known{0.05, 0.3, 0.05635, 5e-6, -0.0026078936}, known{1, 0.5, -0.04358, 5e-6, -0.3056934656}}) {
+    const auto found = lyapunov(isotropic(k.theta, k.sigma), 1e-8);
+    ASSERT_TRUE(found.reason.empty()) << found.reason;
+    EXPECT_NEAR(*found.lambda1, k.lambda1, k.within) << k.theta << ' ' << k.sigma;
+    EXPECT_NEAR(found.sum, k.sum, 1e-10);
+    const gibbs_law gibbs({1, 2, 3}, 1, 2 * k.theta / (k.sigma * k.sigma));
+    EXPECT_NEAR(found.sum, -k.theta * (11 / 6.0 - 6 * gibbs.mean_energy()), 1e-10);
+    const double lambda2 = found.sum - *found.lambda1;
+    EXPECT_DOUBLE_EQ(found.dimension, *found.lambda1 > 0 ? 1 + *found.lambda1 / std::fabs(lambda2) : 0);
+  }
+}
+
+// The basis singles out the third axis; the body does not. Noise of any shape, axes relabelled in a cycle, frame turned
+// half.
+TEST(Lyapunov, DoesNotDependOnTheNamesOfTheAxes) {
+  Eigen::Matrix3d q, cycled;
+  q << 0.3, 0.1, -0.05, 0.1, 0.2, 0.08, -0.05, 0.08, 0.4;
+  for (long i = 0; i < 3; ++i)
+    for (long j = 0; j < 3; ++j) cycled((i + 1) % 3, (j + 1) % 3) = q(i, j);
+  const auto one = lyapunov({{1, 2, 3}, 0.4, 1, q}, 1e-8), other = lyapunov({{3, 1, 2}, 0.4, 1, cycled}, 1e-8);
+  ASSERT_TRUE(one.reason.empty() && other.reason.empty()) << one.reason << other.reason;
+  EXPECT_NEAR(*one.lambda1, *other.lambda1, 1e-8);
+  EXPECT_NEAR(one.sum, other.sum, 1e-9);
+}
+
+// Momentum c is momentum 1 with theta c and Q / c, in time scaled by c.
+TEST(Lyapunov, ScalesWithTheMomentum) {
+  const Eigen::Matrix3d q = Eigen::Vector3d(0.1, 0.3, 0.6).asDiagonal();
+  const auto large = lyapunov({{1, 2, 3}, 0.25, 2, 2 * q}, 1e-8), unit = lyapunov({{1, 2, 3}, 0.5, 1, q}, 1e-8);
+  ASSERT_TRUE(large.lambda1 && unit.lambda1);
+  EXPECT_NEAR(*large.lambda1, 2 * *unit.lambda1, 3e-8);
+  EXPECT_NEAR(large.sum, 2 * unit.sum, 1e-9);
+}
+
+TEST(Lyapunov, ConservesAreaWithoutDissipation) {
+  const auto free = lyapunov(isotropic(0, 0.5), 1e-7);
+  ASSERT_TRUE(free.lambda1);
+  EXPECT_GT(*free.lambda1, 0.01);
+  EXPECT_EQ(free.sum, 0);
+  EXPECT_EQ(free.dimension, 2);
+  const auto rigid = lyapunov({{2, 2, 2}, 0.5, 1, Eigen::Matrix3d::Identity()}, 1e-7);  // the flow is a rotation
+  ASSERT_TRUE(rigid.lambda1);
+  EXPECT_NEAR(*rigid.lambda1, 0, 1e-14);
+  EXPECT_EQ(rigid.dimension, 2);
+}
+
+TEST(Lyapunov, SaysWhatItCannotGive) {
+  EXPECT_NE(lyapunov(isotropic(0.5, 0), 1e-6).reason.find("no noise"), std::string::npos);
+  const auto faint = lyapunov(isotropic(0.5, 0.05), 1e-9);
+  EXPECT_NE(faint.reason.find("not converged"), std::string::npos) << faint.uncertainty;
+}
+
+}  // namespace
+}  // namespace polhode::test
