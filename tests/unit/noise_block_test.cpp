@@ -62,9 +62,9 @@ TEST_P(NormalBlock, IsTheAddressesOneByOne) {
     }
 }
 
-// Some 260,000 values hold some four words of the tail.
+// A million values hold some sixteen words of the tail.
 TEST_P(NormalBlock, KeepsItsTails) {
-  constexpr int steps = 65536 / block_lanes;
+  constexpr int steps = 262144 / block_lanes;
   const auto expected = one_by_one(3 * block_lanes, 0, steps, rows);
   const auto far = std::ranges::count_if(expected, [](double x) { return std::fabs(x) > 4.34 * scale; });
   EXPECT_GT(far, 0) << "choose another place: there is no tail here";
@@ -79,6 +79,27 @@ TEST_P(NormalBlock, ValuesDoNotDependOnTheBlock) {
       for (int lane = 5; lane < block_lanes; ++lane)
         EXPECT_EQ(whole[static_cast<std::size_t>((s * rows + k) * block_lanes + lane)],
                   shifted[static_cast<std::size_t>(((s - 3) * rows + k) * block_lanes + lane - 5)]);
+}
+
+// Singles, times the scale in double precision, are the scaled normals.
+TEST_P(NormalBlock, SinglesAreTheSameNormals) {
+  constexpr int steps = 1024;
+  std::vector<float> singles(static_cast<std::size_t>(steps * rows * block_lanes), -99.0F);
+  for (const std::uint64_t path : {64ull, 3ull})
+    for (const isa level : usable_isas()) {
+      const auto scaled = fill(level, path, 5, steps, 3);
+      const normal_block request{7,       noise_kind::area, path,          5, steps, rows, 3, scale,
+                                 nullptr, GetParam(),       singles.data()};
+      if (GetParam().quality == noise_quality::precise) {
+        EXPECT_THROW(fill_normals(request), std::invalid_argument);
+        continue;
+      }
+      fill_normals(request);
+      std::vector<double> product(singles.size(), -99.0);
+      for (std::size_t i = 0; i < singles.size(); ++i)
+        if (i / block_lanes % rows < 3) product[i] = scale * double{singles[i]};
+      EXPECT_TRUE(same_bits(product, scaled)) << name_of(level) << ", path " << path;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(, NormalBlock, testing::ValuesIn(test::every_source),

@@ -16,27 +16,27 @@ long double probability(int e, long double t) {
   return std::ldexp(std::ldexp(1.5L + t, e) + cell / 2, -31);
 }
 
-/// Newton's interpolation at the eight Chebyshev nodes, multiplied out.
-std::array<float, 8> interpolation(int e) {
-  std::array<long double, 8> node{}, d{}, a{};
-  for (std::size_t i = 0; i < 8; ++i) {
-    node[i] = std::cos(std::numbers::pi_v<long double> * static_cast<long double>(2 * i + 1) / 16) / 2;
+/// Newton's interpolation at the seven Chebyshev nodes, multiplied out.
+std::array<float, 7> interpolation(int e) {
+  std::array<long double, 7> node{}, d{}, a{};
+  for (std::size_t i = 0; i < 7; ++i) {
+    node[i] = std::cos(std::numbers::pi_v<long double> * static_cast<long double>(2 * i + 1) / 14) / 2;
     d[i] = exact_quantile(probability(e, node[i]));
   }
-  for (std::size_t j = 1; j < 8; ++j)
-    for (std::size_t i = 7; i >= j; --i) d[i] = (d[i] - d[i - 1]) / (node[i] - node[i - j]);
-  for (std::size_t i = 8; i-- > 0;) {
-    for (std::size_t k = 7; k > 0; --k) a[k] = a[k - 1] - node[i] * a[k];
+  for (std::size_t j = 1; j < 7; ++j)
+    for (std::size_t i = 6; i >= j; --i) d[i] = (d[i] - d[i - 1]) / (node[i] - node[i - j]);
+  for (std::size_t i = 7; i-- > 0;) {
+    for (std::size_t k = 6; k > 0; --k) a[k] = a[k - 1] - node[i] * a[k];
     a[0] = d[i] - node[i] * a[0];
   }
-  std::array<float, 8> out{};
-  for (std::size_t k = 0; k < 8; ++k) out[k] = static_cast<float>(a[k]);
+  std::array<float, 7> out{};
+  for (std::size_t k = 0; k < 7; ++k) out[k] = static_cast<float>(a[k]);
   return out;
 }
 
 TEST(Quantile, TableIsTheInterpolation) {
   for (int e = 15; e < 31; ++e)
-    for (std::size_t k = 0; k < 8; ++k)
+    for (std::size_t k = 0; k < 7; ++k)
       EXPECT_EQ(quantile_table[k][static_cast<std::size_t>(e + 127) % 16], interpolation(e)[k])
           << "octave " << e << ", t^" << k;
 }
@@ -54,7 +54,7 @@ TEST(Quantile, IsGoodToSinglePrecision) {
     double worst = std::max(error_at(first), error_at(last));
     for (std::uint32_t i = 0; i < 2000; ++i)
       worst = std::max(worst, error_at(first + static_cast<std::uint32_t>(std::uint64_t{i} * first / 2000)));
-    EXPECT_LT(worst, 5e-7) << "octave " << e;
+    EXPECT_LT(worst, 8e-7) << "octave " << e;
   }
 }
 
