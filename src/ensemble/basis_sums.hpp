@@ -7,9 +7,10 @@ namespace polhode {
 
 inline constexpr int sum_lanes = 8;  ///< lanes that lie side by side in the sums: a multiple of every pack width
 inline constexpr int most_radial = 16;
+inline constexpr double most_outside = 1.5;  ///< radii beyond that many half widths of the shell are taken back to it
 
 /// sums[lane / 8][(l^2 + l + m) radial + k][lane % 8] += sum over nodes of weight T_k(t) Y_lm(Pi / |Pi|),
-/// t = (|Pi| - middle) / half, held to [-1, 1]; l <= degree, k < radial <= most_radial.
+/// t = (|Pi| - middle) / half, held to +- most_outside; l <= degree, k < radial <= most_radial.
 struct basis_sums {
   int degree, radial;
   double middle, half;       ///< half > 0; of no account where radial = 1

@@ -13,8 +13,9 @@ struct shell {
   double least, greatest;
 };
 
-/// B_j = T_k(t) Y_lm(Pi / |Pi|), j = (l^2 + l + m) radial + k, t the radius brought to [-1, 1] and held there: outside
-/// the shell a function has the value that it has where the ray leaves it.
+/// B_j = T_k(t) Y_lm(Pi / |Pi|), j = (l^2 + l + m) radial + k, t the radius, in [-1, 1] on the shell. Beyond,
+/// functions go on as polynomials, and from most_outside half widths on they keep their value
+/// (ensemble/basis_sums.hpp).
 class shell_basis {
  public:
   shell_basis(int degree, int radial, const shell&);

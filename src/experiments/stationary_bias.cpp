@@ -13,7 +13,7 @@ namespace {
 
 constexpr double resolution = 64;           // the finest dt times the fastest rate is at most its inverse
 constexpr double density_accuracy = 1e-10;  // in L2
-constexpr double tolerance = 1e-4;
+constexpr double tolerance = 5e-4;
 
 /// The true density on the unit sphere, in harmonics: exp(-beta h) where the noise is isotropic (a closed form), else
 /// what the Kolmogorov operator leaves as it is.

@@ -14,13 +14,19 @@ namespace polhode {
 namespace {
 
 constexpr std::array on_a_sphere{transfer_rule{12, 1, 5, 2, 0}, transfer_rule{16, 1, 7, 3, 0},
-                                 transfer_rule{20, 1, 9, 3, 0}, transfer_rule{24, 1, 11, 4, 0},
-                                 transfer_rule{32, 1, 13, 4, 0}};
+                                 transfer_rule{20, 1, 9, 3, 0}, transfer_rule{24, 1, 11, 3, 0},
+                                 transfer_rule{32, 1, 13, 3, 0}};
 constexpr std::array on_a_shell{transfer_rule{8, 5, 4, 2, 4}, transfer_rule{10, 6, 5, 3, 4.5},
                                 transfer_rule{12, 7, 6, 3, 5}};
 constexpr double negligible = 1e-18;  // weight of a node
 constexpr double widest = 0.8;        // of log(radius), to either side
 constexpr double rounding = 1e-15;    // of a step, relative
+
+/// Areas take twenty-seven times the nodes: on a shell the last refinement is too dear for them.
+std::span<const transfer_rule> rules_for(const scheme_entry& scheme) {
+  if (scheme.info.casimir.exact) return on_a_sphere;
+  return scheme.needs_areas ? std::span(on_a_shell).first(2) : on_a_shell;
+}
 
 /// Nodes and weights for the standard normal (Golub and Welsch, Math. Comp. 23 (1969) 221).
 struct normal_rule {
@@ -181,7 +187,7 @@ transfer_operator make_transfer(const subject& s, const scheme_entry& scheme, do
 
 transfer_answer refine(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,
                        const transfer_question& question) {
-  const auto rules = scheme.info.casimir.exact ? std::span<const transfer_rule>(on_a_sphere) : on_a_shell;
+  const auto rules = rules_for(scheme);
   const Eigen::ArrayXd floor = rounding * static_cast<double>(steps) * question.scale.array();
   transfer_answer out;
   for (const auto& rule : rules) {

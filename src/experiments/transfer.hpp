@@ -8,7 +8,7 @@
 // agree.
 //
 // Areas, where a scheme asks for them: the weak surrogate of ensemble/paths.hpp, independent normals of variance
-// dt^2/4. On a shell a function keeps the value that it has on the edge: a path beyond is taken back (Milstein and
+// dt^2/4. Near a shell functions go on as polynomials of the radius; a path far beyond is taken back (Milstein and
 // Tretyakov, SIAM J. Numer. Anal. 43 (2005) 1139; for such schemes the moments themselves need not exist).
 #pragma once
 

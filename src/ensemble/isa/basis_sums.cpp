@@ -15,8 +15,8 @@ namespace {
 void chebyshev(const basis_sums& q, const pack& radius, double weight, std::array<pack, most_radial>& out) {
   out[0] = pack(weight);
   if (q.radial == 1) return;
-  const pack t = (radius - pack(q.middle)) * pack(1 / q.half), one(1.0);
-  const pack inside = select(t > one, one, select(t < -one, pack(-one), t));
+  const pack t = (radius - pack(q.middle)) * pack(1 / q.half), edge(most_outside);
+  const pack inside = select(t > edge, edge, select(t < -edge, pack(-edge), t));
   out[1] = weight * inside;
   for (int k = 2; k < q.radial; ++k) {
     const auto i = static_cast<std::size_t>(k);
