@@ -49,7 +49,7 @@ axes axes_of(const sphere_problem& p, effort e) {
 
 report::measurement row(const std::string& quantity, const std::string& observable, std::optional<double> value,
                         double uncertainty, const std::string& unit, const std::string& reason) {
-  report::measurement m{"lyapunov", "", quantity, observable, {}, value, {}, {}, unit, "exact"};
+  report::measurement m{"lyapunov", "", quantity, observable, {}, value, {}, {}, unit, "exact", "ok", {}, false};
   if (value) {
     m.low = *value - uncertainty;
     m.high = *value + uncertainty;

@@ -59,7 +59,7 @@ class model_of final : public model {
       }
   }
   std::unique_ptr<kernel> reference() const override {
-    return std::make_unique<kernel_of<driven_ode, plain_forms<System>>>(plain_forms(system_));
+    return std::make_unique<kernel_of<driven_ode, plain_forms<System>, pack>>(plain_forms(system_));
   }
 
  private:
@@ -78,7 +78,7 @@ struct scheme_tag {};
 /// of its own overloads this.
 template <class Scheme, class System>
 std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const System& system, const std::vector<double>&, double dt) {
-  return std::make_unique<kernel_of<Scheme, plain_forms<System>>>(plain_forms(prepared<Scheme>(system, dt)));
+  return std::make_unique<kernel_of<Scheme, plain_forms<System>, pack>>(plain_forms(prepared<Scheme>(system, dt)));
 }
 
 template <class Scheme, class System>

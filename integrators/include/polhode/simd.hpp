@@ -150,7 +150,7 @@ inline constexpr bool has_aes =
 /// One round of AES on every 128-bit block of a pack (low half in the even lanes, high half in the odd): S-box,
 /// ShiftRows, MixColumns except in the last, and key, which is the same for every block (FIPS 197).
 template <bool Last, class B>
-requires has_aes<B> B aes_round(const B& x, const B& key) {
+requires has_aes<B> B aes_round([[maybe_unused]] const B& x, [[maybe_unused]] const B& key) {
 #if defined(__VAES__) && defined(__AVX512F__)
   if constexpr (sizeof(B) == 64) {
     const auto s = static_cast<__m512i>(x), k = static_cast<__m512i>(key);
