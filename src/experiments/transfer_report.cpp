@@ -63,8 +63,11 @@ report::verdict without_fit(const claim& c, double expected, const error_table& 
   if (largest < negligible_error) {
     v.kind = report::verdict_kind::holds;
     v.reason = fmt::format("no error: at most {:.1e} of the observables' size at every dt", largest);
+  } else if (std::isfinite(largest)) {
+    v.kind = report::verdict_kind::skipped;
+    v.reason = fmt::format("not resolved: fewer than four levels with an error of {:g} times its uncertainty", clear);
   } else {
-    v.reason = fmt::format("fewer than four levels with an error of {:g} times its uncertainty", clear);
+    v.reason = "not finite: a step of the scheme fails";
   }
   return v;
 }

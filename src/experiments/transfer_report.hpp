@@ -36,7 +36,8 @@ struct error_column {
 /// A measurement a level (its interval: the uncertainty) and a fit a column over the levels whose error is fifty times
 /// its uncertainty; then the verdict on the order. The slowest column decides: the lowest order among those whose slope
 /// has settled (of all, where none has). A slowest order above the claim holds. Where no column has four such levels,
-/// the claim holds if all errors are below `negligible_error` of their scale, else nothing is concluded.
+/// the claim holds if all errors are below `negligible_error` of their scale, else it is skipped as not resolved;
+/// nothing is concluded where errors are not finite.
 void report_orders(const std::string& experiment, const std::string& claim, double expected, const error_table&,
                    const std::vector<error_column>&, report::results& out);
 

@@ -119,4 +119,13 @@ struct ito_drift_added {
   }
 };
 
+/// Strang with the noise vectors as they are, under the claims of strang_weak2.
+struct noise_not_scaled {
+  static constexpr auto info = posing_as<strang_weak2>("noise_not_scaled");
+  template <class System, class S>
+  static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
+    return strang::step(system, mu, w);
+  }
+};
+
 }  // namespace polhode::test

@@ -42,6 +42,8 @@ const mutant mutants[] = {
     {"noise variance off by 2", "strong", "limit is the Stratonovich solution",
      bind_mutant<noise_variance_doubled<lie_heun>>},
     {"noise variance off by 2", "gibbs", "mean of energy", bind_mutant<noise_variance_doubled<lie_heun>>},
+    {"noise of weak order two left unscaled", "weak", "weak order", bind_mutant<noise_not_scaled>},
+    {"noise of weak order two left unscaled", "gibbs", "order of the stationary bias", bind_mutant<noise_not_scaled>},
     {"exponential truncated after two terms", "casimir", "Casimirs kept to rounding",
      bind_mutant<exponential_truncated>},
     {"halves of Strang not mirrored", "energy", "order of the path", bind_mutant<halves_not_mirrored>},

@@ -1,0 +1,143 @@
+// Weak errors and stationary bias without sampling: held to known answers and to sampled paths.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ensemble/paths.hpp"
+#include "experiments/transfer.hpp"
+#include "registry/scene.hpp"
+#include "registry/verify.hpp"
+#include "reports/writers/json.hpp"
+
+namespace polhode {
+namespace {
+
+const scheme_entry& scheme_of(const subject& s, std::string_view name) {
+  return *std::ranges::find(s.schemes, name, [](const scheme_entry& e) { return e.info.name; });
+}
+
+report::results quick(const std::vector<std::string>& schemes, const std::string& experiment, int threads = 2) {
+  verify_options options;
+  options.schemes = schemes;
+  options.experiments = {experiment};
+  options.effort = effort::quick;
+  options.threads = threads;
+  return verify(load_scene("paper"), options);
+}
+
+double value_at(const report::results& r, std::string_view scheme, std::string_view quantity,
+                std::string_view observable, int steps) {
+  for (const auto& m : r.measurements)
+    if (m.scheme == scheme && m.quantity == quantity && m.observable == observable && m.method == "transfer" &&
+        std::fabs(*m.dt - 2.0 / steps) < 1e-12)
+      return *m.value;
+  return std::nan("");
+}
+
+struct known {
+  const char *scheme, *quantity, *observable;
+  std::vector<double> values;  // n = 4, 8, 16, 32
+  double relative;             // of the printed digits
+};
+
+void expect_known(const report::results& r, const known& k) {
+  int steps = 4;
+  for (const double value : k.values) {
+    EXPECT_NEAR(value_at(r, k.scheme, k.quantity, k.observable, steps), value, k.relative * value)
+        << k.scheme << ' ' << k.observable << ' ' << steps;
+    steps *= 2;
+  }
+}
+
+// Written apart from this project: numpy, scalar steps, dense exponential. strang_weak2 at n = 4 with nine Hermite
+// nodes; seven leave 2e-7.
+TEST(Weak, ErrorsAreTheKnownOnes) {
+  const auto r = quick({"lie_euler", "implicit_midpoint", "strang_weak2"}, "weak");
+  expect_known(r, {"lie_euler", "error", "energy", {8.429e-3, 4.329e-3, 2.186e-3, 1.098e-3}, 1e-3});
+  expect_known(r, {"implicit_midpoint", "error", "energy", {4.82e-4, 2.79e-4, 1.51e-4, 7.90e-5}, 4e-3});
+  expect_known(r, {"strang_weak2", "error", "energy", {4.0813e-4, 1.022e-4, 2.556e-5, 6.389e-6}, 3e-4});
+  expect_known(r, {"strang_weak2", "error", "pi3", {9.2392e-4, 2.3347e-4}, 1e-4});
+  expect_known(r, {"strang_extrapolated", "error", "pi1", {2.463e-6, 1.486e-7, 8.91e-9, 5.2e-10}, 4e-3});
+  for (const auto& v : r.verdicts) EXPECT_EQ(v.kind, report::verdict_kind::holds) << v.scheme << ": " << v.reason;
+  EXPECT_EQ(r.verdicts.size(), 4u);
+}
+
+TEST(Gibbs, BiasIsTheKnownOne) {
+  const auto r = quick({"lie_euler", "implicit_midpoint", "strang_weak2"}, "gibbs");
+  expect_known(r, {"lie_euler", "bias", "energy", {1.059e-2, 5.411e-3, 2.728e-3, 1.369e-3}, 1e-3});
+  expect_known(r, {"implicit_midpoint", "bias", "energy", {1.25e-3, 7.01e-4, 3.73e-4, 1.93e-4}, 4e-3});
+  expect_known(r, {"strang_weak2", "bias", "energy", {3.215e-4, 8.038e-5, 2.009e-5, 5.023e-6}, 2.5e-4});
+  int orders = 0;
+  for (const auto& v : r.verdicts) orders += v.claim == "order of the stationary bias" && *v.estimate > 0.9;
+  EXPECT_EQ(orders, 3);
+}
+
+TEST(Transfer, ThreadsChangeNothing) {
+  const auto text = [](int threads) {
+    auto r = quick({"lie_euler", "heun"}, "weak", threads);
+    r.provenance = {};
+    return report::to_json(r);
+  };
+  EXPECT_EQ(text(1), text(3));
+}
+
+/// Mean and standard error of the energy after `steps` steps of 64-path blocks.
+std::pair<double, double> sampled_energy(const subject& s, const scheme_entry& e, double dt, int steps, int blocks) {
+  const auto stepper = e.make(dt);
+  increment_buffer noise(*s.model, steps, e.needs_areas);
+  double sum = 0, square = 0;
+  for (int b = 0; b < blocks; ++b) {
+    auto states = replicated(s.scene.momentum);
+    stepper->advance(states, noise.fill(11, static_cast<std::uint64_t>(b * block_lanes), 0, steps, dt));
+    for (int lane = 0; lane < block_lanes; ++lane) {
+      const double h = s.model->energy(lane_of(states, lane, 3));
+      sum += h;
+      square += h * h;
+    }
+  }
+  const double n = static_cast<double>(blocks) * block_lanes, mean = sum / n;
+  return {mean, std::sqrt((square / n - mean * mean) / n)};
+}
+
+double transferred_energy(const subject& s, const scheme_entry& e, double dt, int steps, const transfer_rule& rule) {
+  const auto op = make_transfer(s, e, dt, steps, rule);
+  const Eigen::Vector3d start(s.scene.momentum.data());
+  return op.law_after(start, steps).dot(op.basis.coefficients(*named_observable("energy", s.scene.inertia)));
+}
+
+// Schemes on the sphere, off it, and with areas; noise of any kind.
+TEST(Transfer, IsWhatSampledPathsDo) {
+  constexpr int steps = 8;
+  constexpr double dt = 0.125;
+  auto scene = load_scene("paper");
+  scene.sigma = {{0.3, 0.1, 0}, {-0.2, 0.4, 0.1}, {0, 0.3, 0.2}};
+  const auto s = bind_scene(scene);
+  for (const auto* name : {"lie_euler", "implicit_midpoint", "strang", "magnus", "heun", "milstein"}) {
+    const auto& e = scheme_of(s, name);
+    const bool sphere = e.info.casimir.exact;
+    const auto rule = sphere ? transfer_rule{12, 1, 5, 2, 0} : transfer_rule{8, 5, 4, 2, 4};
+    const auto [mean, error] = sampled_energy(s, e, dt, steps, 1000);
+    EXPECT_LT(error, 5e-4);
+    EXPECT_NEAR(transferred_energy(s, e, dt, steps, rule), mean, 4 * error) << name;
+  }
+}
+
+TEST(Transfer, ThreeNodesAnAreaAreEnough) {
+  const auto s = bind_scene(load_scene("paper"));
+  const auto& e = scheme_of(s, "magnus");
+  const double three = transferred_energy(s, e, 0.25, 8, {10, 1, 5, 3, 0}),
+               four = transferred_energy(s, e, 0.25, 8, {10, 1, 5, 4, 0});
+  EXPECT_NEAR(three, four, 1e-4 * 5.6e-4) << "of its weak error";
+}
+
+TEST(Transfer, KeepsConstantsAndTheUniformLawOfAFreeSplitting) {
+  auto scene = load_scene("undamped");
+  const auto s = bind_scene(scene);
+  const auto op = make_transfer(s, scheme_of(s, "strang"), 0.25, 8, {12, 1, 7, 3, 0});
+  const auto law = op.stationary_law();
+  EXPECT_LT(law.tail(law.size() - 1).norm(), 1e-8);
+  EXPECT_NEAR(law.dot(op.basis.coefficients([](const Eigen::Vector3d&) { return 1.0; })), 1, 1e-13);
+}
+
+}  // namespace
+}  // namespace polhode
