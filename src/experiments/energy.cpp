@@ -62,10 +62,14 @@ double relative_floor(double steps) {
 /// Errors at every level of a grid, and the floor of each.
 struct error_series {
   std::vector<double> dt, values, floors;
+  std::vector<double> most_rounding;  ///< where every step rounds alike, as a body's that turns about its own axis
 
   error_series(const level_grid& grid, std::vector<double> errors, double size)
       : dt(grid.dt()), values(std::move(errors)) {
-    for (const int n : grid.steps) floors.push_back(size * relative_floor(n));
+    for (const int n : grid.steps) {
+      floors.push_back(size * relative_floor(n));
+      most_rounding.push_back(std::max(floors.back(), size * 8 * std::numeric_limits<double>::epsilon() * n));
+    }
   }
   /// The fit takes no notice of what is at its floor.
   std::optional<order_fit> fit() const {
@@ -81,14 +85,15 @@ struct error_series {
 void judge_at_floor(const error_series& e, double expected, report::verdict& v) {
   std::size_t first = e.values.size();  // the first level from which on all is at the floor
   while (first > 0 && e.values[first - 1] <= e.floors[first - 1]) --first;
-  if (first == e.values.size()) return;
-  if (first == 0) {
+  const bool exact = std::ranges::equal(e.values, e.most_rounding, std::ranges::less_equal{});
+  if (exact) {
     v.kind = report::verdict_kind::holds;
-    v.reason = fmt::format("exact on this scene: every error below {:.1e}", std::ranges::max(e.floors));
+    v.reason = fmt::format("exact on this scene: every error at rounding, below {:.1e}", std::ranges::max(e.values));
     return;
   }
+  if (first == e.values.size()) return;
   std::size_t top = 0;  // the coarsest above its floor: a single step has no residual
-  while (e.values[top] <= e.floors[top]) ++top;
+  while (top + 1 < e.values.size() && e.values[top] <= e.floors[top]) ++top;
   double least = 0;
   for (std::size_t j = top + 1; j <= first && j < e.values.size(); ++j)
     least = std::max(least, std::log2((e.values[top] - e.floors[top] / 10) / (e.values[j] + e.floors[j] / 10)) /
