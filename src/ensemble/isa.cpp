@@ -64,12 +64,30 @@ void choose_isa(isa level) {
   chosen() = level;
 }
 
+namespace {
+
+#if defined(POLHODE_X86_LEVELS)
+/// Asked once: under a hypervisor cpuid costs more than a block of normals.
+struct aes_features {
+  bool any, wide;
+};
+const aes_features& aes_of_processor() {
+  static const aes_features found = [] {
+    __builtin_cpu_init();
+    unsigned eax = 0, ebx = 0, ecx = 0, edx = 0;  // leaf 7; clang's __builtin_cpu_supports does not know "vaes"
+    const bool wide = __get_cpuid_count(7, 0, &eax, &ebx, &ecx, &edx) != 0 && (ecx & bit_VAES) != 0;
+    return aes_features{__builtin_cpu_supports("aes") != 0, wide};
+  }();
+  return found;
+}
+#endif
+
+}  // namespace
+
 std::optional<isa> aes_isa([[maybe_unused]] isa widest) {
 #if defined(POLHODE_X86_LEVELS)
-  __builtin_cpu_init();
-  unsigned eax = 0, ebx = 0, ecx = 0, edx = 0;  // cpuid leaf 7; clang's __builtin_cpu_supports does not know "vaes"
-  const bool wide = __get_cpuid_count(7, 0, &eax, &ebx, &ecx, &edx) != 0 && (ecx & bit_VAES) != 0;
-  if (__builtin_cpu_supports("aes")) return widest == isa::v4 && !wide ? isa::v3 : widest;
+  const auto& aes = aes_of_processor();
+  if (aes.any) return widest == isa::v4 && !aes.wide ? isa::v3 : widest;
 #endif
   return std::nullopt;
 }
