@@ -60,10 +60,10 @@ std::string text_of(const reference_answer& a) {
 
 int run(const arguments& given) {
   const auto output = format_option(given.format);
-  if (given.quantity.empty()) throw input_error("--quantity is missing; accepted: expectation, gibbs, lyapunov, gap");
   reference_options options{given.quantity, given.observable, {}, 0};
   if (!given.time.empty()) options.time = time_option(given.time);
-  if (!given.degree.empty()) options.degree = static_cast<int>(integer_option("--degree", given.degree, 1, 128));
+  if (!given.degree.empty())
+    options.degree = static_cast<int>(integer_option("--degree", given.degree, 1, most_reference_degree));
   const auto answer = reference(load_scene(given.scene), options);
   print(output == format::json ? json_of(answer) : text_of(answer));
   return answer.reason.empty() ? 0 : inconclusive;

@@ -14,12 +14,16 @@ namespace polhode {
 inline constexpr int block_lanes = 64;
 
 /// Increments of a block over a chunk of steps, [step][channel][lane] and [step][pair i<j][lane]; or of one path,
-/// [step][channel] and [step][pair].
+/// [step][channel] and [step][pair]. Neither dw nor singles: no noise.
 struct increment_view {
   double dt = 0;
   int steps = 0;
-  std::span<const double> dw;    ///< empty: no noise
-  std::span<const double> area;  ///< empty where nobody asks for areas
+  std::span<const double> dw;
+  std::span<const double> area;      ///< empty where nobody asks for areas
+  std::span<const float> singles{};  ///< of a block, in place of dw: dw = scale * single
+  double scale = 1;
+
+  bool silent() const { return dw.empty() && singles.empty(); }
 };
 
 /// What one common noise does at each step, in a form that belongs to the kernel which made it.

@@ -16,8 +16,8 @@
 
 namespace polhode {
 
-template <class S, int N>
-vec<S, N> load_lanes(const double* at) {
+template <class S, int N, class Real>
+vec<S, N> load_lanes(const Real* at) {
   vec<S, N> v;
   for (int k = 0; k < N; ++k) v[k].copy_from(at + k * block_lanes, stdx::element_aligned);
   return v;
@@ -26,6 +26,13 @@ vec<S, N> load_lanes(const double* at) {
 template <class S, int N>
 void store_lanes(const vec<S, N>& v, double* at) {
   for (int k = 0; k < N; ++k) v[k].copy_to(at + k * block_lanes, stdx::element_aligned);
+}
+
+/// The increment of a block's lanes at a place of [step][channel][lane].
+template <class S, int N>
+vec<S, N> load_increment(const increment_view& view, std::ptrdiff_t at) {
+  return view.singles.empty() ? load_lanes<S, N>(view.dw.data() + at)
+                              : S(view.scale) * load_lanes<S, N>(view.singles.data() + at);
 }
 
 /// The scalar of the loops: two packs whose operations alternate and hide each other's latency, but one where that
@@ -40,20 +47,13 @@ concept merges_on = requires(const System& system, const vec<double, System::dim
   Scheme::outer(system, Scheme::inner(system, mu, w), half_step{});
 };
 
-/// One step of every path: a system, and the increment of a pack of lanes (a function of the first lane).
-template <class System, class Increment>
-struct block_step {
-  const System& system;
-  Increment increment;
-};
-
 /// Forms: a system in the forms in which the loops need it (plain_forms below is the simplest).
 ///   own(): for paths with increments of their own, which take(view, scratch) brings into the form it expects
 ///   silent(): without noise
 ///   share(view): the table of a common noise;   common(): a system that enter(system, row, dt) puts into the step of a
 ///   row of that table, and that takes the increment which enter returns axis(k): the row of the states that is
 ///   component k of the system
-template <class Scheme, class Forms, class S = loop_pack>
+template <class Scheme, class Forms, class S>
 class kernel_of final : public kernel {
  public:
   explicit kernel_of(Forms forms) : forms_(std::move(forms)) {}
@@ -61,7 +61,7 @@ class kernel_of final : public kernel {
   [[gnu::flatten]] void advance(std::span<double> states, const increment_view& given, piece p) const override {
     const double dt = given.dt;
     count_path_steps(static_cast<std::uint64_t>(given.steps) * block_lanes);
-    if (given.dw.empty()) {
+    if (given.silent()) {
       const auto system = forms_.silent();
       run(rows_of(states), given.steps, dt, p,
           [&](std::int64_t, auto&& pass) { pass(system, [dt](int) { return levy(dt); }); });
@@ -71,11 +71,11 @@ class kernel_of final : public kernel {
     const increment_view view = forms_.take(given, scratch);
     const auto system = forms_.own();
     run(rows_of(states), given.steps, dt, p, [&](std::int64_t i, auto&& pass) {
-      pass(system, [dt, dw = view.dw.data() + i * channels * block_lanes,
-                    area = view.area.data() + i * pairs * block_lanes](int lane) {
+      pass(system, [=, &view](int lane) {
         auto w = levy(dt);
-        w.dw = load_lanes<S, channels>(dw + lane);
-        if constexpr (needs_areas_on<Scheme, own_system>) w.area = load_lanes<S, pairs>(area + lane);
+        w.dw = load_increment<S, channels>(view, i * channels * block_lanes + lane);
+        if constexpr (needs_areas_on<Scheme, own_system>)
+          w.area = load_lanes<S, pairs>(view.area.data() + i * pairs * block_lanes + lane);
         return w;
       });
     });

@@ -40,18 +40,20 @@ increment_buffer::increment_buffer(const model& m, int steps, bool with_areas, n
       active_(m.active_channels()),
       pairs_(m.channels() * (m.channels() - 1) / 2),
       source_(source),
-      dw_(static_cast<std::size_t>(steps * channels_ * block_lanes)),
+      dw_(source.quality == noise_quality::fast ? 0 : static_cast<std::size_t>(steps * channels_ * block_lanes)),
+      singles_(source.quality == noise_quality::fast ? static_cast<std::size_t>(steps * channels_ * block_lanes) : 0),
       area_(with_areas ? static_cast<std::size_t>(steps * pairs_ * block_lanes) : 0) {}
 
 increment_view increment_buffer::fill(std::uint64_t seed, std::uint64_t first_path, std::uint64_t first_step, int steps,
                                       double dt) {
-  const auto draw = [&](noise_kind kind, int rows, int wanted, double scale, std::vector<double>& out) {
-    fill_normals({seed, kind, first_path, first_step, steps, rows, wanted, scale, out.data(), source_});
+  const auto draw = [&](noise_kind kind, int rows, int wanted, double scale, std::vector<double>& out, float* singles) {
+    fill_normals({seed, kind, first_path, first_step, steps, rows, wanted, scale, out.data(), source_, singles});
     count_normals(static_cast<std::uint64_t>(steps) * static_cast<std::uint64_t>(wanted) * block_lanes);
   };
-  draw(noise_kind::increment, channels_, active_, std::sqrt(dt), dw_);
-  if (!area_.empty()) draw(noise_kind::area, pairs_, active_ < 2 ? 0 : pairs_, dt / 2, area_);
-  return {dt, steps, dw_, area_};
+  const double scale = std::sqrt(dt);
+  draw(noise_kind::increment, channels_, active_, scale, dw_, singles_.empty() ? nullptr : singles_.data());
+  if (!area_.empty()) draw(noise_kind::area, pairs_, active_ < 2 ? 0 : pairs_, dt / 2, area_, nullptr);
+  return {dt, steps, dw_, area_, singles_, scale};
 }
 
 std::vector<double> replicated(std::span<const double> state) {

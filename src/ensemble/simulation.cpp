@@ -5,6 +5,8 @@
 #include <mutex>
 #include <optional>
 
+#include <polhode/systems/noise_at.hpp>
+
 #include "ensemble/direction_bins.hpp"
 #include "ensemble/normal_block.hpp"
 #include "ensemble/paths.hpp"
@@ -21,6 +23,11 @@ std::int64_t blocks_of(const simulation_plan& p) { return (p.bodies + block_lane
 
 /// Blocks that one thread takes at a time: by the ensemble alone, as sums are merged piece by piece.
 std::int64_t blocks_a_piece(const simulation_plan& p) { return std::clamp<std::int64_t>(blocks_of(p) / 1024, 1, 64); }
+
+/// Increments, and the table of what a kernel does with them, at most a shared_step each.
+double shared_bytes(const model& m, const simulation_plan& p) {
+  return shared_increments::bytes(m, p.steps, p.with_areas) + static_cast<double>(p.steps) * sizeof(shared_step);
+}
 
 /// On the sphere through the momentum every body starts in the direction of three normals at its own address.
 void start(const simulation_plan& p, std::int64_t block, std::vector<double>& states) {
@@ -48,8 +55,9 @@ class ensemble_run {
       : model_(m), kernel_(k), plan_(p), progress_(progress), counting_(p.snapshots.size()) {
     noiseless_ = p.noise == ensemble_noise::none || m.active_channels() == 0;
     if (!noiseless_ && p.noise == ensemble_noise::common) {
-      common_.emplace(m, p.seed, p.steps, p.dt, p.with_areas, p.threads, p.source);
-      common_steps_ = k.share(common_->view(0, static_cast<int>(p.steps)));
+      const shared_increments drawn(m, p.seed, p.steps, p.dt, p.with_areas, p.threads, p.source);
+      common_ = k.share(drawn.view(0, static_cast<int>(p.steps)));
+      out_.drawn = drawn.drawn();
     }
     out_.states.resize(static_cast<std::size_t>(m.dimension()) * static_cast<std::size_t>(p.bodies));
     out_.snapshots.resize(p.snapshots.size());
@@ -98,7 +106,6 @@ class ensemble_run {
     for (const auto& piece : moments_)
       for (std::size_t i = 0; i < piece.size(); ++i)
         (i < out_.snapshots.size() ? out_.snapshots[i].moments : out_.final).merge(piece[i]);
-    if (common_) out_.drawn = common_->drawn();
     if (!noiseless_ && !common_) out_.drawn = static_cast<std::uint64_t>(plan_.steps * plan_.bodies * rows_drawn());
     return std::move(out_);
   }
@@ -115,7 +122,7 @@ class ensemble_run {
   void advance(std::vector<double>& states, std::int64_t block, std::int64_t step, std::int64_t steps,
                increment_buffer& noise) const {
     const auto part = [&](std::int64_t from, std::int64_t n) { return piece{from == 0, from + n == plan_.steps}; };
-    if (common_) return kernel_.advance(states, common_steps_, step, steps, part(step, steps));
+    if (common_) return kernel_.advance(states, *common_, step, steps, part(step, steps));
     if (noiseless_) return kernel_.advance(states, silence(static_cast<int>(steps), plan_.dt), part(step, steps));
     for (std::int64_t done = 0; done < steps; done += chunk) {
       const int n = static_cast<int>(std::min<std::int64_t>(chunk, steps - done));
@@ -157,8 +164,7 @@ class ensemble_run {
   const std::function<void(double)>& progress_;
   double done_ = 0;
   bool noiseless_ = false;
-  std::optional<shared_increments> common_;
-  shared_steps common_steps_;
+  std::optional<shared_steps> common_;
   std::vector<std::vector<ensemble_moments>> moments_;  // [piece][stop]
   std::vector<std::mutex> counting_;                    // [snapshot]
   std::mutex telling_;
@@ -173,15 +179,6 @@ simulated simulate_ensemble(const model& m, const kernel& k, const simulation_pl
   parallel_for(p.threads, run.pieces(), [&](int piece) { run.run_piece(piece); });
   return run.result();
 }
-
-namespace {
-
-/// Increments, and the table of what a kernel does with them.
-double shared_bytes(const model& m, const simulation_plan& p) {
-  return shared_increments::bytes(m, p.steps, p.with_areas) + static_cast<double>(p.steps) * 24 * sizeof(double);
-}
-
-}  // namespace
 
 double simulation_bytes(const model& m, const simulation_plan& p) {
   const bool common = p.noise == ensemble_noise::common && m.active_channels() > 0;

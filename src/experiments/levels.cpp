@@ -31,7 +31,8 @@ level_grid asymptotic_levels(const subject& s, double resolution) {
   return grid;
 }
 
-level_grid scene_levels(const subject& s, double resolution) {
+level_grid scene_levels(const subject& s) {
+  constexpr double resolution = 64;
   constexpr std::size_t least_levels = 5;
   level_grid grid{s.scene.horizon, {s.scene.steps.begin(), s.scene.steps.end()}};
   const double time_scales = fastest_rate(s) * grid.horizon;

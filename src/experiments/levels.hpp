@@ -25,7 +25,7 @@ double fastest_rate(const subject&);
 level_grid asymptotic_levels(const subject&, double resolution);
 
 /// The scene's own numbers of steps and its horizon. Where these are fewer than five: halved while a step stays short
-/// against the fastest rate, else doubled. Doubled further until the finest dt times that rate is at most 1/resolution.
-level_grid scene_levels(const subject&, double resolution);
+/// against the fastest rate, else doubled. Doubled further until the finest dt times that rate is at most 1/64.
+level_grid scene_levels(const subject&);
 
 }  // namespace polhode

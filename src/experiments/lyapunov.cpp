@@ -11,7 +11,6 @@
 
 #include "ensemble/paths.hpp"
 #include "experiments/experiment.hpp"
-#include "experiments/judge.hpp"
 #include "experiments/progress_counter.hpp"
 #include "experiments/transfer.hpp"
 

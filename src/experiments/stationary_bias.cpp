@@ -11,7 +11,6 @@
 namespace polhode {
 namespace {
 
-constexpr double resolution = 64;           // the finest dt times the fastest rate is at most its inverse
 constexpr double density_accuracy = 1e-10;  // in L2
 constexpr double tolerance = 5e-4;
 
@@ -72,7 +71,7 @@ void report_stationary_bias(const context& c, report::results& out) {
     if (e.info.casimir.exact) schemes.push_back(e);
   const auto question = question_on(*problem, *law.density);
   const auto tables =
-      answer_all(c, schemes, scene_levels(s, resolution), [&](const scheme_entry&, std::int64_t) { return question; });
+      answer_all(c, schemes, scene_levels(s), [&](const scheme_entry&, std::int64_t) { return question; });
   for (std::size_t k = 0; k < tables.size(); ++k)
     report_orders("gibbs", "order of the stationary bias", weak_order_on(schemes[k].info, s.model->noise()), tables[k],
                   {{"bias", "energy", question.scale[0]},

@@ -206,23 +206,23 @@ void run(const context& c, report::results& out) {
 }  // namespace
 
 experiment strong_experiment() {
-  return {
-      {"strong",
-       "How far is a path from the true path driven by the same noise, and how fast does that fall with dt?",
-       {"Root-mean-square distance at the end of the horizon (at most four of the fastest time scales).",
-        fmt::format(
-            "The driver is piecewise linear, with {} cells in the finest step; the reference solves the ordinary "
-            "differential equation driven by it, and coarse steps get its exact increments and Levy areas.",
-            fine_per_step),
-        "The driver differs from Brownian motion by the areas inside the fine cells, which moves no slope while dt is "
-        "well above a cell."}},
-      3,
-      [](const subject& s) -> std::optional<std::string> {
-        if (s.model->noise() == noise_class::none)
-          return "no noise: the experiment energy measures the order for sigma = 0";
-        return std::nullopt;
-      },
-      run};
+  return {{"strong",
+           "How far is a path from the true path driven by the same noise, and how fast does that fall with dt?",
+           {"Root-mean-square distance at the end of the horizon (at most four of the fastest time scales).",
+            fmt::format(
+                "The driver is piecewise linear, with {} cells in the finest step; the reference solves the ordinary "
+                "differential equation driven by it, and coarse steps get its exact increments and Levy areas.",
+                fine_per_step),
+            "Normals: precise ones. The driver differs from Brownian motion by the areas inside the fine cells, which "
+            "moves no slope while dt is "
+            "well above a cell."}},
+          3,
+          [](const subject& s) -> std::optional<std::string> {
+            if (s.model->noise() == noise_class::none)
+              return "no noise: the experiment energy measures the order for sigma = 0";
+            return std::nullopt;
+          },
+          run};
 }
 
 }  // namespace polhode

@@ -13,7 +13,6 @@ namespace polhode {
 namespace {
 
 constexpr std::array observables{"energy", "pi1", "pi2", "pi3", "pi1^2", "pi2^2", "pi3^2", "exp(pi3)"};
-constexpr double resolution = 64;             // the finest dt times the fastest rate is at most its inverse
 constexpr double reference_accuracy = 1e-13;  // of an observable's size
 constexpr double tolerance = 5e-4, extrapolated_tolerance = 1e-6;
 constexpr double extrapolated_order = 3;
@@ -92,7 +91,7 @@ void run(const context& c, report::results& out) {
   const auto& s = c.subject;
   const auto t = true_expectations(s, out);
   if (t.columns.empty()) return;
-  auto tables = answer_all(c, s.schemes, scene_levels(s, resolution), [&](const scheme_entry& e, std::int64_t steps) {
+  auto tables = answer_all(c, s.schemes, scene_levels(s), [&](const scheme_entry& e, std::int64_t steps) {
     return question_on(s, t, steps, e.info.name == extrapolated_from ? extrapolated_tolerance : tolerance);
   });
   for (auto& table : tables)

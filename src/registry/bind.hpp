@@ -46,7 +46,7 @@ class model_of final : public model {
     constexpr int pairs = pairs_of<m>;
     const auto at = [&](int i, int lane) {
       wiener_levy<pack, m> w;
-      w.dw = load_lanes<pack, m>(fine.dw.data() + i * m * block_lanes + lane);
+      w.dw = load_increment<pack, m>(fine, i * m * block_lanes + lane);
       if (!fine.area.empty()) w.area = load_lanes<pack, pairs>(fine.area.data() + i * pairs * block_lanes + lane);
       return w;
     };

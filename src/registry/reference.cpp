@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/transfer.hpp"
 #include "references/gibbs.hpp"
 #include "references/lyapunov.hpp"
 #include "registry/nearest.hpp"
@@ -18,34 +19,22 @@ namespace polhode {
 namespace {
 
 constexpr double value_tolerance = 1e-11, rate_tolerance = 1e-9, exponent_tolerance = 1e-7;
-constexpr int most_degree = 128;
 const std::vector<std::string> quantities{"expectation", "gibbs", "lyapunov", "gap"};
 
 [[noreturn]] void refuse(std::string_view option, std::string_view value, std::string_view fault) {
   throw input_error(fmt::format("{} '{}': {}", option, one_line(value, 60), fault));
 }
 
-void check(const scene& s, const reference_options& o) {
+void check(const reference_options& o) {
+  if (o.quantity.empty())
+    throw input_error(fmt::format("--quantity is missing; accepted: {}", fmt::join(quantities, ", ")));
   if (std::ranges::find(quantities, o.quantity) == quantities.end())
     refuse("--quantity", o.quantity,
            fmt::format("not known{}; accepted: {}", did_you_mean(o.quantity, quantities), fmt::join(quantities, ", ")));
-  if (s.system != "rigid_body")
-    throw input_error(
-        fmt::format("scene {}: system = \"{}\" has no exact references; accepted: rigid_body", s.name, s.system));
-  if (o.degree < 0 || o.degree > most_degree)
-    refuse("--degree", fmt::format("{}", o.degree), fmt::format("accepted: 1 to {}", most_degree));
+  if (o.degree < 0 || o.degree > most_reference_degree)
+    refuse("--degree", fmt::format("{}", o.degree), fmt::format("accepted: 1 to {}", most_reference_degree));
   if (o.time && !(*o.time >= 0 && std::isfinite(*o.time)))
     refuse("--time", fmt::format("{}", *o.time), "accepted: a number of at least 0");
-}
-
-sphere_problem problem_of(const scene& s) {
-  sphere_problem p{s.inertia, s.theta, std::hypot(s.momentum[0], s.momentum[1], s.momentum[2]),
-                   Eigen::Matrix3d::Zero()};
-  for (const auto& v : s.sigma) {
-    const Eigen::Map<const Eigen::Vector3d> e(v.data());
-    p.covariance += e * e.transpose();
-  }
-  return p;
 }
 
 sphere_function observable_of(const scene& s, const std::string& name) {
@@ -56,18 +45,11 @@ sphere_function observable_of(const scene& s, const std::string& name) {
          fmt::format("not known{}; accepted: {}", did_you_mean(name, known), fmt::join(known, ", ")));
 }
 
-/// The strength of isotropic noise; 0 for any other.
-double isotropic_strength(const Eigen::Matrix3d& q) {
-  const double s = q.trace() / 3;
-  return (q - s * Eigen::Matrix3d::Identity()).norm() <= 1e-12 * s ? s : 0;
-}
-
 /// The moments of the Gibbs law that have a closed form.
 std::optional<double> closed_form(const sphere_problem& p, const std::string& observable) {
-  const double s = isotropic_strength(p.covariance);
   const auto& i = p.inertia;
-  if (s == 0 || (i[0] == i[1] && i[1] == i[2])) return std::nullopt;
-  const gibbs_law law(i, p.radius, 2 * p.theta / s);
+  if (i[0] == i[1] && i[1] == i[2]) return std::nullopt;
+  const gibbs_law law(i, p.radius, 2 * p.theta / p.covariance(0, 0));
   if (observable == "energy") return law.mean_energy();
   if (observable == "pi1^2") return law.mean_square(0);
   if (observable == "pi2^2") return law.mean_square(1);
@@ -93,14 +75,15 @@ void answer_expectation(const scene& s, const sphere_problem& p, const reference
 
 void answer_gibbs(const scene& s, const sphere_problem& p, const reference_options& o, reference_answer& out) {
   const auto f = observable_of(s, o.observable);
+  const bool isotropic = bind_scene(s).model->noise() == noise_class::isotropic;
   out.observable = o.observable;
-  if (const auto value = o.degree == 0 ? closed_form(p, o.observable) : std::nullopt) {
+  if (const auto value = isotropic && o.degree == 0 ? closed_form(p, o.observable) : std::nullopt) {
     out.value = *value;
     out.uncertainty = 1e-11 * std::max(1.0, std::fabs(*value));
     out.method = "the Gibbs law exp(-2 theta h / sigma^2), by complete elliptic integrals";
     return;
   }
-  out.method = isotropic_strength(p.covariance) > 0
+  out.method = isotropic
                    ? "the stationary density, here the Gibbs law, in spherical harmonics"
                    : "the stationary density in spherical harmonics; the noise is not isotropic, so it is no Gibbs law";
   take(s, mean(p, stationary(p, value_tolerance, o.degree), f), out);
@@ -118,8 +101,12 @@ void answer_lyapunov(const scene& s, const sphere_problem& p, const reference_op
 
 reference_answer reference(const scene& s, const reference_options& o) {
   gsl_set_error_handler_off();
-  check(s, o);
-  const auto p = problem_of(s);
+  check(o);
+  const auto problem = sphere_problem_of(bind_scene(s));
+  if (!problem)
+    throw input_error(
+        fmt::format("scene {}: system = \"{}\" has no exact references; accepted: rigid_body", s.name, s.system));
+  const auto& p = *problem;
   reference_answer out;
   out.quantity = o.quantity;
   if (o.quantity == "expectation") answer_expectation(s, p, o, out);

@@ -9,6 +9,9 @@
 
 namespace polhode {
 
+/// Beyond it nothing is affordable.
+inline constexpr int most_reference_degree = 128;
+
 struct reference_options {
   std::string quantity;               ///< expectation, gibbs, lyapunov or gap
   std::string observable = "energy";  ///< of expectation and gibbs; see list_observables

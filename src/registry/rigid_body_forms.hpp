@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 
+#include <polhode/systems/rigid_body.hpp>
 #include <polhode/systems/rigid_body_at.hpp>
 
 #include "ensemble/kernel_of.hpp"
@@ -21,7 +22,7 @@ class rigid_body_forms {
         first_axis_(first_axis),
         diagonal_(first_axis == 0 && body.sigma().isDiagonal(0.0)),
         own_(rigid_body_constants(turned(body.inverse_inertia), body.theta, dt, radius, size == rotation_size::any),
-             noise_of(body, dt)) {}
+             noise_of(body)) {}
 
   const auto& own() const { return own_; }
   auto silent() const { return own_.with(no_noise{}); }
@@ -36,7 +37,8 @@ class rigid_body_forms {
     for (int i = 0; i < view.steps; ++i)
       for (int lane = 0; lane < block_lanes; lane += static_cast<int>(pack::size())) {
         const auto at = static_cast<std::size_t>(i * 3 * block_lanes + lane);
-        store_lanes(turned(body_.noise(load_lanes<pack, 3>(view.dw.data() + at))), scratch.data() + at);
+        store_lanes(turned(body_.noise(load_increment<pack, 3>(view, static_cast<std::ptrdiff_t>(at)))),
+                    scratch.data() + at);
         if (areas == 0) continue;
         const auto l = turned(body_.area_noise(load_lanes<pack, 3>(view.area.data() + at)));
         store_lanes(vec<pack, 3>{{l[2], -l[1], l[0]}}, scratch.data() + rows + at);  // as pairs of the unit vectors
@@ -80,7 +82,7 @@ class rigid_body_forms {
     return {{v[axis(0)], v[axis(1)], v[axis(2)]}};
   }
 
-  diagonal_noise noise_of(const rigid_body& body, double) const {
+  diagonal_noise noise_of(const rigid_body& body) const {
     diagonal_noise out;
     if (diagonal_)
       for (int k = 0; k < 3; ++k) out.scale[k] = body.sigma()(k, k);

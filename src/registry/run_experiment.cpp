@@ -1,11 +1,11 @@
 #include "registry/run_experiment.hpp"
-#include "ensemble/work_counters.hpp"
 
 #include <algorithm>
 #include <ctime>
 #include <iterator>
 #include <optional>
 
+#include "ensemble/work_counters.hpp"
 #include "registry/cache_key.hpp"
 #include "registry/provenance.hpp"
 

@@ -163,7 +163,7 @@ std::vector<catalog_entry> list_observables() {
           {"pi2^2", "Pi_2^2"},
           {"pi3^2", "Pi_3^2"},
           {"exp(pi3)", "exp(Pi_3)"},
-          {"casimir", "|Pi|"}};
+          {"casimir", "1/2 |Pi|^2"}};
 }
 
 std::vector<catalog_entry> list_systems() {

@@ -1,4 +1,5 @@
-// Near-best polynomials on [0, bound], computed at compile time: what rotations by small angles are evaluated with.
+// Near-best polynomials on [0, bound], for a bound that may be known at compile time: what rotations by small angles
+// and normalisations of almost normal vectors are evaluated with.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// so(3) for rotations that are mostly small: the coadjoint calculus of so3.hpp with exp by polynomials in |xi|^2, to the
-// same accuracy. A lane whose angle is larger takes the closed form, so a value never depends on its neighbours.
+// so(3) for rotations that are mostly small: the coadjoint calculus of so3.hpp with exp by polynomials in |xi|^2, to
+// the same accuracy. A lane whose angle is larger takes the closed form, so a value never depends on its neighbours.
 #pragma once
 
 #include <polhode/chebyshev.hpp>
@@ -7,9 +7,12 @@
 
 namespace polhode {
 
-/// Polynomials of that degree for |xi| < reach; their error is below 1e-16 (see cosine_polynomial).
+/// Polynomials of that degree for |xi| < reach; their error is below 1e-16 (see cosine_polynomial). |xi| < 2e5, which a
+/// normal increment never reaches where most rotations are small.
 template <int degree, double reach>
 struct so3_near : so3 {
+  using so3::exp_action;
+
   template <class S>
   static vec<S, 3> exp_action(const vec<S, 3>& xi, const vec<S, 3>& mu) {
     const S q = dot(xi, xi);
@@ -17,10 +20,6 @@ struct so3_near : so3 {
     if (any(q, q > S(reach * reach))) [[unlikely]]
       correct_far(q, first, second);
     return rotated(first, second, xi, mu);
-  }
-  template <class S>
-  static vec<S, 3> exp_action(zero_vector, const vec<S, 3>& mu) {
-    return mu;
   }
 
  private:
@@ -34,8 +33,8 @@ struct so3_near : so3 {
     first = select(far, S(ratio * cos), first);
     second = select(far, S(S(0.5) * ratio * ratio), second);
   }
-  static constexpr auto sinc = cosine_polynomial<degree>(1, reach * reach);
-  static constexpr auto cosc = cosine_polynomial<degree>(2, reach * reach);
+  static constexpr auto sinc = cosine_polynomial<degree>(1, reach* reach);
+  static constexpr auto cosc = cosine_polynomial<degree>(2, reach* reach);
 };
 
 }  // namespace polhode

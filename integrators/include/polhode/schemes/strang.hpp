@@ -3,16 +3,16 @@
 //   mu_{n+1} = T1(dt/2) T2(dt/2) D(dt/2) N(dW) D(dt/2) T2(dt/2) T1(dt/2) mu_n                            (Stratonovich)
 //   T1, T2 turns that make up the free motion, D dissipation, N(dW) = Ad*_exp(sigma dW)
 //
-// h and h plus a Casimir have the same motion, and a suitable multiple leaves two parts with exact flows (so(3): h - |mu|^2
-// / 2 I_2 = 1/2 (1/I_1 - 1/I_2) mu_1^2 + 1/2 (1/I_3 - 1/I_2) mu_3^2). The last turn of a step and the first of the next are
-// one: whoever runs many steps may merge them.
+// h and h plus a Casimir have the same motion, and a suitable multiple leaves two parts with exact flows (so(3): h -
+// |mu|^2 / 2 I_2 = 1/2 (1/I_1 - 1/I_2) mu_1^2 + 1/2 (1/I_3 - 1/I_2) mu_3^2). The last turn of a step and the first of
+// the next are one: whoever runs many steps may merge them.
 //
 // Weak order 2 only where one exponential of sigma dW has the law of the noise, that is for one vector; else 1, because
 // of the noise alone (see strang_weak2).
 //
 // Source: Strang, SIAM J. Numer. Anal. 5 (1968) 506-517; Brehier, Cohen, Jahnke, Math. Comp. 92 (2023) (stochastic
-// Lie-Poisson). Keeps every Casimir: each part is a coadjoint motion. Cost a step: seven flows, six of them merged into
-// five where steps follow each other; one increment.
+// Lie-Poisson). Keeps every Casimir: each part is a coadjoint motion. Cost a step: seven flows, six where
+// steps follow each other; one increment.
 #pragma once
 
 #include <polhode/schemes/scheme_info.hpp>

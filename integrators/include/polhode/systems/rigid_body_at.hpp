@@ -5,51 +5,16 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <polhode/chebyshev.hpp>
 #include <polhode/systems/body_parts.hpp>
 #include <polhode/systems/lie_poisson.hpp>
 #include <polhode/systems/noise_at.hpp>
-#include <polhode/systems/rigid_body.hpp>
+#include <polhode/systems/rigid_body_constants.hpp>
 
 namespace polhode {
-
-/// Everything that depends on body, step size and orbit alone. Axes are numbered as the kernel numbers them.
-struct rigid_body_constants {
-  vec<double, 3> inverse_inertia;
-  double theta, dt, radius;
-  vec<double, 3> excess;                  ///< 1/I_k - 1/I_2: the Casimir shift
-  vec<double, 3> kappa;                   ///< dt / I_k
-  vec<double, 3> shifted;                 ///< dt (1/I_k - 1/I_2)
-  vec<double, 3> gamma;                   ///< theta dt (Pi x Omega)_k = gamma_k Pi_i Pi_j
-  std::array<vec<double, 3>, 2> damping;  ///< exp(-theta c^2 t (1/I_k - shift)) for the whole step and half of it
-  double least_square;                    ///< the least |y|^2 after a whole step's damping
-
-  rigid_body_constants(const vec<double, 3>& inverse, double theta_, double dt_, double c, bool shift_by_least)
-      : inverse_inertia(inverse), theta(theta_), dt(dt_), radius(c) {
-    const double least = std::min({inverse[0], inverse[1], inverse[2]});
-    double smallest = 1;
-    for (int k = 0; k < 3; ++k) {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      excess[k] = inverse[k] - inverse[1];
-      kappa[k] = dt * inverse[k];
-      shifted[k] = dt * excess[k];
-      gamma[k] = theta * dt * (inverse[j] - inverse[i]);
-      const double rate = theta * c * c * (inverse[k] - (shift_by_least ? least : inverse[1]));
-      damping[0][k] = std::exp(-rate * dt);
-      damping[1][k] = std::exp(-rate * dt / 2);
-      smallest = std::min(smallest, damping[0][k]);
-    }
-    least_square = c * c * smallest * smallest;
-  }
-
-  /// Relative width of the range of |y|^2 after a whole step's damping.
-  double spread() const {
-    const double largest = std::max({damping[0][0], damping[0][1], damping[0][2]});
-    return radius * radius * largest * largest / least_square - 1;
-  }
-};
 
 /// parts, size: systems/body_parts.hpp; Noise: systems/noise_at.hpp.
 template <body_parts parts, rotation_size size, class Noise>
@@ -107,17 +72,10 @@ class rigid_body_at : public Noise {
   template <class S>
   auto motion_over(const vec<S, 3>& pi, const wiener<S, 3>& w) const {
     const auto b = this->noise(w.dw);
-    if constexpr (!parts.first_turn && !parts.last_turn) {
-      return algebra::coad(b, pi);
-    } else {
-      constexpr bool g = parts.dissipation;
-      const auto first = turning<parts.first_turn>(k_.shifted[0], pi[0], b[0]) + turned < g &&
-                         parts.last_turn > (k_.gamma[0], pi[1], pi[2]);
-      const auto second = b[1] + turned<g>(k_.gamma[1], pi[2], pi[0]);
-      const auto third = turning<parts.last_turn>(k_.shifted[2], pi[2], b[2]) + turned < g &&
-                         parts.first_turn > (k_.gamma[2], pi[0], pi[1]);
-      return algebra::coad(vec<S, 3>{{value_of<S>(first), value_of<S>(second), value_of<S>(third)}}, pi);
-    }
+    vec<S, 3> xi;
+    for (int k = 0; k < 3; k += 2) xi[k] = b[k] + S(k_.shifted[k]) * pi[k] + dissipating(k, pi);
+    xi[1] = value_of<S>(b[1] + dissipating(1, pi));
+    return algebra::coad(xi, pi);
   }
 
   template <class S>
@@ -185,18 +143,11 @@ class rigid_body_at : public Noise {
   static S value_of(zero) {
     return S(0.0);
   }
-  /// b + coefficient x, or b where the term is absent.
-  template <bool present, class S, class B>
-  static auto turning(double coefficient, const S& x, const B& b) {
-    if constexpr (present)
-      return S(b + S(coefficient) * x);
-    else
-      return b;
-  }
-  template <bool present, class S>
-  static auto turned(double coefficient, const S& x, const S& y) {
-    if constexpr (present)
-      return S((S(coefficient) * x) * y);
+  /// The component k of theta dt Pi x Omega, or the zero that leaves it out.
+  template <class S>
+  auto dissipating(int k, const vec<S, 3>& pi) const {
+    if constexpr (parts.dissipation)
+      return S((S(k_.gamma[k]) * pi[(k + 1) % 3]) * pi[(k + 2) % 3]);
     else
       return zero{};
   }
@@ -205,9 +156,7 @@ class rigid_body_at : public Noise {
   template <class S, class B>
   vec<S, 3> driven(const vec<S, 3>& pi, const B& b) const {
     vec<S, 3> out;
-    for (int k = 0; k < 3; ++k)
-      out[k] =
-          (b[k] + S(k_.kappa[k]) * pi[k]) + turned<parts.dissipation>(k_.gamma[k], pi[(k + 1) % 3], pi[(k + 2) % 3]);
+    for (int k = 0; k < 3; ++k) out[k] = b[k] + S(k_.kappa[k]) * pi[k] + dissipating(k, pi);
     return out;
   }
 
