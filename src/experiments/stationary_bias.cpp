@@ -70,14 +70,16 @@ void report_stationary_bias(const context& c, report::results& out) {
   for (const auto& e : s.schemes)
     if (e.info.casimir.exact) schemes.push_back(e);
   const auto question = question_on(*problem, *law.density);
-  const auto tables =
-      answer_all(c, schemes, scene_levels(s), [&](const scheme_entry&, std::int64_t) { return question; });
-  for (std::size_t k = 0; k < tables.size(); ++k)
-    report_orders("gibbs", "order of the stationary bias", weak_order_on(schemes[k].info, s.model->noise()), tables[k],
-                  {{"bias", "energy", question.scale[0]},
-                   {"bias", "energy^2", question.scale[1]},
-                   {"distance", "density", question.scale[2]}},
-                  out);
+  const auto expected = [&](const scheme_entry& e) { return weak_order_on(e.info, s.model->noise()); };
+  const order_question q{"gibbs",
+                         "order of the stationary bias",
+                         {{"bias", "energy", question.scale[0]},
+                          {"bias", "energy^2", question.scale[1]},
+                          {"distance", "density", question.scale[2]}},
+                         expected,
+                         [&](const scheme_entry&, std::int64_t) { return question; }};
+  const auto tables = answer_all(c, schemes, scene_levels(s), q);
+  for (std::size_t k = 0; k < tables.size(); ++k) report_orders(q, expected(schemes[k]), tables[k], out);
 }
 
 }  // namespace polhode

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "ensemble/paths.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/increment_ladder.hpp"
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
 #include "experiments/sequential.hpp"
@@ -22,47 +22,6 @@ constexpr int fine_per_step = 32;      // fine cells in the finest step
 constexpr double limit_bound = 0.1;    // of the distance to the Ito solution: how near the limit dt -> 0 must be
 constexpr double tight_leading = 0.1;  // of the mean square error: half-width of its part of the claimed order
 
-/// The increments of one level over one chunk of time.
-struct level_increments {
-  std::vector<double> dw, area;
-  increment_view view;
-};
-
-/// Increments of every level, coarsest first, from the fine ones.
-class increment_ladder {
- public:
-  increment_ladder(const model& m, const level_grid& grid, noise_source source)
-      : model_(m),
-        levels_(grid.steps.size()),
-        fine_(m, grid.steps.back() / grid.steps.front() * fine_per_step, false, source) {
-    for (std::size_t l = 0; l < levels_.size(); ++l) {
-      const int steps = grid.steps[l] / grid.steps.front();
-      const int channels = m.channels(), pairs = channels * (channels - 1) / 2;
-      levels_[l].dw.resize(static_cast<std::size_t>(steps * channels * block_lanes));
-      levels_[l].area.resize(static_cast<std::size_t>(steps * pairs * block_lanes));
-      levels_[l].view = {grid.horizon / grid.steps[l], steps, levels_[l].dw, levels_[l].area};
-    }
-  }
-  const increment_view& level(std::size_t l) const { return levels_[l].view; }
-
-  /// One step of the coarsest level; returns the fine increments.
-  increment_view fill(std::uint64_t seed, std::uint64_t first_path, int chunk) {
-    const int fine_steps = levels_.back().view.steps * fine_per_step;
-    const auto fine =
-        fine_.fill(seed, first_path, static_cast<std::uint64_t>(chunk) * static_cast<std::uint64_t>(fine_steps),
-                   fine_steps, levels_.back().view.dt / fine_per_step);
-    model_.coarsen(fine, fine_per_step, levels_.back().dw, levels_.back().area);
-    for (std::size_t l = levels_.size() - 1; l-- > 0;)
-      model_.coarsen(levels_[l + 1].view, 2, levels_[l].dw, levels_[l].area);
-    return fine;
-  }
-
- private:
-  const model& model_;
-  std::vector<level_increments> levels_;
-  increment_buffer fine_;
-};
-
 /// Kernels of every scheme at every level.
 using kernel_table = std::vector<std::vector<std::unique_ptr<kernel>>>;
 
@@ -71,7 +30,7 @@ void run_block(const context& c, const level_grid& grid, const kernel_table& ker
                std::span<const int> open, int block, std::vector<squared_errors>& errors) {
   const auto& s = c.subject;
   const std::size_t levels = grid.steps.size();
-  increment_ladder ladder(*s.model, grid, {c.generator, noise_quality::precise});
+  increment_ladder ladder(*s.model, grid, fine_per_step, {c.generator, noise_quality::precise});
   auto truth = replicated(s.scene.momentum);
   std::vector<std::vector<std::vector<double>>> states(kernels.size(), std::vector<std::vector<double>>(levels, truth));
   const int first_path = block * block_lanes;

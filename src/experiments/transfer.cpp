@@ -1,9 +1,7 @@
 #include "experiments/transfer.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 
@@ -13,65 +11,7 @@
 namespace polhode {
 namespace {
 
-constexpr std::array on_a_sphere{transfer_rule{12, 1, 5, 2, 0}, transfer_rule{16, 1, 7, 3, 0},
-                                 transfer_rule{20, 1, 9, 3, 0}, transfer_rule{24, 1, 11, 3, 0},
-                                 transfer_rule{32, 1, 13, 3, 0}};
-constexpr std::array on_a_shell{transfer_rule{8, 5, 4, 2, 4}, transfer_rule{10, 6, 5, 3, 4.5},
-                                transfer_rule{12, 7, 6, 3, 5}};
-constexpr double negligible = 1e-18;  // weight of a node
-constexpr double widest = 0.8;        // of log(radius), to either side
-constexpr double rounding = 1e-15;    // of a step, relative
-
-/// Areas take twenty-seven times the nodes: on a shell the last refinement is too dear for them.
-std::span<const transfer_rule> rules_for(const scheme_entry& scheme) {
-  if (scheme.info.casimir.exact) return on_a_sphere;
-  return scheme.needs_areas ? std::span(on_a_shell).first(2) : on_a_shell;
-}
-
-/// Nodes and weights for the standard normal (Golub and Welsch, Math. Comp. 23 (1969) 221).
-struct normal_rule {
-  Eigen::VectorXd nodes, weights;
-  explicit normal_rule(int n) {
-    Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(n, n);
-    for (int k = 1; k < n; ++k) jacobi(k, k - 1) = jacobi(k - 1, k) = std::sqrt(k);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(jacobi);
-    nodes = eigen.eigenvalues();
-    weights = eigen.eigenvectors().row(0).cwiseAbs2();
-  }
-};
-
-/// The noise of one step as one path of as many steps as there are nodes.
-struct noise_nodes {
-  double dt;
-  std::vector<double> dw, area, weight;
-  increment_view path() const { return {dt, static_cast<int>(weight.size()), dw, area}; }
-};
-
-noise_nodes nodes_of(const model& m, bool with_areas, double dt, const transfer_rule& rule) {
-  const int channels = m.channels(), active = m.active_channels(), pairs = channels * (channels - 1) / 2;
-  const int areas = with_areas && active > 1 ? pairs : 0;
-  const normal_rule hermite(rule.hermite), area(rule.area);
-  noise_nodes out{dt, {}, {}, {}};
-  std::vector<int> at(static_cast<std::size_t>(active + areas), 0);
-  const auto axis = [&](int d) -> const normal_rule& { return d < active ? hermite : area; };
-  for (bool more = true; more;) {
-    double weight = 1;
-    for (int d = 0; d < active + areas; ++d) weight *= axis(d).weights[at[static_cast<std::size_t>(d)]];
-    if (weight > negligible) {
-      out.weight.push_back(weight);
-      const auto node = [&](int d) { return axis(d).nodes[at[static_cast<std::size_t>(d)]]; };
-      for (int k = 0; k < channels; ++k) out.dw.push_back(k < active ? std::sqrt(dt) * node(k) : 0);
-      for (int k = 0; with_areas && k < pairs; ++k) out.area.push_back(k < areas ? dt / 2 * node(active + k) : 0);
-    }
-    more = false;
-    for (int d = 0; d < active + areas && !more; ++d) {
-      auto& i = at[static_cast<std::size_t>(d)];
-      more = ++i < axis(d).nodes.size();
-      if (!more) i = 0;
-    }
-  }
-  return out;
-}
+constexpr double widest = 0.8;  // of log(radius), to either side
 
 /// Calls use(first point, lanes in use, nodes, states of these nodes [node][component][lane]) for all points and nodes.
 template <class Use>
@@ -176,33 +116,13 @@ Eigen::RowVectorXd transfer_operator::stationary_law() const {
 transfer_operator make_transfer(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,
                                 const transfer_rule& rule) {
   const auto stepper = scheme.make(dt);
-  const auto noise = nodes_of(*s.model, scheme.needs_areas, dt, rule);
+  const auto noise = nodes_of(*s.model, scheme.needs_areas, dt, rule.noise);
   const double c = length(s.scene.momentum);
-  const shell around = rule.radial == 1 ? shell{c, c} : shell_around(*stepper, c, noise, steps, rule.deviations);
-  transfer_operator out{shell_basis(rule.degree, rule.radial, around), {}};
+  const auto& [degree, radial, deviations] = rule.basis;
+  const shell around = radial == 1 ? shell{c, c} : shell_around(*stepper, c, noise, steps, deviations);
+  transfer_operator out{shell_basis(degree, radial, around), {}};
   out.matrix = out.basis.coefficients(mapped_basis(*stepper, out.basis, noise));
   if (!out.matrix.col(0).hasNaN()) out.matrix.col(0) = Eigen::VectorXd::Unit(out.matrix.rows(), 0);  // T 1 = 1
-  return out;
-}
-
-transfer_answer refine(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,
-                       const transfer_question& question) {
-  const auto rules = rules_for(scheme);
-  const Eigen::ArrayXd floor = rounding * static_cast<double>(steps) * question.scale.array();
-  transfer_answer out;
-  for (const auto& rule : rules) {
-    const Eigen::VectorXd error = question.ask(make_transfer(s, scheme, dt, steps, rule)) - question.exact;
-    const bool first = out.error.size() == 0;
-    const Eigen::ArrayXd change = (first ? error : Eigen::VectorXd(error - out.error)).array().abs();
-    out.error = error;
-    out.uncertainty = change.max(floor);
-    out.rule = rule;
-    if (!error.allFinite()) return out;
-    const Eigen::ArrayXd relative = error.array().abs() / question.scale.array();
-    const Eigen::ArrayXd allowed = question.tolerance * relative.max(relative.maxCoeff() / 10) * question.scale.array();
-    out.resolved = !first && (out.uncertainty.array() <= allowed.max(10 * floor)).all();
-    if (out.resolved) return out;
-  }
   return out;
 }
 

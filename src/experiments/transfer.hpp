@@ -4,8 +4,7 @@
 // kernel for every point of a quadrature; the result is projected on the functions of shell_basis.hpp: on the sphere
 // for schemes that keep it, else on a shell around it. Then law_0 T^n is the law of n steps, its product with the
 // coefficients of f is E[f(Pi_n)] without sampling error, and the law that T leaves as it is is the scheme's stationary
-// law. What is left is the error of the projection and of the rules: all are refined until two successive answers
-// agree.
+// law. What is left is the error of the projection and of the rules (transfer_refine.hpp).
 //
 // Areas, where a scheme asks for them: the weak surrogate of ensemble/paths.hpp, independent normals of variance
 // dt^2/4. Near a shell functions go on as polynomials of the radius; a path far beyond is taken back (Milstein and
@@ -17,6 +16,7 @@
 #include <optional>
 #include <string>
 
+#include "experiments/noise_nodes.hpp"
 #include "experiments/shell_basis.hpp"
 #include "experiments/subject.hpp"
 
@@ -25,13 +25,17 @@ namespace polhode {
 /// The sphere on which a scene's diffusion lives; nothing where the system is not a rigid body.
 std::optional<sphere_problem> sphere_problem_of(const subject&);
 
-/// How finely the operator is computed.
-struct transfer_rule {
+/// The functions on which the operator acts.
+struct basis_rule {
   int degree;         ///< of the harmonics
   int radial;         ///< Chebyshev polynomials; 1 on a sphere
-  int hermite;        ///< nodes a channel
-  int area;           ///< nodes an area
   double deviations;  ///< of the radius in `steps` steps that the shell covers; 0 on a sphere
+};
+
+/// How finely the operator is computed.
+struct transfer_rule {
+  basis_rule basis;
+  noise_rule noise;
 };
 
 struct transfer_operator {
@@ -46,21 +50,5 @@ struct transfer_operator {
 /// steps: over which the shell is to hold the radius of a scheme that leaves the sphere.
 transfer_operator make_transfer(const subject&, const scheme_entry&, double dt, std::int64_t steps,
                                 const transfer_rule&);
-
-/// Numbers that an operator answers, and what they are compared with.
-struct transfer_question {
-  std::function<Eigen::VectorXd(const transfer_operator&)> ask;
-  Eigen::VectorXd exact, scale;  ///< scale: the size of what is averaged, by which errors of several are compared
-  double tolerance = 1e-4;       ///< of each error, or of a tenth of the largest
-};
-
-struct transfer_answer {
-  Eigen::VectorXd error, uncertainty;  ///< of the answers less the exact ones
-  transfer_rule rule;                  ///< with which they were found
-  bool resolved = false;               ///< to the tolerance
-};
-
-/// Refines until two successive answers agree to the tolerance; their difference is the uncertainty.
-transfer_answer refine(const subject&, const scheme_entry&, double dt, std::int64_t steps, const transfer_question&);
 
 }  // namespace polhode

@@ -50,8 +50,18 @@ const column_fit* slowest(const std::vector<column_fit>& fits) {
   return out;
 }
 
-report::verdict without_fit(const claim& c, double expected, const error_table& t,
-                            const std::vector<error_column>& columns) {
+bool has_value(const std::optional<order_fit>& fit) { return fit.has_value(); }
+
+/// A fit a column; empty where it has fewer than four clear levels.
+std::vector<std::optional<order_fit>> fits_of(const error_table& t, std::size_t columns) {
+  std::vector<std::optional<order_fit>> out;
+  for (std::size_t k = 0; k < columns; ++k)
+    out.push_back(fit_order(t.dt, clear_errors(t, static_cast<Eigen::Index>(k)), 0));
+  return out;
+}
+
+/// Of the columns' scales; not finite where an error is not.
+double largest_error(const error_table& t, const std::vector<error_column>& columns) {
   double largest = 0;
   for (std::size_t i = 0; i < t.dt.size(); ++i)
     for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -59,70 +69,111 @@ report::verdict without_fit(const claim& c, double expected, const error_table& 
       const double most = (std::fabs(t.error[i][column]) + t.uncertainty[i][column]) / columns[k].scale;
       largest = std::isfinite(most) ? std::max(largest, most) : most;
     }
+  return largest;
+}
+
+report::verdict without_fit(const claim& c, double expected, double largest) {
   report::verdict v{c.experiment, c.scheme, c.text, expected, {}, {}, {}, report::verdict_kind::inconclusive, ""};
-  if (largest < negligible_error) {
+  if (!std::isfinite(largest)) {
+    v.reason = "not finite: a step of the scheme fails";
+  } else if (largest < negligible_error) {
     v.kind = report::verdict_kind::holds;
     v.reason = fmt::format("no error: at most {:.1e} of the observables' size at every dt", largest);
-  } else if (std::isfinite(largest)) {
-    v.kind = report::verdict_kind::skipped;
-    v.reason = fmt::format("not resolved: fewer than four levels with an error of {:g} times its uncertainty", clear);
   } else {
-    v.reason = "not finite: a step of the scheme fails";
+    v.reason = fmt::format("not resolved: fewer than four levels with an error of {:g} times its uncertainty", clear);
   }
   return v;
 }
 
+report::verdict judge(const order_question& q, double expected, const error_table& t,
+                      const std::vector<std::optional<order_fit>>& fits) {
+  if (std::ranges::none_of(fits, has_value))
+    return without_fit({q.experiment, t.scheme, q.claim}, expected, largest_error(t, q.columns));
+  return judge_columns(q, expected, t.scheme, fits);
+}
+
+/// There is a slope, but it says nothing yet.
+bool unsettled(const order_question& q, double expected, const error_table& t) {
+  const auto fits = fits_of(t, q.columns.size());
+  return std::ranges::any_of(fits, has_value) && judge(q, expected, t, fits).kind == report::verdict_kind::inconclusive;
+}
+
 }  // namespace
+
+report::verdict judge_columns(const order_question& q, double expected, const std::string& scheme,
+                              const std::vector<std::optional<order_fit>>& found) {
+  std::vector<column_fit> fits;
+  for (std::size_t k = 0; k < found.size(); ++k)
+    if (found[k]) fits.push_back({q.columns[k].observable, *found[k]});
+  const claim c{q.experiment, scheme, q.claim};
+  if (fits.empty()) return judge_order(c, expected, std::nullopt, true);
+  const auto* deciding = slowest(fits);
+  auto v = judge_order(c, expected, deciding->fit, true);
+  v.reason += fmt::format("; {} decides, the slowest of {}", deciding->observable, fits.size());
+  return v;
+}
+
+void error_table::add(double step, const transfer_answer& answer) {
+  dt.push_back(step);
+  error.push_back(answer.error);
+  uncertainty.push_back(answer.uncertainty);
+}
 
 double weak_order_on(const scheme_info& info, noise_class noise) {
   const auto& w = info.weak_order;
   return noise == noise_class::one_vector ? w.one_vector : noise == noise_class::isotropic ? w.isotropic : w.general;
 }
 
-std::vector<error_table> answer_all(
-    const context& c, const std::vector<scheme_entry>& schemes, const level_grid& grid,
-    const std::function<transfer_question(const scheme_entry&, std::int64_t steps)>& question) {
-  const std::size_t levels = grid.steps.size();
-  std::vector<transfer_answer> answers(schemes.size() * levels);
-  progress_counter done(static_cast<int>(answers.size()), c.progress);
-  parallel_for(c.threads, static_cast<int>(answers.size()), [&](int task) {
-    const auto i = static_cast<std::size_t>(task) % levels, k = static_cast<std::size_t>(task) / levels;
-    answers[static_cast<std::size_t>(task)] =
-        refine(c.subject, schemes[k], grid.dt()[i], grid.steps[i], question(schemes[k], grid.steps[i]));
-    done.add();
-  });
-  std::vector<error_table> out;
+std::vector<error_table> answer_all(const context& c, const std::vector<scheme_entry>& schemes, const level_grid& grid,
+                                    const order_question& q) {
+  struct task {
+    std::size_t scheme;
+    std::int64_t steps;
+  };
+  std::vector<error_table> out(schemes.size());
+  const auto answer = [&](const std::vector<task>& tasks, const std::function<void(double)>& progress) {
+    std::vector<transfer_answer> answers(tasks.size());
+    progress_counter done(static_cast<int>(tasks.size()), progress);
+    const auto step = [&](const task& t) { return grid.horizon / static_cast<double>(t.steps); };
+    parallel_for(c.threads, static_cast<int>(tasks.size()), [&](int i) {
+      const auto& t = tasks[static_cast<std::size_t>(i)];
+      const auto& scheme = schemes[t.scheme];
+      answers[static_cast<std::size_t>(i)] = refine(c.subject, scheme, step(t), t.steps, q.ask(scheme, t.steps));
+      done.add();
+    });
+    for (std::size_t i = 0; i < tasks.size(); ++i) out[tasks[i].scheme].add(step(tasks[i]), answers[i]);
+  };
+  std::vector<task> tasks;
   for (std::size_t k = 0; k < schemes.size(); ++k) {
-    error_table t{std::string(schemes[k].info.name), grid.dt(), {}, {}, {}};
-    for (std::size_t i = 0; i < levels; ++i) {
-      t.error.push_back(answers[k * levels + i].error);
-      t.uncertainty.push_back(answers[k * levels + i].uncertainty);
-      t.resolved.push_back(answers[k * levels + i].resolved);
-    }
-    out.push_back(std::move(t));
+    out[k].scheme = schemes[k].info.name;
+    for (const int steps : grid.steps) tasks.push_back({k, steps});
+  }
+  answer(tasks, c.progress);
+  std::int64_t steps = grid.steps.back();
+  for (int i = 0; i < most_halvings; ++i) {
+    std::erase_if(tasks, [&](const task& t) {
+      return t.steps != steps || !unsettled(q, q.expected(schemes[t.scheme]), out[t.scheme]);
+    });
+    steps *= 2;
+    for (auto& t : tasks) t.steps = steps;
+    answer(tasks, [](double) {});
   }
   return out;
 }
 
-void report_orders(const std::string& experiment, const std::string& text, double expected, const error_table& t,
-                   const std::vector<error_column>& columns, report::results& out) {
-  std::vector<column_fit> fits;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
-    const series s{experiment, t.scheme, columns[k].quantity, columns[k].observable, "", "transfer"};
-    const auto fit = fit_order(t.dt, clear_errors(t, column), 0);
-    record_fit(out, s, fit, levels_of(s, t, column));
-    if (fit) fits.push_back({columns[k].observable, *fit});
+void report_orders(const order_question& q, double expected, const error_table& t, report::results& out) {
+  const auto fits = fits_of(t, q.columns.size());
+  for (std::size_t k = 0; k < q.columns.size(); ++k) {
+    const series s{q.experiment, t.scheme, q.columns[k].quantity, q.columns[k].observable, "", "transfer"};
+    record_fit(out, s, fits[k], levels_of(s, t, static_cast<Eigen::Index>(k)));
   }
-  const claim c{experiment, t.scheme, text};
-  if (fits.empty()) {
-    out.verdicts.push_back(without_fit(c, expected, t, columns));
-    return;
-  }
-  const auto* deciding = slowest(fits);
-  auto v = judge_order(c, expected, deciding->fit, true);
-  v.reason += fmt::format("; {} decides, the slowest of {}", deciding->observable, fits.size());
-  out.verdicts.push_back(std::move(v));
+  out.verdicts.push_back(judge(q, expected, t, fits));
+}
+
+bool unresolved(const error_table& t, const std::vector<error_column>& columns) {
+  const auto fits = fits_of(t, columns.size());
+  const double largest = largest_error(t, columns);
+  return std::isfinite(largest) && largest >= negligible_error && std::ranges::none_of(fits, has_value);
 }
 
 }  // namespace polhode

@@ -8,7 +8,7 @@
 #include "experiments/experiment.hpp"
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
-#include "experiments/transfer.hpp"
+#include "experiments/transfer_refine.hpp"
 
 namespace polhode {
 
@@ -20,12 +20,9 @@ struct error_table {
   std::string scheme;
   std::vector<double> dt;
   std::vector<Eigen::VectorXd> error, uncertainty;
-  std::vector<bool> resolved;
-};
 
-/// Answers of every wanted scheme at every level, in parallel; the same for any number of threads.
-std::vector<error_table> answer_all(const context&, const std::vector<scheme_entry>&, const level_grid&,
-                                    const std::function<transfer_question(const scheme_entry&, std::int64_t steps)>&);
+  void add(double step, const transfer_answer&);
+};
 
 /// What is reported of column i.
 struct error_column {
@@ -33,12 +30,31 @@ struct error_column {
   double scale;
 };
 
+/// What every scheme is asked at every level, and the order it claims.
+struct order_question {
+  std::string experiment, claim;
+  std::vector<error_column> columns;
+  std::function<double(const scheme_entry&)> expected;
+  std::function<transfer_question(const scheme_entry&, std::int64_t steps)> ask;
+};
+
+/// Answers of every scheme at every level, in parallel; the same for any number of threads. While the slope of a
+/// scheme has not settled enough for a verdict its step is halved on, most_halvings times at most.
+std::vector<error_table> answer_all(const context&, const std::vector<scheme_entry>&, const level_grid&,
+                                    const order_question&);
+inline constexpr int most_halvings = 4;
+
 /// A measurement a level (its interval: the uncertainty) and a fit a column over the levels whose error is fifty times
 /// its uncertainty; then the verdict on the order. The slowest column decides: the lowest order among those whose slope
 /// has settled (of all, where none has). A slowest order above the claim holds. Where no column has four such levels,
-/// the claim holds if all errors are below `negligible_error` of their scale, else it is skipped as not resolved;
-/// nothing is concluded where errors are not finite.
-void report_orders(const std::string& experiment, const std::string& claim, double expected, const error_table&,
-                   const std::vector<error_column>&, report::results& out);
+/// the claim holds if all errors are below `negligible_error` of their scale; else nothing is concluded.
+void report_orders(const order_question&, double expected, const error_table&, report::results& out);
+
+/// The verdict on fits of the question's columns, where a column has one.
+report::verdict judge_columns(const order_question&, double expected, const std::string& scheme,
+                              const std::vector<std::optional<order_fit>>&);
+
+/// Are all errors finite, not negligible, and yet too uncertain for an order?
+bool unresolved(const error_table&, const std::vector<error_column>&);
 
 }  // namespace polhode

@@ -125,7 +125,9 @@ order_fit exact_fit(const selection& s, std::size_t count) {
   const line l = weighted_line(p);
   const double half = half_width_of_residuals(p, l);
   auto fit = result_of(s, l, l.slope - half, l.slope + half, count);
-  fit.settled = std::fabs(off_the_others(p)) <= off_the_line;
+  bool straight = std::fabs(off_the_others(p)) <= off_the_line;  // what scatters without sampling is curvature
+  for (std::size_t i = 0; i < p.x.size(); ++i) straight = straight && std::fabs(p.y[i] - l.at(p.x[i])) <= off_the_line;
+  fit.settled = straight;
   fit.finest.value = fit.finest.low = fit.finest.high = slope_at_the_finest(p);
   return fit;
 }
@@ -160,14 +162,17 @@ mean_and_error level_mean(const squared_errors& e, int level) {
   return {mean, std::sqrt(square / e.paths / std::max(1, e.paths - 1))};
 }
 
-std::optional<order_fit> fit_order(std::span<const double> dt, const squared_errors& e, double floor,
-                                   std::uint64_t seed) {
+namespace {
+
+/// The order of mean^power.
+std::optional<order_fit> resampled_fit(std::span<const double> dt, const squared_errors& e, double power,
+                                       double least_mean, std::uint64_t seed) {
   std::vector<level> levels;
   for (int i = 0; i < e.levels; ++i) {
     const auto m = level_mean(e, i);
-    if (!std::isfinite(m.mean) || m.mean <= floor * floor) continue;
-    levels.push_back({i, std::log2(dt[static_cast<std::size_t>(i)]), 0.5 * std::log2(m.mean),
-                      std::max(1e-12, 0.5 * m.error / m.mean / std::log(2.0))});
+    if (!std::isfinite(m.mean) || m.mean <= least_mean) continue;
+    levels.push_back({i, std::log2(dt[static_cast<std::size_t>(i)]), power * std::log2(m.mean),
+                      std::max(1e-12, power * m.error / m.mean / std::log(2.0))});
   }
   const auto s = select_levels(levels, e.levels - static_cast<int>(levels.size()));
   if (s.levels.size() < least_levels) return std::nullopt;
@@ -178,7 +183,7 @@ std::optional<order_fit> fit_order(std::span<const double> dt, const squared_err
   for (int r = 0; r < replicates; ++r) {
     const auto mean = means(e, resample(seed, r, e.paths));
     for (std::size_t k = 0; k < s.levels.size(); ++k)
-      p.y[k] = 0.5 * std::log2(mean[static_cast<std::size_t>(s.levels[k].index)]);
+      p.y[k] = power * std::log2(mean[static_cast<std::size_t>(s.levels[k].index)]);
     slopes.push_back(weighted_line(p).slope);
     off.push_back(off_the_others(p));
     finest.push_back(slope_at_the_finest(p));
@@ -190,6 +195,18 @@ std::optional<order_fit> fit_order(std::span<const double> dt, const squared_err
   const auto [slowest, fastest] = central_interval(finest, 0.95);
   fit.finest = {last, slowest, fastest};
   return fit;
+}
+
+}  // namespace
+
+std::optional<order_fit> fit_order(std::span<const double> dt, const squared_errors& e, double floor,
+                                   std::uint64_t seed) {
+  return resampled_fit(dt, e, 0.5, floor * floor, seed);
+}
+
+std::optional<order_fit> fit_order_of_means(std::span<const double> dt, const squared_errors& values,
+                                            std::uint64_t seed) {
+  return resampled_fit(dt, values, 1, 0, seed);
 }
 
 error_model fit_error_model(std::span<const double> dt, const squared_errors& e, const std::vector<bool>& used,

@@ -3,8 +3,8 @@
 // The rule on levels is fixed in advance: levels at the rounding floor and levels that are not finite are left out; of
 // the rest the finest six are taken; the coarsest of these is left out as pre-asymptotic while it lies off the line
 // through the others by more than 0.05 in log2 and more than three standard errors. At least four levels stay, or there
-// is no fit. Where the coarsest of those that stay is still off by more than 0.05 (its 95 % interval, paths resampled)
-// the slope has not settled.
+// is no fit. Where the coarsest of those that stay is still off by more than 0.05 (its 95 % interval, paths resampled), or
+// without sampling error any of them off the line through all, the slope has not settled.
 #pragma once
 
 #include <cstdint>
@@ -47,6 +47,11 @@ mean_and_error level_mean(const squared_errors&, int level);
 
 /// Root-mean-square errors against dt, weighted least squares; the interval by resampling paths (levels share them).
 std::optional<order_fit> fit_order(std::span<const double> dt, const squared_errors&, double floor, std::uint64_t seed);
+
+/// The order of the mean itself of any values of coupled levels. Levels whose mean is not positive are left out, and
+/// the others must be well clear of zero, as resampled means have a logarithm too.
+std::optional<order_fit> fit_order_of_means(std::span<const double> dt, const squared_errors& values,
+                                            std::uint64_t seed);
 
 /// The mean square error in powers of dt, weighted least squares over the used levels.
 struct error_model {

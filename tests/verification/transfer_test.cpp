@@ -115,7 +115,7 @@ TEST(Transfer, IsWhatSampledPathsDo) {
   for (const auto* name : {"lie_euler", "implicit_midpoint", "strang", "magnus", "heun", "milstein"}) {
     const auto& e = scheme_of(s, name);
     const bool sphere = e.info.casimir.exact;
-    const auto rule = sphere ? transfer_rule{12, 1, 5, 2, 0} : transfer_rule{8, 5, 4, 2, 4};
+    const auto rule = sphere ? transfer_rule{{12, 1, 0}, {5, 2}} : transfer_rule{{8, 5, 4}, {4, 2}};
     const auto [mean, error] = sampled_energy(s, e, dt, steps, 1000);
     EXPECT_LT(error, 5e-4);
     EXPECT_NEAR(transferred_energy(s, e, dt, steps, rule), mean, 4 * error) << name;
@@ -125,15 +125,15 @@ TEST(Transfer, IsWhatSampledPathsDo) {
 TEST(Transfer, ThreeNodesAnAreaAreEnough) {
   const auto s = bind_scene(load_scene("paper"));
   const auto& e = scheme_of(s, "magnus");
-  const double three = transferred_energy(s, e, 0.25, 8, {10, 1, 5, 3, 0}),
-               four = transferred_energy(s, e, 0.25, 8, {10, 1, 5, 4, 0});
+  const double three = transferred_energy(s, e, 0.25, 8, {{10, 1, 0}, {5, 3}}),
+               four = transferred_energy(s, e, 0.25, 8, {{10, 1, 0}, {5, 4}});
   EXPECT_NEAR(three, four, 1e-4 * 5.6e-4) << "of its weak error";
 }
 
 TEST(Transfer, KeepsConstantsAndTheUniformLawOfAFreeSplitting) {
   auto scene = load_scene("undamped");
   const auto s = bind_scene(scene);
-  const auto op = make_transfer(s, scheme_of(s, "strang"), 0.25, 8, {12, 1, 7, 3, 0});
+  const auto op = make_transfer(s, scheme_of(s, "strang"), 0.25, 8, {{12, 1, 0}, {7, 3}});
   const auto law = op.stationary_law();
   EXPECT_LT(law.tail(law.size() - 1).norm(), 1e-8);
   EXPECT_NEAR(law.dot(op.basis.coefficients([](const Eigen::Vector3d&) { return 1.0; })), 1, 1e-13);

@@ -1,0 +1,121 @@
+#include "experiments/transfer_refine.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace polhode {
+namespace {
+
+constexpr std::array sphere_bases{basis_rule{12, 1, 0}, basis_rule{16, 1, 0}, basis_rule{20, 1, 0},
+                                  basis_rule{24, 1, 0}, basis_rule{32, 1, 0}, basis_rule{40, 1, 0}};
+constexpr std::array sphere_nodes{5, 7, 9, 11, 13};
+constexpr std::array shell_bases{basis_rule{8, 5, 4}, basis_rule{10, 6, 4.5}, basis_rule{12, 7, 5},
+                                 basis_rule{16, 7, 5}};
+constexpr std::array shell_nodes{4, 5, 6, 7};
+constexpr std::array area_nodes{2, 3, 4};
+constexpr double most_multiplications = 3e10;  // of one operator
+constexpr double rounding = 1e-15;             // of a step, relative
+
+/// Points of the basis times nodes of the noise times functions.
+double cost_of(const model& m, bool with_areas, const transfer_rule& rule) {
+  const int active = m.active_channels(), areas = with_areas ? active * (active - 1) / 2 : 0;
+  const double functions = (rule.basis.degree + 1.0) * (rule.basis.degree + 1.0) * rule.basis.radial;
+  return 2 * functions * functions * std::pow(rule.noise.channel, active) * std::pow(rule.noise.area, areas);
+}
+
+/// The answers' errors of one scheme at one step size, by rule.
+class asked {
+ public:
+  asked(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps, const transfer_question& q)
+      : subject_(s),
+        scheme_(scheme),
+        dt_(dt),
+        steps_(steps),
+        question_(q),
+        floor_(rounding * static_cast<double>(steps) * q.scale.array()) {}
+
+  bool affordable(const transfer_rule& rule) const {
+    return cost_of(*subject_.model, scheme_.needs_areas, rule) <= most_multiplications;
+  }
+  Eigen::ArrayXd error(const transfer_rule& rule) const {
+    return question_.ask(make_transfer(subject_, scheme_, dt_, steps_, rule)) - question_.exact;
+  }
+  bool small(const Eigen::ArrayXd& change, const Eigen::ArrayXd& error) const {
+    const Eigen::ArrayXd scale = question_.scale.array(), relative = error.abs() / scale;
+    const Eigen::ArrayXd worth = relative.max(relative.maxCoeff() / 10) * scale;
+    return (change <= (question_.tolerance * worth).max(10 * floor_)).all();
+  }
+  const Eigen::ArrayXd& floor() const { return floor_; }
+
+ private:
+  const subject& subject_;
+  const scheme_entry& scheme_;
+  double dt_;
+  std::int64_t steps_;
+  const transfer_question& question_;
+  Eigen::ArrayXd floor_;
+};
+
+/// Refines one part of a rule while `small(change)` does not hold; rule_at(i) is the whole rule with its i-th choice.
+struct refined {
+  std::size_t used = 0;   ///< the last choice tried
+  Eigen::ArrayXd error;   ///< with it
+  Eigen::ArrayXd change;  ///< from the one before
+};
+template <class RuleAt, class Small>
+refined refine_part(const asked& answers, Eigen::ArrayXd first, std::size_t choices, const RuleAt& rule_at,
+                    const Small& small) {
+  refined out{0, first, first.abs()};
+  while (out.used + 1 < choices && answers.affordable(rule_at(out.used + 1))) {
+    const Eigen::ArrayXd next = answers.error(rule_at(++out.used));
+    out.change = (next - out.error).abs();
+    out.error = next;
+    if (small(out)) break;
+  }
+  return out;
+}
+
+}  // namespace
+
+transfer_answer refine(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,
+                       const transfer_question& question) {
+  const bool sphere = scheme.info.casimir.exact;
+  const auto bases = sphere ? std::span<const basis_rule>(sphere_bases) : shell_bases;
+  const auto nodes = sphere ? std::span<const int>(sphere_nodes) : shell_nodes;
+  const noise_rule least{nodes[0], area_nodes[0]};
+  const asked answers(s, scheme, dt, steps, question);
+  const Eigen::ArrayXd coarsest = answers.error({bases[0], least});
+  if (!coarsest.allFinite()) return {coarsest, answers.floor(), false};
+
+  const auto basis = refine_part(
+      answers, coarsest, bases.size(),
+      [&](std::size_t i) {
+        return transfer_rule{bases[i], least};
+      },
+      [&](const refined& r) { return answers.small(r.change, r.error); });
+  const auto small_noise = [&](const refined& r) { return answers.small(r.change, basis.error); };
+  const auto channel = refine_part(
+      answers, coarsest, nodes.size(),
+      [&](std::size_t i) {
+        return transfer_rule{bases[0], {nodes[i], least.area}};
+      },
+      small_noise);
+  const auto area = refine_part(
+      answers, coarsest, scheme.needs_areas ? area_nodes.size() : 1,
+      [&](std::size_t i) {
+        return transfer_rule{bases[0], {least.channel, area_nodes[i]}};
+      },
+      small_noise);
+
+  // The last change was small, so the choice before it does as well, at a fraction of the cost.
+  const std::size_t n = std::max<std::size_t>(channel.used, 1) - 1, m = std::max<std::size_t>(area.used, 1) - 1;
+  const auto error = n + m == 0 ? basis.error : answers.error({bases[basis.used], {nodes[n], area_nodes[m]}});
+  Eigen::ArrayXd change = basis.change + channel.change;
+  if (scheme.needs_areas) change += area.change;
+  change = change.max(answers.floor());
+  return {error, change, error.allFinite() && answers.small(change, error)};
+}
+
+}  // namespace polhode
