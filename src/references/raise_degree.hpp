@@ -23,7 +23,7 @@ struct projected_value {
 inline std::string not_converged(double tolerance, int degree, double needed) {
   std::string text = fmt::format("not converged to {:.1g}: ", tolerance);
   text += degree > 0 ? fmt::format("degree {} is the last that is affordable", degree) : "no affordable degree answers";
-  if (!(needed > degree)) return text;
+  if (!(needed > 2 * degree)) return text;                               // within what the rule is worth
   const double unit = std::pow(10, std::floor(std::log10(needed)) - 1);  // two digits: it is a rule of thumb
   return text + fmt::format(", and about {:.0f} would be needed", unit * std::round(needed / unit));
 }
