@@ -1,8 +1,10 @@
 // One experiment: what it asks, its plots, its fits, its verdicts, and what was measured.
 #include <algorithm>
+#include <iterator>
 
 #include "reports/writers/html_parts.hpp"
 #include "reports/writers/numbers.hpp"
+#include "reports/writers/places.hpp"
 #include "reports/writers/series.hpp"
 #include "reports/writers/text.hpp"
 
@@ -45,19 +47,36 @@ void put_claims(std::string& out, const results& r, const std::vector<const verd
   out += "</tbody>\n</table>\n</div>\n";
 }
 
+void put_figure(std::string& out, const std::string& title, const std::string& picture) {
+  put(out, "<figure>\n<figcaption>{}</figcaption>\n{}</figure>\n", escape_html(title), picture);
+}
+
+// What is known of the scene itself, without a scheme.
+void put_facts(std::string& out, const results& r, const std::string& name) {
+  const auto facts = facts_of(r, name);
+  if (facts.empty()) return;
+  out += "<dl class=\"facts\">\n";
+  for (const auto* m : facts) {
+    std::string value = status_of(*m) == "ok" ? "" : status_of(*m);
+    if (finite(m->value)) value = shown_certain(*m) + (value.empty() ? "" : "; " + value);
+    put(out, "<div><dt>{}</dt><dd>{}</dd></div>\n", escape_html(as_written(m->quantity)), escape_html(value));
+  }
+  out += "</dl>\n";
+}
+
 // A single plot shares its line with the board, where the page is wide enough for both.
 void put_plots_and_claims(std::string& out, const results& r, const std::string& name,
                           const std::vector<const verdict*>& rows) {
-  const auto plots = plots_of(r, name);
+  auto plots = plots_of(r, name);
+  std::ranges::move(place_curves_of(r, name), std::back_inserter(plots));
+  const auto maps = place_maps_of(r, name);
   const auto claims = claims_of(rows).size();
-  const bool beside = plots.size() == 1 && claims > 0 && claims <= 3;
-  if (!plots.empty()) out += "<div class=\"plots\">\n";
-  for (const auto& one : plots) {
-    put(out, "<figure>\n<figcaption>{}</figcaption>\n", escape_html(one.title));
-    out += to_svg(one, svg_use::inside_html) + "</figure>\n";
-  }
+  const bool beside = plots.size() + maps.size() == 1 && claims > 0 && claims <= 3;
+  if (!plots.empty() || !maps.empty()) out += "<div class=\"plots\">\n";
+  for (const auto& one : plots) put_figure(out, one.title, to_svg(one, svg_use::inside_html));
+  for (const auto& one : maps) put_figure(out, one.title, to_svg(one, svg_use::inside_html));
   if (beside) put_claims(out, r, rows);
-  if (!plots.empty()) out += "</div>\n";
+  if (!plots.empty() || !maps.empty()) out += "</div>\n";
   if (!beside && claims > 1 && claims <= most_claims) put_claims(out, r, rows);
 }
 
@@ -135,6 +154,7 @@ void put_experiment(std::string& out, const results& r, const std::string& name,
   const auto* declared = find_experiment(r, name);
   put(out, "<section class=\"experiment\" id=\"experiment-{}\">\n<h2>{}</h2>\n", index, escape_html(name));
   put_question(out, declared);
+  put_facts(out, r, name);
   put_plots_and_claims(out, r, name, rows);
   put_fits(out, r, name);
   put_verdicts(out, rows);

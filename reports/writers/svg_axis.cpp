@@ -41,7 +41,7 @@ std::string even_label(double value, double step) {
 
 }  // namespace
 
-axis::axis(bool logarithmic, const std::vector<double>& values) : logarithmic_(logarithmic) {
+axis::axis(bool logarithmic, const std::vector<double>& values, bool tight) : logarithmic_(logarithmic) {
   bool any = false;
   for (double value : values) {
     if (!std::isfinite(value) || (logarithmic && value <= 0)) continue;
@@ -50,6 +50,7 @@ axis::axis(bool logarithmic, const std::vector<double>& values) : logarithmic_(l
     most_ = any ? std::max(most_, value) : value;
     any = true;
   }
+  if (tight && most_ - least_ > 1e-12 * std::max(std::abs(least_), std::abs(most_))) return;
   const double size = std::max(std::abs(least_), std::abs(most_));
   double air = 0.05 * (most_ - least_);
   if (logarithmic) air = std::max(air, 0.06);

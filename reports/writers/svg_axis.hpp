@@ -15,8 +15,8 @@ struct tick {
 /// Works in log10 where logarithmic, so that no number of a double's range overflows.
 class axis {
  public:
-  /// Covers the values with some air. Where logarithmic, only positive ones count.
-  axis(bool logarithmic, const std::vector<double>& values);
+  /// Covers the values, with some air unless it is to be tight. Where logarithmic, only positive ones count.
+  axis(bool logarithmic, const std::vector<double>& values, bool tight = false);
 
   /// From now on places run from `from` (least value) to `to` (greatest).
   void place_between(double from, double to);

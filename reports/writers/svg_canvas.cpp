@@ -68,35 +68,61 @@ void put_levels(std::string& out, const canvas& c) {
 
 }  // namespace
 
-canvas::canvas(const plot& p) : content(p), x(p.log_x, abscissas(p)), y(p.log_y, ordinates(p)) {
-  y.place_between(bottom, top);
+void put_svg_head(std::string& out, const std::string& title, double height, svg_use use) {
+  put(out, "<svg {}class=\"plot\" viewBox=\"0 0 {} {:.0f}\" role=\"img\" aria-label=\"{}\">\n",
+      use == svg_use::standalone ? "xmlns=\"http://www.w3.org/2000/svg\" " : "", frame::width, height,
+      escape_html(title));
+  if (use == svg_use::standalone)
+    put(out, "<style>{}</style>\n<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n", plot_style());
+}
+
+void put_paper(std::string& out, const frame& f) {
+  put(out, "<rect class=\"paper\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", f.left, f.top,
+      f.right - f.left, f.bottom - f.top);
+}
+
+void put_ticks(std::string& out, const frame& f, const axis& x, const axis& y, bool grid) {
+  for (const auto& t : x.ticks()) {
+    if (t.major && grid) put(out, "<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>\n", t.place, f.top, f.bottom);
+    put(out, "<path class=\"tick\" d=\"M{:.1f} {:.1f}v{}\"/>\n", t.place, f.bottom, t.label.empty() ? 3 : 5);
+    if (!t.label.empty())
+      put(out, "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", t.place, f.bottom + 18, t.label);
+  }
+  for (const auto& t : y.ticks()) {
+    if (t.major && grid) put(out, "<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>\n", f.left, t.place, f.right);
+    put(out, "<path class=\"tick\" d=\"M{:.1f} {:.1f}h-{}\"/>\n", f.left, t.place, t.label.empty() ? 3 : 5);
+    if (!t.label.empty())
+      put(out, "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n", f.left - 8, t.place + 4.5, t.label);
+  }
+}
+
+void put_frame(std::string& out, const frame& f, const std::string& x_title, const std::string& y_title) {
+  put(out, "<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", f.left, f.top,
+      f.right - f.left, f.bottom - f.top);
+  put(out, "<text class=\"soft\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", (f.left + f.right) / 2,
+      f.bottom + 38, escape_html(shortened(x_title, 50)));
+  put(out, "<text class=\"soft\" transform=\"translate(13 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+      (f.top + f.bottom) / 2, escape_html(shortened(y_title, 40)));
+}
+
+frame place_in_frame(axis& x, axis& y) {
+  frame f;
+  y.place_between(f.bottom, f.top);
   std::size_t longest = 0;
   for (const auto& t : y.ticks()) longest = std::max(longest, letters(t.label));
-  left = 34 + 7.2 * static_cast<double>(std::min<std::size_t>(longest, 14));
-  x.place_between(left, right);
+  f.left = 34 + 7.2 * static_cast<double>(std::min<std::size_t>(longest, 14));
+  x.place_between(f.left, f.right);
+  return f;
+}
+
+canvas::canvas(const plot& p) : content(p), x(p.log_x, abscissas(p)), y(p.log_y, ordinates(p)) {
+  static_cast<frame&>(*this) = place_in_frame(x, y);
 }
 
 void put_axes(std::string& out, const canvas& c) {
-  put(out, "<rect class=\"paper\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", c.left, c.top,
-      c.right - c.left, c.bottom - c.top);
-  for (const auto& t : c.x.ticks()) {
-    if (t.major) put(out, "<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>\n", t.place, c.top, c.bottom);
-    put(out, "<path class=\"tick\" d=\"M{:.1f} {:.1f}v{}\"/>\n", t.place, c.bottom, t.label.empty() ? 3 : 5);
-    if (!t.label.empty())
-      put(out, "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", t.place, c.bottom + 18, t.label);
-  }
-  for (const auto& t : c.y.ticks()) {
-    if (t.major) put(out, "<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>\n", c.left, t.place, c.right);
-    put(out, "<path class=\"tick\" d=\"M{:.1f} {:.1f}h-{}\"/>\n", c.left, t.place, t.label.empty() ? 3 : 5);
-    if (!t.label.empty())
-      put(out, "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n", c.left - 8, t.place + 4.5, t.label);
-  }
-  put(out, "<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", c.left, c.top,
-      c.right - c.left, c.bottom - c.top);
-  put(out, "<text class=\"soft\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", (c.left + c.right) / 2,
-      c.bottom + 38, escape_html(shortened(c.content.x_title, 50)));
-  put(out, "<text class=\"soft\" transform=\"translate(13 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-      (c.top + c.bottom) / 2, escape_html(shortened(c.content.y_title, 40)));
+  put_paper(out, c);
+  put_ticks(out, c, c.x, c.y, true);
+  put_frame(out, c, c.content.x_title, c.content.y_title);
 }
 
 void put_guides(std::string& out, const canvas& c) {

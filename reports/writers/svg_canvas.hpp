@@ -21,12 +21,24 @@ void put(std::string& out, fmt::format_string<Values...> text, Values&&... value
   fmt::format_to(std::back_inserter(out), text, std::forward<Values>(values)...);
 }
 
-/// Where everything stands. On a logarithmic ordinate |y| is what is drawn.
-struct canvas {
+/// The field between the axes, the same in every picture but for its left, which leaves room for labels.
+struct frame {
   static constexpr double width = 440, top = 12, bottom = 302, right = 426;
+  double left = 0;
+};
+
+/// Places both axes; the labels of the ordinate decide the left.
+frame place_in_frame(axis& x, axis& y);
+
+void put_svg_head(std::string& out, const std::string& title, double height, svg_use);
+void put_paper(std::string& out, const frame&);
+void put_ticks(std::string& out, const frame&, const axis& x, const axis& y, bool grid);
+void put_frame(std::string& out, const frame&, const std::string& x_title, const std::string& y_title);
+
+/// Where everything stands. On a logarithmic ordinate |y| is what is drawn.
+struct canvas : frame {
   const plot& content;
   axis x, y;
-  double left = 0;
 
   explicit canvas(const plot&);
   double magnitude(double value) const { return content.log_y ? std::abs(value) : value; }

@@ -160,11 +160,7 @@ std::string to_svg(const plot& p, svg_use use) {
   const std::string remark = remarks(c);
   const double height = legend_top + key.height() + (remark.empty() ? -6 : 14);
   std::string out;
-  put(out, "<svg {}class=\"plot\" viewBox=\"0 0 {} {:.0f}\" role=\"img\" aria-label=\"{}\">\n",
-      use == svg_use::standalone ? "xmlns=\"http://www.w3.org/2000/svg\" " : "", canvas::width, height,
-      escape_html(p.title));
-  if (use == svg_use::standalone)
-    put(out, "<style>{}</style>\n<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n", plot_style());
+  put_svg_head(out, p.title, height, use);
   put_axes(out, c);
   put_guides(out, c);
   out += "<g class=\"all\">\n";

@@ -32,6 +32,10 @@ std::string_view plot_style() {
 .plot .thin { stroke-width: 1; opacity: .7; }
 .plot .bar { fill: none; stroke: currentColor; stroke-width: 1.1; }
 .plot .dot { fill: currentColor; stroke: var(--paper); stroke-width: .8; }
+.plot .cell { shape-rendering: crispEdges; }
+.plot .under { fill: none; stroke: #fff; stroke-width: 4.5; stroke-linejoin: round; }
+.plot .over { fill: none; stroke: #1f2328; stroke-width: 1.8; stroke-linejoin: round; }
+.plot .mark { fill: #1f2328; stroke: #fff; stroke-width: 1; }
 .plot .hollow { fill: var(--paper); stroke: currentColor; stroke-width: 1.4; }
 .plot .c0 { color: var(--c0); } .plot .c1 { color: var(--c1); } .plot .c2 { color: var(--c2); }
 .plot .c3 { color: var(--c3); } .plot .c4 { color: var(--c4); } .plot .c5 { color: var(--c5); }

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/arguments.hpp"
 #include "cli/terminal.hpp"
@@ -19,7 +20,8 @@ namespace {
 constexpr int inconclusive = 3;
 
 struct arguments {
-  std::string scene = "paper", quantity, observable = "energy", time, degree, format = "text";
+  std::string scene = "paper", quantity, format = "text";
+  std::optional<std::string> observable, time, degree;
 };
 
 double time_option(std::string_view text) {
@@ -61,9 +63,9 @@ std::string text_of(const reference_answer& a) {
 int run(const arguments& given) {
   const auto output = format_option(given.format);
   reference_options options{given.quantity, given.observable, {}, 0};
-  if (!given.time.empty()) options.time = time_option(given.time);
-  if (!given.degree.empty())
-    options.degree = static_cast<int>(integer_option("--degree", given.degree, 1, most_reference_degree));
+  if (given.time) options.time = time_option(*given.time);
+  if (given.degree)
+    options.degree = static_cast<int>(integer_option("--degree", *given.degree, 1, most_reference_degree));
   const auto answer = reference(load_scene(given.scene), options);
   print(output == format::json ? json_of(answer) : text_of(answer));
   return answer.reason.empty() ? 0 : inconclusive;

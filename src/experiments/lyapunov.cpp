@@ -8,6 +8,8 @@
 
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
+#include <numeric>
+#include <string>
 
 #include "ensemble/paths.hpp"
 #include "experiments/experiment.hpp"
@@ -31,6 +33,9 @@ struct axes {
   std::vector<double> sigma, theta;
 };
 
+/// To four digits, so that what is printed of a place is all of it.
+double as_printed(double x) { return std::stod(fmt::format("{:.4g}", x)); }
+
 /// Strengths and dissipations around those at which noise, dissipation and the free motion are of one size. Weaker
 /// noise needs degrees beyond what a map can afford.
 axes axes_of(const sphere_problem& p, effort e) {
@@ -40,8 +45,8 @@ axes axes_of(const sphere_problem& p, effort e) {
   axes out;
   for (int i = 0; i < n; ++i) {
     const double share = static_cast<double>(i) / (n - 1);
-    out.sigma.push_back(std::sqrt(rate) * 0.4 * std::pow(4.0, share));
-    out.theta.push_back(2 * share / p.radius);
+    out.sigma.push_back(as_printed(std::sqrt(rate) * 0.4 * std::pow(4.0, share)));
+    out.theta.push_back(as_printed(2 * share / p.radius));
   }
   return out;
 }
@@ -57,8 +62,23 @@ report::measurement row(const std::string& quantity, const std::string& observab
   return m;
 }
 
+struct root {
+  double theta, uncertainty;
+};
+
+/// The root in that bracket; uncertain by the bracket, and by the uncertainty of lambda_1 over its slope.
+std::optional<root> with_uncertainty(const sphere_problem& p, double sigma, std::pair<double, double> bracket) {
+  const double theta = std::midpoint(bracket.first, bracket.second), step = 0.01 * theta;
+  const auto below = lyapunov(at(p, sigma, theta - step), border_tolerance),
+             above = lyapunov(at(p, sigma, theta + step), border_tolerance);
+  if (!below.lambda1 || !above.lambda1 || !(*above.lambda1 < *below.lambda1)) return std::nullopt;
+  const double slope = (*below.lambda1 - *above.lambda1) / (2 * step);
+  const double lambda = std::max(below.uncertainty, above.uncertainty);
+  return root{theta, (bracket.second - bracket.first) / 2 + lambda / slope};
+}
+
 /// theta > 0 with lambda_1 = 0 at that noise; empty if lambda_1 has one sign on the range, or is not known there.
-std::optional<std::pair<double, double>> border(const sphere_problem& p, double sigma, double most_theta) {
+std::optional<root> border(const sphere_problem& p, double sigma, double most_theta) {
   bool known = true;
   const auto lambda = [&](double theta) {
     const auto found = lyapunov(at(p, sigma, theta), border_tolerance);
@@ -68,18 +88,21 @@ std::optional<std::pair<double, double>> border(const sphere_problem& p, double 
   const double low = 0.02 * most_theta;
   if (!(lambda(low) > 0) || !(lambda(most_theta) < 0) || !known) return std::nullopt;
   std::uintmax_t steps = 30;
-  const auto root = boost::math::tools::toms748_solve(
+  const auto bracket = boost::math::tools::toms748_solve(
       lambda, low, most_theta, [](double a, double b) { return std::fabs(b - a) < border_accuracy * std::fabs(a); },
       steps);
   if (!known) return std::nullopt;
-  return root;
+  return with_uncertainty(p, sigma, bracket);
 }
 
 void report_exponents(const sphere_problem& p, report::results& out) {
   const auto found = lyapunov(p, tolerance);
   out.measurements.push_back(row("lambda_1", "", found.lambda1, found.uncertainty, "per time", found.reason));
   out.measurements.push_back(row("lambda_1 + lambda_2", "", found.sum, found.sum_uncertainty, "per time", ""));
-  if (found.lambda1) out.measurements.push_back(row("kaplan_yorke_dimension", "", found.dimension, 0, "", ""));
+  if (!found.lambda1) return;
+  out.measurements.push_back(row("kaplan_yorke_dimension", "", found.dimension, 0, "", ""));
+  out.measurements.back().low = kaplan_yorke(*found.lambda1 - found.uncertainty, found.sum);
+  out.measurements.back().high = kaplan_yorke(*found.lambda1 + found.uncertainty, found.sum);
 }
 
 void run(const context& c, report::results& out) {
@@ -97,12 +120,11 @@ void run(const context& c, report::results& out) {
       map[static_cast<std::size_t>(i)] = row("lambda_1 map", fmt::format("sigma={:.4g} theta={:.4g}", sigma, theta),
                                              found.lambda1, found.uncertainty, "per time", found.reason);
     } else {
-      const auto root = border(p, sigma, grid.theta.back());
-      curve[static_cast<std::size_t>(i - n * n)] =
-          row("border of chaos", fmt::format("sigma={:.4g}", sigma),
-              root ? std::optional((root->first + root->second) / 2) : std::nullopt,
-              root ? (root->second - root->first) / 2 : 0, "theta",
-              root ? "" : fmt::format("lambda_1 does not change its sign for theta up to {:g}", grid.theta.back()));
+      const auto found = border(p, sigma, grid.theta.back());
+      curve[static_cast<std::size_t>(i - n * n)] = row(
+          "border of chaos", fmt::format("sigma={:.4g}", sigma), found ? std::optional(found->theta) : std::nullopt,
+          found ? found->uncertainty : 0, "theta",
+          found ? "" : fmt::format("lambda_1 is not known to change its sign for theta up to {:g}", grid.theta.back()));
     }
     done.add();
   });

@@ -42,6 +42,7 @@ Eigen::VectorXd exponential_action(const Eigen::SparseMatrix<double>& a, double 
       before = size;
     }
     b *= std::exp(shift * dt);
+    if (!b.allFinite()) break;  // grown beyond all numbers: more steps would not mend it
   }
   return b;
 }

@@ -6,7 +6,7 @@
 namespace polhode {
 
 /// exp(t A) b by scaled and shifted Taylor series to double precision (Al-Mohy and Higham, SIAM J. Sci. Comput. 33
-/// (2011) 488, algorithm 3.2 with m = 55): backward error below 2^-53 |tA|. t >= 0.
+/// (2011) 488, algorithm 3.2 with m = 55): backward error below 2^-53 |tA|. t >= 0. Not finite where it overflows.
 Eigen::VectorXd exponential_action(const Eigen::SparseMatrix<double>& a, double t, Eigen::VectorXd b);
 
 /// About how many products with A that takes.

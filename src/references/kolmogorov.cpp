@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "references/deterministic.hpp"
 #include "references/exponential_action.hpp"
 #include "references/raise_degree.hpp"
 #include "references/sparse_blocks.hpp"
@@ -16,12 +17,25 @@ namespace {
 constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64, 96, 128};
 constexpr double affordable = 1e10;  // multiplications
 constexpr double rounding = 1e-14;   // of what is added up
+constexpr double long_ago = 60;      // relaxation times: exp(-60) hides any constant before it
 
 // Coefficients of a smooth function that are rounding only would tie together blocks that do not talk to each other.
 Eigen::VectorXd observable_coefficients(const sphere_problem& problem, const sphere_function& f, int degree) {
   Eigen::VectorXd c = harmonic_coefficients([&](const Eigen::Vector3d& x) { return f(problem.radius * x); }, degree);
   const double least = rounding * c.norm();
   return c.unaryExpr([&](double x) { return std::fabs(x) < least ? 0 : x; });
+}
+
+/// The stationary mean, where by then every other mode has died; the rate of noise bounds the cost of asking.
+std::optional<reference_value> expectation_long_after(const sphere_problem& problem, const sphere_function& f,
+                                                      double time, double tolerance, int wanted) {
+  if (time * problem.covariance.trace() < long_ago) return std::nullopt;
+  const auto gap = spectral_gap(problem, 1e-3 * problem.covariance.trace());
+  if (!gap.converged() || *gap.value * time < long_ago || gap.uncertainty > 0.1 * *gap.value) return std::nullopt;
+  auto late = mean(problem, stationary(problem, tolerance, wanted), f);
+  if (!late.converged()) return std::nullopt;
+  late.forgotten = true;
+  return late;
 }
 
 }  // namespace
@@ -60,19 +74,28 @@ sparse_matrix backward_operator(const sphere_problem& problem, int degree) {
   return corner;
 }
 
+double needed_degree(const sphere_problem& problem) {
+  const auto [least, most] = std::ranges::minmax(problem.inertia);
+  const double c = problem.radius, shear = c * std::hypot(1, problem.theta * c) * (1 / least - 1 / most);
+  return 10 * std::sqrt(3 * shear / problem.covariance.trace());
+}
+
 reference_value expectation(const sphere_problem& problem, const sphere_function& f, const Eigen::Vector3d& start,
                             double time, double tolerance, int wanted) {
-  if (problem.covariance.isZero(0)) return {.reason = "no noise: the expectation is the solution's own value"};
-  return raise_degree(degrees_to_try(degrees, wanted), tolerance, [&](int degree) -> std::optional<projected_value> {
+  if (problem.covariance.isZero(0)) return on_the_path(problem, f, start, time);
+  if (auto late = expectation_long_after(problem, f, time, tolerance, wanted)) return *late;
+  const double needed = needed_degree(problem);
+  const auto value_at = [&](int degree) -> std::optional<projected_value> {
     const Eigen::VectorXd coefficients = observable_coefficients(problem, f, degree);
     const sparse_matrix whole = backward_operator(problem, degree);
-    const index_set needed = blocks_of(whole, coefficients);
-    const sparse_matrix part = submatrix(whole, needed);
+    const index_set block = blocks_of(whole, coefficients);
+    const sparse_matrix part = submatrix(whole, block);
     if (exponential_action_products(part, time) * static_cast<double>(part.nonZeros()) > affordable) return {};
-    const Eigen::VectorXd y = harmonics_at(start.normalized(), degree)(needed);
-    return projected_value{y.dot(exponential_action(part, time, coefficients(needed))),
+    const Eigen::VectorXd y = harmonics_at(start.normalized(), degree)(block);
+    return projected_value{y.dot(exponential_action(part, time, coefficients(block))),
                            rounding * coefficients.norm() / std::sqrt(4 * std::numbers::pi)};
-  });
+  };
+  return raise_degree(degrees_to_try(degrees, wanted), tolerance, needed, value_at);
 }
 
 reference_value mean(const sphere_problem& problem, const stationary_law& law, const sphere_function& f) {

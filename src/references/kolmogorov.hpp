@@ -32,7 +32,8 @@ struct reference_value {
   std::optional<double> value{};  ///< absent where the question has no answer of this kind
   double uncertainty = 0;         ///< difference of the last two degrees; never below rounding
   int degree = 0;
-  std::string reason{};  ///< empty if converged to the tolerance; else one sentence
+  std::string reason{};    ///< empty if converged to the tolerance; else one sentence
+  bool forgotten = false;  ///< an expectation after so long a time that it is the stationary one
 
   bool converged() const { return value && reason.empty(); }
 };
@@ -47,7 +48,12 @@ sparse_matrix backward_operator(const sphere_problem& problem, int degree);
 
 // degree: 0 lets the program choose; any other is taken as it is, with a lower one to tell how much it still changes.
 
-/// E[f(Pi_time)] from Pi_0 = start (of length radius), time >= 0, to an absolute tolerance. Without noise: no value.
+/// About the degree at which answers of any time settle: ten over the width to which the noise blurs what the drift
+/// draws out, the root of noise over rate of shear. A rule of thumb, for messages. Infinite without noise.
+double needed_degree(const sphere_problem& problem);
+
+/// E[f(Pi_time)] from Pi_0 = start (of length radius), time >= 0, to an absolute tolerance. Without noise: f on the one
+/// path there is.
 reference_value expectation(const sphere_problem& problem, const sphere_function& f, const Eigen::Vector3d& start,
                             double time, double tolerance, int degree = 0);
 

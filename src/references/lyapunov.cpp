@@ -63,13 +63,14 @@ lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance, int
   const auto law = stationary(problem, tolerance / 10);
   const auto energy = mean(problem, law, *named_observable("energy", problem.inertia));
   if (!energy.value) return {.reason = energy.reason};
-  const auto lambda1 =
-      raise_degree(degrees_to_try(degrees, wanted), tolerance, [&](int degree) -> std::optional<projected_value> {
-        const auto frames = operator_on_frames(problem, degree);
-        const auto nu = left_null_vector(frames.generator, affordable);
-        if (!nu) return {};
-        return projected_value{nu->dot(frames.stretching), rounding * frames.stretching.norm()};
-      });
+  const double needed = needed_degree(problem);
+  const auto lambda1_at = [&](int degree) -> std::optional<projected_value> {
+    const auto frames = operator_on_frames(problem, degree);
+    const auto nu = left_null_vector(frames.generator, affordable);
+    if (!nu) return {};
+    return projected_value{nu->dot(frames.stretching), rounding * frames.stretching.norm()};
+  };
+  const auto lambda1 = raise_degree(degrees_to_try(degrees, wanted), tolerance, needed, lambda1_at);
   const double c = problem.radius, trace = Eigen::Array3d(problem.inertia.data()).inverse().sum();
   lyapunov_exponents found;
   found.lambda1 = lambda1.value;
@@ -80,7 +81,7 @@ lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance, int
   found.degree = lambda1.degree;
   found.reason = lambda1.reason;
   if (found.reason.empty() && found.sum_uncertainty > tolerance)
-    found.reason = "the sum is " + not_converged(tolerance, energy.degree) + " on the sphere";
+    found.reason = "the sum is " + not_converged(tolerance, energy.degree, needed) + " on the sphere";
   return found;
 }
 

@@ -82,7 +82,8 @@ bool law_is_unique(const sphere_problem& problem) {
 }  // namespace
 
 stationary_law stationary(const sphere_problem& problem, double tolerance, int wanted) {
-  if (problem.covariance.isZero(0)) return {.reason = "no noise: every attractor carries a stationary law"};
+  if (problem.covariance.isZero(0))
+    return {.reason = "no noise: every attractor carries a stationary law, and none has a density"};
   if (!law_is_unique(problem)) return {.reason = "not unique: a function besides the Casimir is conserved"};
   stationary_law last;
   for (const int degree : degrees_to_try(degrees, wanted)) {
@@ -95,7 +96,7 @@ stationary_law stationary(const sphere_problem& problem, double tolerance, int w
     last = {.density = std::move(density), .change = change, .uncertainty = distance, .degree = degree, .reason = {}};
     if (last.uncertainty <= std::max(tolerance, 10 * floor)) return last;
   }
-  last.reason = not_converged(tolerance, last.degree);
+  last.reason = not_converged(tolerance, last.degree, needed_degree(problem));
   return last;
 }
 
@@ -115,10 +116,11 @@ reference_value spectral_gap(const sphere_problem& problem, double tolerance, in
     change = std::fabs(mode.rate.real() - before.real());
     return projected_value{-mode.rate.real(), 1e-14};
   };
-  auto gap = raise_degree(degrees_to_try(degrees, wanted), tolerance, gap_at);
-  if (gap.value.value_or(0) >= 0) return gap;
+  auto gap = raise_degree(degrees_to_try(degrees, wanted), tolerance, needed_degree(problem), gap_at);
+  if (gap.value.value_or(1) > 0) return gap;
   gap.uncertainty = std::max(gap.uncertainty, -*gap.value);  // the degree is too low for noise so weak, or rounding
-  if (gap.uncertainty > std::max(tolerance, 1e-14)) gap.reason = not_converged(tolerance, gap.degree);
+  if (gap.uncertainty > std::max(tolerance, 1e-14))
+    gap.reason = not_converged(tolerance, gap.degree, needed_degree(problem));
   gap.value = 0;
   return gap;
 }

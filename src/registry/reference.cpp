@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "experiments/transfer.hpp"
 #include "references/gibbs.hpp"
@@ -18,11 +19,22 @@
 namespace polhode {
 namespace {
 
+// Of the size of what is asked for, or absolute where that is below one.
 constexpr double value_tolerance = 1e-11, rate_tolerance = 1e-9, exponent_tolerance = 1e-7;
+constexpr const char* usual_observable = "energy";
 const std::vector<std::string> quantities{"expectation", "gibbs", "lyapunov", "gap"};
 
 [[noreturn]] void refuse(std::string_view option, std::string_view value, std::string_view fault) {
   throw input_error(fmt::format("{} '{}': {}", option, one_line(value, 60), fault));
+}
+
+/// An option that would change nothing is a misunderstanding.
+void check_that_it_is_used(const reference_options& o) {
+  const bool timed = o.quantity == "expectation", observed = timed || o.quantity == "gibbs";
+  if (o.time && !timed)
+    refuse("--time", fmt::format("{}", *o.time), o.quantity + " has no time; accepted with --quantity expectation");
+  if (o.observable && !observed)
+    refuse("--observable", *o.observable, o.quantity + " has none; accepted with --quantity expectation or gibbs");
 }
 
 void check(const reference_options& o) {
@@ -35,6 +47,7 @@ void check(const reference_options& o) {
     refuse("--degree", fmt::format("{}", o.degree), fmt::format("accepted: 1 to {}", most_reference_degree));
   if (o.time && !(*o.time >= 0 && std::isfinite(*o.time)))
     refuse("--time", fmt::format("{}", *o.time), "accepted: a number of at least 0");
+  check_that_it_is_used(o);
 }
 
 sphere_function observable_of(const scene& s, const std::string& name) {
@@ -43,6 +56,18 @@ sphere_function observable_of(const scene& s, const std::string& name) {
   for (const auto& entry : list_observables()) known.push_back(entry.name);
   refuse("--observable", name,
          fmt::format("not known{}; accepted: {}", did_you_mean(name, known), fmt::join(known, ", ")));
+}
+
+/// At least 1: the root of the mean square of f over the sphere.
+double size_of(const sphere_problem& p, const sphere_function& f) {
+  const auto on_unit = [&](const Eigen::Vector3d& x) { return f(p.radius * x); };
+  return std::max(1.0, harmonic_coefficients(on_unit, 8).norm() / std::sqrt(4 * std::numbers::pi));
+}
+
+/// At least 1: the rate at which neighbouring orbits run apart.
+double shear_of(const sphere_problem& p) {
+  const auto [least, most] = std::ranges::minmax(p.inertia);
+  return std::max(1.0, p.radius * (1 / least - 1 / most));
 }
 
 /// The moments of the Gibbs law that have a closed form.
@@ -57,8 +82,18 @@ std::optional<double> closed_form(const sphere_problem& p, const std::string& ob
   return std::nullopt;
 }
 
-void take(const scene& s, const reference_value& found, reference_answer& out) {
-  if (!found.value) throw input_error(fmt::format("scene {}: {}: {}", s.name, out.quantity, found.reason));
+[[noreturn]] void refuse_scene(const scene& s, const reference_answer& out, std::string_view why) {
+  throw input_error(fmt::format("scene {}: {}: {}", s.name, out.quantity, why));
+}
+
+/// scale: the size that the value is measured by, besides its own. Where not one digit is certain, words say more.
+void take(const scene& s, const reference_value& found, reference_answer& out, double scale = 0) {
+  if (!found.value) refuse_scene(s, out, found.reason);
+  const double size = std::max(std::fabs(*found.value), scale);
+  if (!found.reason.empty() && found.uncertainty > 0.1 * size)
+    refuse_scene(
+        s, out,
+        fmt::format("{:.2g} +- {:.1g} holds no certain digit; {}", *found.value, found.uncertainty, found.reason));
   out.value = *found.value;
   out.uncertainty = found.uncertainty;
   out.degree = found.degree;
@@ -67,17 +102,21 @@ void take(const scene& s, const reference_value& found, reference_answer& out) {
 
 void answer_expectation(const scene& s, const sphere_problem& p, const reference_options& o, reference_answer& out) {
   const Eigen::Vector3d start(s.momentum[0], s.momentum[1], s.momentum[2]);
-  out.observable = o.observable;
+  out.observable = o.observable.value_or(usual_observable);
   out.time = o.time.value_or(s.horizon);
-  out.method = "Kolmogorov's backward equation in spherical harmonics";
-  take(s, expectation(p, observable_of(s, o.observable), start, *out.time, value_tolerance, o.degree), out);
+  const auto f = observable_of(s, out.observable);
+  const auto found = expectation(p, f, start, *out.time, value_tolerance * size_of(p, f), o.degree);
+  out.method = p.covariance.isZero(0) ? "no noise: the one path, by Boost.Odeint"
+               : found.forgotten ? "the stationary law in spherical harmonics: the start is forgotten (spectral gap)"
+                                 : "Kolmogorov's backward equation in spherical harmonics";
+  take(s, found, out);
 }
 
 void answer_gibbs(const scene& s, const sphere_problem& p, const reference_options& o, reference_answer& out) {
-  const auto f = observable_of(s, o.observable);
+  out.observable = o.observable.value_or(usual_observable);
+  const auto f = observable_of(s, out.observable);
   const bool isotropic = bind_scene(s).model->noise() == noise_class::isotropic;
-  out.observable = o.observable;
-  if (const auto value = isotropic && o.degree == 0 ? closed_form(p, o.observable) : std::nullopt) {
+  if (const auto value = isotropic && o.degree == 0 ? closed_form(p, out.observable) : std::nullopt) {
     out.value = *value;
     out.uncertainty = 1e-11 * std::max(1.0, std::fabs(*value));
     out.method = "the Gibbs law exp(-2 theta h / sigma^2), by complete elliptic integrals";
@@ -86,13 +125,16 @@ void answer_gibbs(const scene& s, const sphere_problem& p, const reference_optio
   out.method = isotropic
                    ? "the stationary density, here the Gibbs law, in spherical harmonics"
                    : "the stationary density in spherical harmonics; the noise is not isotropic, so it is no Gibbs law";
-  take(s, mean(p, stationary(p, value_tolerance, o.degree), f), out);
+  auto found = mean(p, stationary(p, value_tolerance, o.degree), f);
+  if (found.value && found.uncertainty <= value_tolerance * size_of(p, f))
+    found.reason.clear();  // this moment settles before others
+  take(s, found, out);
 }
 
 void answer_lyapunov(const scene& s, const sphere_problem& p, const reference_options& o, reference_answer& out) {
-  const auto found = lyapunov(p, exponent_tolerance, o.degree);
+  const auto found = lyapunov(p, exponent_tolerance * shear_of(p), o.degree);
   out.method = "the stationary law of tangent directions in Wigner functions (Furstenberg-Khasminskii)";
-  take(s, {found.lambda1, found.uncertainty, found.degree, found.reason}, out);
+  take(s, {found.lambda1, found.uncertainty, found.degree, found.reason}, out, std::fabs(found.sum));
   out.sum = found.sum;
   out.dimension = found.dimension;
 }
@@ -109,12 +151,16 @@ reference_answer reference(const scene& s, const reference_options& o) {
   const auto& p = *problem;
   reference_answer out;
   out.quantity = o.quantity;
+  if (p.covariance.isZero(0) && o.quantity != "expectation")
+    refuse_scene(s, out,
+                 "no noise, so there is no density, no gap and no random flow; what remains is the path: ask "
+                 "--quantity expectation");
   if (o.quantity == "expectation") answer_expectation(s, p, o, out);
   if (o.quantity == "gibbs") answer_gibbs(s, p, o, out);
   if (o.quantity == "lyapunov") answer_lyapunov(s, p, o, out);
   if (o.quantity == "gap") {
     out.method = "the least decay rate of Kolmogorov's operator in spherical harmonics";
-    take(s, spectral_gap(p, rate_tolerance, o.degree), out);
+    take(s, spectral_gap(p, rate_tolerance * shear_of(p), o.degree), out);
   }
   return out;
 }

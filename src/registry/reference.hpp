@@ -13,17 +13,17 @@ namespace polhode {
 inline constexpr int most_reference_degree = 128;
 
 struct reference_options {
-  std::string quantity;               ///< expectation, gibbs, lyapunov or gap
-  std::string observable = "energy";  ///< of expectation and gibbs; see list_observables
-  std::optional<double> time;         ///< of expectation; the scene's horizon if absent
-  int degree = 0;                     ///< of the harmonics; 0: chosen by the program
+  std::string quantity;                   ///< expectation, gibbs, lyapunov or gap
+  std::optional<std::string> observable;  ///< of expectation and gibbs, see list_observables; energy if absent
+  std::optional<double> time;             ///< of expectation; the scene's horizon if absent
+  int degree = 0;                         ///< of the harmonics; 0: chosen by the program
 };
 
 struct reference_answer {
   std::string quantity, observable;  ///< the observable is empty where none is asked for
   std::optional<double> time;
   double value = 0, uncertainty = 0;
-  int degree = 0;                        ///< 0: a closed form
+  int degree = 0;                        ///< 0: a closed form, or the one path without noise
   std::optional<double> sum, dimension;  ///< of the Lyapunov exponents
   std::string method;                    ///< one sentence
   std::string reason;                    ///< why it is not as certain as intended; empty: it is

@@ -1,33 +1,17 @@
 // Each writer's text against the committed one, byte for byte.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-
 #include "reports/writers/csv.hpp"
 #include "reports/writers/html.hpp"
 #include "reports/writers/json.hpp"
 #include "reports/writers/junit.hpp"
 #include "reports/writers/markdown.hpp"
 #include "reports/writers/series.hpp"
+#include "tests/golden/golden_file.hpp"
 #include "tests/golden/sample.hpp"
 
 namespace polhode::golden {
 namespace {
-
-void expect_golden(const std::string& text, const std::string& name) {
-  const std::string path = std::string(POLHODE_GOLDEN_DATA) + "/" + name;
-  if (std::getenv("POLHODE_UPDATE_GOLDEN") != nullptr) {
-    std::ofstream(path, std::ios::binary) << text;
-    GTEST_SKIP() << "wrote " << path;
-  }
-  std::ifstream file(path, std::ios::binary);
-  ASSERT_TRUE(file) << path << " is missing; set POLHODE_UPDATE_GOLDEN=1 to write it";
-  std::ostringstream golden;
-  golden << file.rdbuf();
-  EXPECT_EQ(golden.str(), text);
-}
 
 TEST(golden, results_json) { expect_golden(report::to_json(sample()), "results.json"); }
 TEST(golden, measurements_csv) { expect_golden(report::measurements_csv(sample()), "measurements.csv"); }

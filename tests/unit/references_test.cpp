@@ -45,6 +45,12 @@ TEST(FreeRotation, AgreesWithOdeintForEveryOrderOfAxesAndSigns) {
               7.3);
 }
 
+// A first trial step as long as a thousandth of such a time would overflow.
+TEST(Odeint, IsFiniteOverALongTime) {
+  const auto end = solve_drift(free_drift({1, 2, 3}), std::array{0.6, 0.48, 0.64}, 1e5);
+  EXPECT_NEAR(std::hypot(end[0], end[1], end[2]), std::hypot(0.6, 0.48, 0.64), 1e-9);
+}
+
 TEST(FreeRotation, HoldsOnTheSeparatrixAndOnTheAxes) {
   for (const double sign : {1.0, -1.0}) agree({1, 2, 3}, {sign * 0.6 / std::sqrt(3.0), 0.5, 0.6}, 3.0);
   for (int axis = 0; axis < 3; ++axis) {

@@ -1,0 +1,51 @@
+#include "references/deterministic.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "references/free_rotation.hpp"
+#include "references/odeint.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double most_turns = 1e7;  // seconds
+constexpr double rounding = 1e-14;
+constexpr double first_piece = 0.37;  // of the time: no divisor of the solver's first step
+
+using vector = Eigen::Vector3d;
+
+vector solved(const sphere_problem& p, const vector& start, double time) {
+  const auto drift = [&](std::span<const double> mu, std::span<double> out) {
+    const vector pi(mu[0], mu[1], mu[2]), rate = pi.array() / Eigen::Array3d(p.inertia.data());
+    Eigen::Map<vector>(out.data()) = pi.cross(rate + p.theta * pi.cross(rate));
+  };
+  return vector(solve_drift(drift, std::array{start[0], start[1], start[2]}, time).data());
+}
+
+vector second_opinion(const sphere_problem& p, const vector& start, double time) {
+  if (p.theta != 0) return solved(p, solved(p, start, first_piece * time), (1 - first_piece) * time);
+  return vector(free_rotation(p.inertia, {start[0], start[1], start[2]}, time).data());
+}
+
+}  // namespace
+
+reference_value on_the_path(const sphere_problem& p, const sphere_function& f, const vector& start, double time) {
+  const double least = std::ranges::min(p.inertia), c = p.radius;
+  const double turns = time * c / least * (1 + p.theta * c);
+  if (turns > most_turns)
+    return {.reason =
+                fmt::format("no noise, and {:.2g} turns are too many to follow; at most {:g}", turns, most_turns)};
+  const double value = f(solved(p, start, time));
+  if (!std::isfinite(value)) return {.reason = "no noise, and the solver of the path broke down"};
+  const double other = f(second_opinion(p, start, time));
+  return {.value = value,
+          .uncertainty = std::max(std::fabs(value - other), rounding * std::max(1.0, std::fabs(value)))};
+}
+
+}  // namespace polhode
