@@ -53,7 +53,7 @@ report::verdict judge_distance(const claim& c, const interval_estimate& d, doubl
   return v;
 }
 
-report::measurement measured(const series& s, double dt, double value, std::optional<double> low,
+report::measurement measured(const series& s, std::optional<double> dt, double value, std::optional<double> low,
                              std::optional<double> high) {
   report::measurement m;
   m.experiment = s.experiment;

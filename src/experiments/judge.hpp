@@ -39,7 +39,7 @@ report::verdict judge_distance(const claim&, const interval_estimate&, double bo
 struct series {
   std::string experiment, scheme, quantity, observable, unit, method;
 };
-report::measurement measured(const series&, double dt, double value, std::optional<double> low = {},
+report::measurement measured(const series&, std::optional<double> dt, double value, std::optional<double> low = {},
                              std::optional<double> high = {});
 
 /// Records the fit and marks the levels that it used among `points` (one per level, in the order of the fit).

@@ -109,6 +109,11 @@ void run(const context& c, report::results& out) {
   const auto p = *sphere_problem_of(c.subject);
   report_exponents(p, out);
   const auto grid = axes_of(p, c.effort);
+  const auto easiest = lyapunov(at(p, grid.sigma.back(), grid.theta.back() / 2), map_tolerance);
+  if (!easiest.reason.empty()) {
+    out.skipped.push_back({"lyapunov", "", "map and border: even under strong noise lambda_1 is " + easiest.reason});
+    return;
+  }
   const auto n = static_cast<int>(grid.sigma.size());
   std::vector<report::measurement> map(static_cast<std::size_t>(n * n)), curve(static_cast<std::size_t>(n));
   progress_counter done(n * n + n, c.progress);

@@ -161,13 +161,21 @@ std::vector<error_table> answer_all(const context& c, const std::vector<scheme_e
   return out;
 }
 
-void report_orders(const order_question& q, double expected, const error_table& t, report::results& out) {
+void report_errors(const order_question& q, const error_table& t, report::results& out) {
   const auto fits = fits_of(t, q.columns.size());
   for (std::size_t k = 0; k < q.columns.size(); ++k) {
     const series s{q.experiment, t.scheme, q.columns[k].quantity, q.columns[k].observable, "", "transfer"};
     record_fit(out, s, fits[k], levels_of(s, t, static_cast<Eigen::Index>(k)));
   }
-  out.verdicts.push_back(judge(q, expected, t, fits));
+}
+
+void report_orders(const order_question& q, double expected, const error_table& t, report::results& out) {
+  report_errors(q, t, out);
+  out.verdicts.push_back(judge_table(q, expected, t));
+}
+
+report::verdict judge_table(const order_question& q, double expected, const error_table& t) {
+  return judge(q, expected, t, fits_of(t, q.columns.size()));
 }
 
 bool unresolved(const error_table& t, const std::vector<error_column>& columns) {

@@ -42,13 +42,19 @@ struct order_question {
 /// scheme has not settled enough for a verdict its step is halved on, most_halvings times at most.
 std::vector<error_table> answer_all(const context&, const std::vector<scheme_entry>&, const level_grid&,
                                     const order_question&);
-inline constexpr int most_halvings = 4;
+inline constexpr int most_halvings = 6;
 
 /// A measurement a level (its interval: the uncertainty) and a fit a column over the levels whose error is fifty times
-/// its uncertainty; then the verdict on the order. The slowest column decides: the lowest order among those whose slope
+/// its uncertainty.
+void report_errors(const order_question&, const error_table&, report::results& out);
+
+/// The same, and the verdict on the order. The slowest column decides: the lowest order among those whose slope
 /// has settled (of all, where none has). A slowest order above the claim holds. Where no column has four such levels,
 /// the claim holds if all errors are below `negligible_error` of their scale; else nothing is concluded.
 void report_orders(const order_question&, double expected, const error_table&, report::results& out);
+
+/// The verdict alone.
+report::verdict judge_table(const order_question&, double expected, const error_table&);
 
 /// The verdict on fits of the question's columns, where a column has one.
 report::verdict judge_columns(const order_question&, double expected, const std::string& scheme,

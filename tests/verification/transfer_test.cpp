@@ -4,7 +4,10 @@
 #include <cmath>
 
 #include "ensemble/paths.hpp"
+#include "experiments/levels.hpp"
 #include "experiments/transfer.hpp"
+#include "experiments/weak_sampled.hpp"
+#include "registry/run_experiment.hpp"
 #include "registry/scene.hpp"
 #include "registry/verify.hpp"
 #include "reports/writers/json.hpp"
@@ -14,6 +17,12 @@ namespace {
 
 const scheme_entry& scheme_of(const subject& s, std::string_view name) {
   return *std::ranges::find(s.schemes, name, [](const scheme_entry& e) { return e.info.name; });
+}
+
+double transferred_energy(const subject& s, const scheme_entry& e, double dt, int steps, const transfer_rule& rule) {
+  const auto op = make_transfer(s, e, dt, steps, rule);
+  const Eigen::Vector3d start(s.scene.momentum.data());
+  return op.law_after(start, steps).dot(op.basis.coefficients(*named_observable("energy", s.scene.inertia)));
 }
 
 report::results quick(const std::vector<std::string>& schemes, const std::string& experiment, int threads = 2) {
@@ -62,6 +71,50 @@ TEST(Weak, ErrorsAreTheKnownOnes) {
   EXPECT_EQ(r.verdicts.size(), 4u);
 }
 
+// dt^2, dt^3 and dt^4 gone: between n = 4, 8, 16 errors fall by more than 2^5, then rounding is reached.
+TEST(Weak, FourRunsTogetherFallFasterThanTheFifthPower) {
+  const auto r = quick({"strang_weak2"}, "weak");
+  for (const char* observable : {"energy", "pi2", "pi1^2", "pi2^2", "pi3^2", "exp(pi3)"}) {
+    const auto at = [&](int steps) { return value_at(r, "strang_extrapolated5", "error", observable, steps); };
+    EXPECT_GT(at(4), 32 * at(8)) << observable;
+    EXPECT_GT(at(8), 32 * at(16)) << observable;
+    EXPECT_LT(at(16), 2e-12) << observable;
+  }
+  const auto steps = [&](std::string_view scheme, std::string_view accuracy) {
+    for (const auto& m : r.measurements)
+      if (m.scheme == scheme && m.quantity == "steps for an error" && m.observable == accuracy) return *m.value;
+    return std::nan("");
+  };
+  EXPECT_GT(steps("strang_weak2", "1e-08"), 20 * steps("strang_extrapolated", "1e-08"));
+  EXPECT_GT(steps("strang_extrapolated", "1e-08"), steps("strang_extrapolated5", "1e-08"));
+}
+
+// The fallback, where the operator can be asked too: |E f(X_dt) - E f(X_dt/2)| of both.
+TEST(Weak, CoupledLevelsFindWhatTheOperatorFinds) {
+  const auto s = restricted(bind_scene(load_scene("paper")), {"lie_euler", "heun"});
+  const order_question q{"weak",
+                         "weak order",
+                         {{"difference", "energy", 1}},
+                         [&](const scheme_entry& e) { return weak_order_on(e.info, s.model->noise()); },
+                         {}};
+  report::results out;
+  report_sampled_orders({s, effort::quick, 2, 5}, s.schemes, q, {*named_observable("energy", s.scene.inertia)}, out);
+  int compared = 0;
+  for (const auto& m : out.measurements) {
+    if (m.quantity != "difference" || m.scheme != "lie_euler" || *m.dt < 0.02) continue;
+    const int steps = static_cast<int>(std::lround(asymptotic_levels(s, 64).horizon / *m.dt));
+    const auto& e = scheme_of(s, "lie_euler");
+    const transfer_rule rule{{16, 1, 0}, {7, 2}};
+    const double coarse = transferred_energy(s, e, *m.dt, steps, rule),
+                 fine = transferred_energy(s, e, *m.dt / 2, 2 * steps, rule);
+    EXPECT_NEAR(*m.value, std::fabs(coarse - fine), 2 * (*m.high - *m.value)) << *m.dt;  // four standard errors
+    ++compared;
+  }
+  EXPECT_GE(compared, 4);
+  ASSERT_EQ(out.verdicts.size(), 2u);
+  for (const auto& v : out.verdicts) EXPECT_NE(v.kind, report::verdict_kind::refuted) << v.scheme << ": " << v.reason;
+}
+
 TEST(Gibbs, BiasIsTheKnownOne) {
   const auto r = quick({"lie_euler", "implicit_midpoint", "strang_weak2"}, "gibbs");
   expect_known(r, {"lie_euler", "bias", "energy", {1.059e-2, 5.411e-3, 2.728e-3, 1.369e-3}, 1e-3});
@@ -97,12 +150,6 @@ std::pair<double, double> sampled_energy(const subject& s, const scheme_entry& e
   }
   const double n = static_cast<double>(blocks) * block_lanes, mean = sum / n;
   return {mean, std::sqrt((square / n - mean * mean) / n)};
-}
-
-double transferred_energy(const subject& s, const scheme_entry& e, double dt, int steps, const transfer_rule& rule) {
-  const auto op = make_transfer(s, e, dt, steps, rule);
-  const Eigen::Vector3d start(s.scene.momentum.data());
-  return op.law_after(start, steps).dot(op.basis.coefficients(*named_observable("energy", s.scene.inertia)));
 }
 
 // Schemes on the sphere, off it, and with areas; noise of any kind.

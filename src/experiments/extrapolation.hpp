@@ -1,0 +1,33 @@
+// Weak errors combined over step sizes so that leading powers of dt drop out (Talay, Tubaro, Stoch. Anal. Appl. 8
+// (1990) 483), and what an accuracy then costs.
+//
+// The palindrome strang_weak2 has no odd power of dt of its own, but its noise step has: with u = sigma^2 dt the scaled
+// Gaussian rotation multiplies harmonics of degree one by exp(-u + u^4/864 + ...), which leaves a small dt^3. Without
+// dt^2 the order so is three, dt^4 being seen first; without dt^2, dt^3 and dt^4 it is five, dt^6 being seen first.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "experiments/transfer_report.hpp"
+
+namespace polhode {
+
+struct extrapolation {
+  std::string name;
+  std::vector<int> powers;  ///< of dt that drop out, one more level each
+  double order;             ///< what is left
+};
+
+inline const std::vector<extrapolation> extrapolations{{"strang_extrapolated", {2}, 3},
+                                                       {"strang_extrapolated5", {2, 3, 4}, 5}};
+
+/// E(dt), E(dt/2), …: for each power p in turn (2^p E(dt/2) - E(dt)) / (2^p - 1). Listed by the coarsest dt.
+error_table extrapolate(const error_table&, const extrapolation&);
+
+/// Steps of one path over the horizon, all runs of a combination together, for every error to be at most `accuracy` of
+/// its scale: between measured levels a power law, beyond them the claimed order. runs: steps per step of the coarsest.
+double steps_for(const error_table&, std::span<const error_column>, double horizon, double accuracy, double order,
+                 double runs);
+
+}  // namespace polhode
