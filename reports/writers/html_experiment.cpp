@@ -136,6 +136,8 @@ void put_experiment(std::string& out, const results& r, const std::string& name,
   put(out, "<section class=\"experiment\" id=\"experiment-{}\">\n<h2>{}</h2>\n", index, escape_html(name));
   put_question(out, declared);
   put_plots_and_claims(out, r, name, rows);
+  put_maps(out, r, name);
+  put_tables(out, r, name);
   put_fits(out, r, name);
   put_verdicts(out, rows);
   put_measurements(out, r, name);

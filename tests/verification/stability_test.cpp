@@ -8,6 +8,7 @@
 #include "ensemble/work_counters.hpp"
 #include "experiments/levels.hpp"
 #include "experiments/stability_border.hpp"
+#include "experiments/stability_long.hpp"
 #include "experiments/stability_run.hpp"
 #include "registry/scene.hpp"
 #include "registry/verify.hpp"
@@ -160,6 +161,33 @@ TEST(Stability, ThreadsAndCompanyChangeNothing) {
   const auto alone = text({"lie_heun"}, 1);
   EXPECT_EQ(alone, text({"lie_heun"}, 3));
   EXPECT_EQ(alone, text({"lie_heun", "milstein"}, 2));
+}
+
+// A random walk of rounding, not a drift: slower than the number of steps, and far below 1e-12 after a million.
+TEST(Stability, LongDriftIsRoundingAlone) {
+  const auto s = bind_scene(load_scene("paper"));
+  for (const auto& scheme : s.schemes) {
+    if (!scheme.info.casimir.exact) continue;
+    const auto d = drift_over(s, scheme, 0.03125, 1 << 19, 1, noise_generator::philox);
+    ASSERT_EQ(d.steps, (std::vector<double>{1 << 16, 1 << 17, 1 << 18, 1 << 19})) << scheme.info.name;
+    EXPECT_LT(d.rms.back(), 1e-12) << scheme.info.name;
+    EXPECT_GT(d.rms.back(), 0) << scheme.info.name;
+  }
+}
+
+TEST(Stability, RareBreaksAreCountedAmongTheirPaths) {
+  const auto s = bind_scene(spherical({{0, 0, 0.7}}));
+  stability_case c{.name = "one vector", .bound = s, .rate = 1, .horizon = 8, .radius = 1};
+  c.least_energy = c.greatest_energy = 0.5;
+  report::results out;
+  const context at{s, effort::thorough, 1, 1, noise_generator::philox, [](double) {}};
+  report_rare_breaks(at, c, s.schemes.front(), {256, 128}, out);
+  ASSERT_EQ(out.measurements.size(), 1u);
+  const auto& m = out.measurements.front();
+  EXPECT_EQ(*m.dt, 8.0 / 512);
+  EXPECT_LE(*m.low, *m.value);
+  EXPECT_GE(*m.high, *m.value);
+  EXPECT_LT(*m.high - *m.low, 4e-3);
 }
 
 // Figures of the house by counters, not by time: 13 schemes at quick effort.
