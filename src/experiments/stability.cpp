@@ -19,7 +19,8 @@
 namespace polhode {
 namespace {
 
-constexpr double longest = 32;  // dt times the fastest rate
+constexpr double longest = 32;          // dt times the fastest rate
+constexpr double shortest = 1.0 / 256;  // of the map, likewise
 constexpr int map_paths = 256;
 
 finding find(const context& c, const stability_case& in, const scheme_entry& scheme) {
@@ -46,6 +47,7 @@ std::vector<report::measurement> map_row(const context& c, const stability_case&
   for (int i = 0; i < cells; ++i) {
     const double dt = longest / own_rate * std::exp2(-12.0 * (cells - 1 - i) / (cells - 1));
     if (dt * in.rate > longest) break;
+    if (dt * in.rate < shortest) continue;  // too many steps for what they would show
     const auto steps = static_cast<std::int64_t>(std::ceil(in.horizon / dt));
     const auto o = run_until_broken(in, scheme, {dt, steps, map_paths, c.seed, c.generator, true});
     out.push_back(stability_row(scheme.info.name, "stable_share", in.name, 1 - static_cast<double>(o.broken) / o.paths,
@@ -131,7 +133,8 @@ std::vector<std::string> notes() {
       fmt::format(
           "Largest stable dt: from dt = 1/({0:g} rate) by octaves, then by halves of log dt to 5 %, up to dt = "
           "{0:g}/rate; rate = c/I_min + theta c^2 (1/I_min - 1/I_max) + sum |sigma_i|^2. The interval reaches to "
-          "the shortest dt that broke. Horizon: the scene's, but at least 64 and at most 256 of 1/rate. Runs of "
+          "the shortest dt that broke. Horizon: the scene's, but at least 64 of 1/rate and at most 128, 256 or 1024 by "
+          "effort. Runs of "
           "different dt have different noise; 512, 2048 or 8192 paths by effort, so that a mean is itself uncertain by "
           "about 1, 0.5 or 0.3 % of the range: the border by mean energy is no sharper than that.",
           longest),

@@ -15,11 +15,12 @@
 namespace polhode {
 namespace {
 
-constexpr double least_scales = 64, most_scales = 256;  // of the horizon
-constexpr double negligible_range = 1e-3;               // of h, relative: then h is nearly the Casimir
+constexpr double least_scales = 64;        // of the horizon
+constexpr double negligible_range = 1e-3;  // of h, relative: then h is nearly the Casimir
 constexpr double greatest_ratio = 1e6;
 constexpr double stiffness = 1e4;  // of the dissipation against everything else
 constexpr double denormal = 1e-310;
+constexpr int low_degree = 20, fine_paths = 4096;
 constexpr double exact_accuracy = 0.02;  // of what a mean energy may be off
 
 using scene = report::scene;
@@ -80,15 +81,18 @@ scene with_theta(scene s, double theta) {
   return s;
 }
 
-stability_case bound_case(std::string name, const subject& own, const scene& changed) {
+/// Below it the squares of small components are lost, and with them digits of |Pi|.
+const double least_radius = std::sqrt(std::numeric_limits<double>::min()) / std::numeric_limits<double>::epsilon();
+
+stability_case bound_case(std::string name, const subject& own, const scene& changed, effort e) {
   stability_case c{.name = std::move(name), .bound = own.with(changed)};
   const auto [least, most] = std::ranges::minmax(changed.inertia);
   c.rate = fastest_rate(c.bound);
-  c.horizon = std::clamp(changed.horizon, least_scales / c.rate, most_scales / c.rate);
+  c.horizon = std::clamp(changed.horizon, least_scales / c.rate, by_effort(e, 128, 256, 1024) / c.rate);
   c.radius = radius_of(changed);
   c.least_energy = c.radius * c.radius / (2 * most);
   c.greatest_energy = c.radius * c.radius / (2 * least);
-  c.normal = c.radius * c.radius >= std::numeric_limits<double>::min();
+  c.normal = c.radius >= least_radius;
   return c;
 }
 
@@ -97,41 +101,38 @@ void add_axes(const subject& s, effort e, std::vector<stability_case>& out) {
   const auto steps = around(points(e), factor(e));
   for (const double by : steps)
     if (by != 1 && s.model->noise() != noise_class::none)
-      out.push_back(bound_case(fmt::format("sigma x {:.4g}", std::sqrt(by)), s, with_noise(own, std::sqrt(by))));
+      out.push_back(bound_case(fmt::format("sigma x {:.4g}", std::sqrt(by)), s, with_noise(own, std::sqrt(by)), e));
   for (const double theta : stiffness_axis(s, e))
-    out.push_back(bound_case(stiffness_name(theta), s, with_theta(own, theta)));
+    out.push_back(bound_case(stiffness_name(theta), s, with_theta(own, theta), e));
   for (const double by : steps)
-    if (by != 1) out.push_back(bound_case(fmt::format("c={:.4g}", by * radius_of(own)), s, with_momentum(own, by)));
+    if (by != 1) out.push_back(bound_case(fmt::format("c={:.4g}", by * radius_of(own)), s, with_momentum(own, by), e));
   for (int i = 0, n = points(e); i < n; ++i) {
     const double ratio = std::pow(greatest_ratio, static_cast<double>(i) / (n - 1));
-    out.push_back(bound_case(fmt::format("inertia ratio={:.4g}", ratio), s, with_ratio(own, ratio)));
+    out.push_back(bound_case(fmt::format("inertia ratio={:.4g}", ratio), s, with_ratio(own, ratio), e));
   }
 }
 
-void add_corners(const subject& s, std::vector<stability_case>& out) {
+void add_corners(const subject& s, effort e, std::vector<stability_case>& out) {
   const auto& own = s.scene;
-  out.push_back(bound_case("separatrix", s, near_middle_axis(own, 1e-6)));
-  out.push_back(bound_case("near-equal inertias", s, with_ratio(own, 1 + 1e-8)));
+  out.push_back(bound_case("separatrix", s, near_middle_axis(own, 1e-6), e));
+  out.push_back(bound_case("near-equal inertias", s, with_ratio(own, 1 + 1e-8), e));
   if (spread(own) > 0) {
     const double rest = fastest_rate(s) - own.theta * radius_of(own) * spread(own);
-    out.push_back(bound_case("stiff", s, with_theta(own, stiffness * rest / (radius_of(own) * spread(own)))));
+    out.push_back(bound_case("stiff", s, with_theta(own, stiffness * rest / (radius_of(own) * spread(own))), e));
   }
-  out.push_back(bound_case("denormal components", s, near_middle_axis(own, denormal)));
-  out.push_back(bound_case("denormal c", s, with_momentum(own, denormal / radius_of(own))));
+  out.push_back(bound_case("denormal components", s, near_middle_axis(own, denormal), e));
+  out.push_back(bound_case("denormal c", s, with_momentum(own, denormal / radius_of(own)), e));
   out.back().rate = out.front().rate;  // without noise it has no rate of its own
   out.back().horizon = out.front().horizon;
 }
 
-/// By harmonics of low degree, which costs milliseconds; empty where that is not enough.
+/// By harmonics of low degree, as higher ones can cost seconds; empty where that is not enough.
 std::optional<double> exact_mean_energy(const stability_case& of, double tolerance) {
   const auto problem = *sphere_problem_of(of.bound);
   const auto energy = *named_observable("energy", of.bound.scene.inertia);
   const Eigen::Map<const Eigen::Vector3d> start(of.bound.scene.momentum.data());
-  for (const int degree : {16, 32}) {
-    const auto found = expectation(problem, energy, start, of.horizon, tolerance, degree);
-    if (found.converged()) return found.value;
-  }
-  return std::nullopt;
+  const auto found = expectation(problem, energy, start, of.horizon, tolerance, low_degree);
+  return found.converged() ? found.value : std::nullopt;
 }
 
 void find_mean_energy(const context& c, stability_case& of) {
@@ -139,7 +140,7 @@ void find_mean_energy(const context& c, stability_case& of) {
   if (!of.normal || range <= negligible_range * of.greatest_energy) return;
   const auto exact = exact_mean_energy(of, exact_accuracy * mean_energy_share * range);
   of.mean_energy_method = exact ? "exact" : "reference";
-  of.mean_energy = exact ? *exact : fine_mean_energy(of, 1024, c.seed, c.generator);
+  of.mean_energy = exact ? *exact : fine_mean_energy(of, fine_paths, c.seed, c.generator);
   if (!std::isfinite(*of.mean_energy)) of.mean_energy.reset();
 }
 
@@ -169,9 +170,9 @@ report::measurement stability_row(std::string_view scheme, std::string quantity,
 }
 
 std::vector<stability_case> stability_cases(const context& c) {
-  std::vector<stability_case> out{bound_case("scene", c.subject, c.subject.scene)};
+  std::vector<stability_case> out{bound_case("scene", c.subject, c.subject.scene, c.effort)};
   add_axes(c.subject, c.effort, out);
-  add_corners(c.subject, out);
+  add_corners(c.subject, c.effort, out);
   std::erase_if(out, [](const stability_case& s) { return !std::isfinite(s.rate * s.horizon) || !(s.rate > 0); });
   parallel_for(c.threads, static_cast<int>(out.size()),
                [&](int i) { find_mean_energy(c, out[static_cast<std::size_t>(i)]); });

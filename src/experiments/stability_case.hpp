@@ -17,10 +17,10 @@ struct stability_case {
   std::string name;  ///< "scene", "theta=8", "separatrix", …
   subject bound;
   double rate = 0;     ///< the fastest of its rates (experiments/levels.hpp)
-  double horizon = 0;  ///< T: of the scene, but at least 64 and at most 256 of 1/rate
+  double horizon = 0;  ///< T: of the scene, but at least 64 of 1/rate and at most 128 … 1024
   double radius = 0;
   double least_energy = 0, greatest_energy = 0;  ///< |Pi|^2 / 2 I at the largest and the smallest I
-  bool normal = true;                            ///< false: |Pi| below the range in which its square exists
+  bool normal = true;                            ///< false: |Pi| below the range in which its square keeps all digits
   std::optional<double> mean_energy = {};        ///< E[h(Pi_T)]; absent where h is nearly the Casimir, or not known
   std::string mean_energy_method = {};           ///< exact or reference
 

@@ -10,7 +10,6 @@
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
 #include "experiments/stability_case.hpp"
-#include "experiments/vectors.hpp"
 
 namespace polhode {
 namespace {
@@ -19,19 +18,17 @@ constexpr double resolution = 16;  // steps to a time scale
 constexpr int steps = 64;
 constexpr double bound = 1e-9, decades = 150;
 
-/// |Pi| = 4^power: by even powers of two all scalings are exact, and so is the comparison.
+/// |Pi| times 4^power: by even powers of two all scalings are exact, and so is the comparison.
 report::scene scaled(report::scene s, int power) {
-  const double by = std::exp2(2 * power);
-  for (double& x : s.momentum) x *= by;
+  for (double& x : s.momentum) x = std::ldexp(x, 2 * power);
   for (auto& v : s.sigma)
-    for (double& x : v) x *= std::exp2(power);
-  s.theta /= by;
-  s.horizon /= by;
+    for (double& x : v) x = std::ldexp(x, power);
+  s.theta = std::ldexp(s.theta, -2 * power);
   return s;
 }
 
-/// One block of paths after 64 steps, in units of 4^power.
-std::vector<double> states_at(const context& c, const scheme_entry& named, int power) {
+/// One block of paths after 64 steps at |Pi| times 4^power, as they would be times 4^unit.
+std::vector<double> states_at(const context& c, const scheme_entry& named, int power, int unit) {
   const auto s = c.subject.with(scaled(c.subject.scene, power));
   const auto& scheme = *std::ranges::find(s.schemes, named.info.name, [](const auto& e) { return e.info.name; });
   const double dt = std::ldexp(1 / (resolution * fastest_rate(c.subject)), -2 * power);
@@ -39,11 +36,11 @@ std::vector<double> states_at(const context& c, const scheme_entry& named, int p
   auto states = replicated(s.scene.momentum);
   scheme.make(dt)->advance(states,
                            s.model->active_channels() > 0 ? noise.fill(c.seed, 0, 0, steps, dt) : silence(steps, dt));
-  for (double& x : states) x = std::ldexp(x, -2 * power);
+  for (double& x : states) x = std::ldexp(x, 2 * (unit - power));
   return states;
 }
 
-/// Relative to the initial length, so is every other number here.
+/// Relative to the length.
 double distance_between(const std::vector<double>& a, const std::vector<double>& b, double length) {
   double worst = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -53,10 +50,9 @@ double distance_between(const std::vector<double>& a, const std::vector<double>&
   return worst;
 }
 
-/// The last power between 0, where all is well, and `far`, where it is not, at which it still is.
+/// The last power between `near`, where all is well, and `far`, where it is not, at which it still is.
 template <class Good>
-int last_good(int far, const Good& good) {
-  int near = 0;
+int last_good(int near, int far, const Good& good) {
   while (std::abs(far - near) > 1) {
     const int middle = (near + far) / 2;
     (good(middle) ? near : far) = middle;
@@ -67,18 +63,25 @@ int last_good(int far, const Good& good) {
 }  // namespace
 
 void report_scale(const context& c, const scheme_entry& scheme, report::results& out) {
-  const double own = length(c.subject.scene.momentum);
-  const auto start = states_at(c, scheme, 0);
-  const auto off = [&](int power) { return distance_between(states_at(c, scheme, power), start, own); };
+  const auto& pi = c.subject.scene.momentum;
+  const double own = std::hypot(pi[0], pi[1], pi[2]);
+  if (std::fabs(std::log10(own)) > decades) return;  // neither could its theta and sigma be scaled
+  const auto power_of = [&](double decade) {
+    return static_cast<int>(std::lround((decade - std::log10(own)) / std::log10(4)));
+  };
+  const int unit = power_of(0);  // whatever the scene's |Pi|, what is of size 1 is the measure
+  const double size = std::ldexp(own, 2 * unit);
+  const auto start = states_at(c, scheme, unit, unit);
+  const auto off = [&](int power) { return distance_between(states_at(c, scheme, power, unit), start, size); };
   const auto good = [&](int power) { return off(power) <= bound; };
   double worst = 0;
   std::string reach;
   for (const double end : {-decades, decades}) {
-    const int far = static_cast<int>(std::lround((end - std::log10(own)) / std::log10(4)));
+    const int far = power_of(end);
     const double apart = off(far);
     worst = std::max(worst, apart);
-    const int reached = apart <= bound ? far : last_good(far, good);
-    const double c_reached = own * std::exp2(2 * reached);
+    const int reached = apart <= bound ? far : last_good(unit, far, good);
+    const double c_reached = std::ldexp(own, 2 * reached);
     reach += fmt::format("{}{:.0e}", reach.empty() ? "" : " to ", c_reached);
     out.measurements.push_back(stability_row(scheme.info.name, end < 0 ? "scale_free_from" : "scale_free_to", "c",
                                              c_reached, "momentum", "deterministic"));
