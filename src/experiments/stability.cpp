@@ -135,8 +135,10 @@ std::vector<std::string> notes() {
           "{0:g}/rate; rate = c/I_min + theta c^2 (1/I_min - 1/I_max) + sum |sigma_i|^2. The interval reaches to "
           "the shortest dt that broke. Horizon: the scene's, but at least 64 of 1/rate and at most 128, 256 or 1024 by "
           "effort. Runs of "
-          "different dt have different noise; 512, 2048 or 8192 paths by effort, so that a mean is itself uncertain by "
-          "about 1, 0.5 or 0.3 % of the range: the border by mean energy is no sharper than that.",
+          "different dt have different noise; 512, 2048 or 8192 paths by effort, up to four times as many where the "
+          "mean "
+          "is within two standard errors of its margin. With so many a mean is uncertain by about 0.5, 0.25 or 0.13 % "
+          "of the range: the border by mean energy is no sharper than that.",
           longest),
       "True mean of h: the Kolmogorov operator, or where low degrees do not suffice the driven ordinary differential "
       "equation at 16 steps to 1/rate. Left out where the range of h is below 0.1 % of h.",

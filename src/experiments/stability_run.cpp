@@ -4,14 +4,17 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "ensemble/paths.hpp"
+#include "ensemble/running_moments.hpp"
 #include "experiments/sequential.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr int most_chunk = 16;  // steps between two looks at the paths
+constexpr int most_chunk = 16;     // steps between two looks at the paths
+constexpr int most_extension = 4;  // times the planned paths, where the mean energy is near its margin
 
 /// What drives a block: a scheme or the reference.
 struct stepper {
@@ -62,7 +65,9 @@ class watched_block {
   }
 };
 
-bool too_many(const stability_outcome& out, int planned) { return out.broken > broken_share * planned; }
+bool too_many(const stability_outcome& out, int planned) {
+  return out.broken > broken_share * std::max(planned, out.paths);
+}
 
 void run_block(const stability_case& c, const stepper& s, const stability_plan& p, int block, watched_block& b,
                stability_outcome& out) {
@@ -86,29 +91,42 @@ breakage most_frequent(const std::array<int, 6>& counts) {
   return static_cast<breakage>(std::ranges::max_element(counts.begin() + 1, counts.end()) - counts.begin());
 }
 
-bool mean_is_off(const stability_case& c, double mean) {
-  return c.mean_energy &&
-         !(std::fabs(mean - *c.mean_energy) <= mean_energy_share * (c.greatest_energy - c.least_energy));
+/// By how much the mean energy is off beyond what it may; absent where it has no reference.
+std::optional<double> beyond_margin(const stability_case& c, double mean) {
+  if (!c.mean_energy) return std::nullopt;
+  return std::fabs(mean - *c.mean_energy) - mean_energy_share * (c.greatest_energy - c.least_energy);
+}
+
+/// Whether so many paths cannot tell on which side of its margin the mean energy is.
+bool undecided(const stability_case& c, const running_moments& energy) {
+  const auto beyond = beyond_margin(c, energy.mean);
+  return beyond && std::fabs(*beyond) < 2 * energy.deviation() / std::sqrt(static_cast<double>(energy.count));
+}
+
+running_moments energy_of_whole(const watched_block& b) {
+  std::vector<double> energies;
+  for (std::size_t lane = 0; lane < block_lanes; ++lane)
+    if (b.broken[lane] == breakage::none) energies.push_back(b.energy(lane));
+  return running_moments::of(energies);
 }
 
 stability_outcome run(const stability_case& c, const stepper& s, const stability_plan& p) {
   stability_outcome out;
   std::array<int, 6> counts{};
-  double sum = 0;
-  for (int block = 0; block < blocks_of(p.paths); ++block) {
+  running_moments energy;
+  const int planned = blocks_of(p.paths), most = p.to_the_end ? planned : most_extension * planned;
+  for (int block = 0; block < planned || (block < most && undecided(c, energy)); ++block) {
     watched_block b(c, s.implicit);
     run_block(c, s, p, block, b, out);
     out.paths += block_lanes;
-    for (std::size_t lane = 0; lane < block_lanes; ++lane) {
-      ++counts[static_cast<std::size_t>(b.broken[lane])];
-      if (b.broken[lane] == breakage::none) sum += b.energy(lane);
-    }
+    for (const auto broken : b.broken) ++counts[static_cast<std::size_t>(broken)];
+    energy.merge(energy_of_whole(b));
     if (!p.to_the_end && too_many(out, p.paths)) break;
   }
-  out.mean_energy = sum / (out.paths - out.broken);
+  out.mean_energy = energy.mean;
   if (too_many(out, p.paths))
     out.first = most_frequent(counts);
-  else if (mean_is_off(c, out.mean_energy))
+  else if (const auto beyond = beyond_margin(c, out.mean_energy); beyond && !(*beyond <= 0))
     out.first = breakage::mean_energy;
   return out;
 }
