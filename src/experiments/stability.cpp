@@ -152,7 +152,7 @@ std::vector<std::string> notes() {
       "Scale: Pi -> s Pi, theta -> theta/s, sigma -> sqrt(s) sigma, t -> t/s maps solutions onto solutions; with s a "
       "power of 4 a scheme should do so bit for bit.",
       "At effort thorough: the share of a million paths that breaks at half the largest stable dt (exact binomial "
-      "interval), and the drift of |Pi| over 10^9 steps of one noise path, 64 bodies spread over the sphere.",
+      "interval), and the drift of |Pi| over 10^9 steps (implicit: 10^8) of each of 64 paths.",
       "Normals: fast ones (right to 1e-6). Areas are drawn from the weak surrogate (independent normals of variance "
       "dt^2/4)."};
 }
