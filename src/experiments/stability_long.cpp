@@ -57,7 +57,7 @@ long_drift drift_over(const subject& s, const scheme_entry& scheme, double dt, d
   for (std::uint64_t i = 0; i < chunks; ++i) {
     for (std::uint64_t k = i * chunk; k < (i + 1) * chunk; k += part)
       stepper->advance(states, silent ? silence(part, dt) : noise.fill(seed, 0, k, part, dt));
-    if (i + 1 < next) continue;
+    if (i + 1 < next && i + 1 < chunks) continue;
     out.steps.push_back(static_cast<double>(i + 1) * chunk);
     out.rms.push_back(rms_change(lengths(m, states), start));
     next *= 2;

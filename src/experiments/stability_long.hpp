@@ -7,7 +7,7 @@ namespace polhode {
 
 /// The drift of |Pi| over steps of dt: 64 paths that start spread over the sphere; relative, root mean square.
 struct long_drift {
-  std::vector<double> steps, rms;  ///< at 2^16 steps and every doubling of that
+  std::vector<double> steps, rms;  ///< at 2^16 steps, every doubling of that, and the end
 };
 long_drift drift_over(const subject&, const scheme_entry&, double dt, double steps, std::uint64_t seed,
                       noise_generator);
