@@ -1,5 +1,6 @@
 #include "reports/writers/html.hpp"
 
+#include "reports/writers/heat_map.hpp"
 #include "reports/writers/html_parts.hpp"
 #include "reports/writers/svg_plot.hpp"
 #include "reports/writers/text.hpp"
@@ -14,8 +15,8 @@ std::string to_html(const results& r) {
             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
             "<meta name=\"color-scheme\" content=\"light dark\">\n"
             "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n"
-            "<title>{} · polhode</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n",
-            name, html::page_style(), plot_style());
+            "<title>{} · polhode</title>\n<style>\n{}{}{}</style>\n</head>\n<body>\n<main>\n",
+            name, html::page_style(), plot_style(), heat_map_style());
   html::put_header(out, r);
   html::put_board(out, r);
   const auto experiments = experiment_names(r);

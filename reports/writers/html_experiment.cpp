@@ -156,6 +156,8 @@ void put_experiment(std::string& out, const results& r, const std::string& name,
   put_question(out, declared);
   put_facts(out, r, name);
   put_plots_and_claims(out, r, name, rows);
+  put_maps(out, r, name);
+  put_tables(out, r, name);
   put_fits(out, r, name);
   put_verdicts(out, rows);
   put_measurements(out, r, name);

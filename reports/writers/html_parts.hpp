@@ -27,6 +27,9 @@ std::string_view page_style();
 void put_header(std::string& out, const results&);
 void put_board(std::string& out, const results&);
 void put_experiment(std::string& out, const results&, const std::string& name, std::size_t index);
+void put_maps(std::string& out, const results&, const std::string& experiment);
+/// Schemes × observables, for each quantity that has an interval but no step size.
+void put_tables(std::string& out, const results&, const std::string& experiment);
 void put_schemes(std::string& out, const results&);
 void put_left_out(std::string& out, const results&);
 void put_provenance(std::string& out, const provenance&);

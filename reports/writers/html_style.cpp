@@ -61,6 +61,7 @@ tbody tr:hover > * { background: color-mix(in srgb, var(--card), var(--ink) 4%);
 .i { color: var(--soft); }
 .why { color: var(--soft); min-width: 22ch; }
 .none { color: var(--soft); }
+.cross td { white-space: nowrap; } .cross td small { color: var(--soft); } .cross thead th { white-space: normal; min-width: 8ch; }
 .board thead th { white-space: normal; min-width: 9ch; }
 .chip { display: inline-block; white-space: nowrap; color: var(--ink); }
 .chip b { display: inline-block; width: 1.5em; text-align: center; border-radius: 4px; margin-right: .25em; color: var(--card); background: currentColor; }

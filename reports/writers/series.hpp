@@ -19,7 +19,8 @@ struct series {
 /// In the order in which the results mention them. The pointers live as long as the results.
 std::vector<series> series_of(const results&);
 
-/// One plot for each (quantity, observable) of the experiment that has an abscissa, one line a scheme.
+/// One plot for each (quantity, observable) of the experiment that has an abscissa, one line a scheme; maps
+/// (field.hpp) are drawn by themselves.
 std::vector<plot> plots_of(const results&, const std::string& experiment);
 
 }  // namespace polhode::report

@@ -43,6 +43,7 @@ experiment energy_experiment();
 experiment gibbs_experiment();
 experiment lyapunov_experiment();
 experiment weak_experiment();
+experiment stability_experiment();
 
 /// By effort: quick, standard, thorough.
 template <class T>

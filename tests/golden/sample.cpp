@@ -75,6 +75,26 @@ void add_growth(results& r) {
   r.measurements.push_back(reference);
 }
 
+// A map with a border: whole, half and no share; a border found, one beyond what was tried on either side.
+void add_map(results& r) {
+  const char* at[] = {"theta=0.125", "theta=1", "theta=8"};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4 - row; ++column) {
+      auto m = measured("stability", "lie_heun", "stable_share", at[row]);
+      m.dt = 0.25 * (1 << column);
+      m.value = column < 2 ? 1 : column == 2 ? 0.5 : 0;
+      if (row == 1 && column == 1) m.status = "mean <b>off</b>";
+      r.measurements.push_back(m);
+    }
+    auto m = measured("stability", "lie_heun", "largest_stable_dt", at[row]);
+    m.unit = "time";
+    if (row > 0) m.value = m.low = 0.5;
+    if (row < 2) m.high = 0.53125;
+    m.status = row == 2 ? "stable at every dt tried" : "first broken: a & b";
+    r.measurements.push_back(m);
+  }
+}
+
 void add_verdicts(results& r) {
   r.fits = {{"strong", "heun", "error", "", 1.0, 0.96875, 1.03125, 0.25, "dt = 0.5 dropped: pre-asymptotic"},
             {"strong", "lie_heun", "error", "", 1.0, 0.96875, 1.03125, 0.125, "dt = 0.5 dropped: pre-asymptotic"},
@@ -135,6 +155,7 @@ results sample() {
   add_strong(r, "lie_heun", 0.125);
   add_weak(r);
   add_growth(r);
+  add_map(r);
   add_verdicts(r);
   return r;
 }

@@ -1,0 +1,169 @@
+// How large may a step be before a scheme breaks, and by what does it break first?
+//
+// The border is found by bisection (stability_border.hpp), for each scheme and each case (stability_case.hpp) by
+// itself; a run is many paths over the horizon, watched for what is called broken (stability_run.hpp).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ensemble/paths.hpp"
+#include "experiments/levels.hpp"
+#include "experiments/progress_counter.hpp"
+#include "experiments/stability_long.hpp"
+#include "experiments/stability_report.hpp"
+#include "experiments/stability_scale.hpp"
+#include "experiments/transfer.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double longest = 32;          // dt times the fastest rate
+constexpr double shortest = 1.0 / 256;  // of the map, likewise
+constexpr int map_paths = 256;
+
+finding find(const context& c, const stability_case& in, const scheme_entry& scheme) {
+  const double scales = in.rate * in.horizon;
+  const step_range range{static_cast<std::int64_t>(std::ceil(scales / longest)), std::llround(scales * longest),
+                         std::llround(scales * by_effort(c.effort, 1 << 10, 1 << 12, 1 << 14))};
+  const int paths = in.bound.model->noise() == noise_class::none ? block_lanes : by_effort(c.effort, 512, 2048, 8192);
+  finding out;
+  out.border = find_border(range, [&](std::int64_t steps) {
+    const auto o = run_until_broken(in, scheme, {in.dt(steps), steps, paths, c.seed, c.generator});
+    out.worst_casimir = std::max(out.worst_casimir, o.worst_casimir);
+    out.worst_energy = std::max(out.worst_energy, o.worst_energy);
+    if (!o.stable()) out.first = o.first;  // the last run that broke is the one at the border
+    return o.stable();
+  });
+  return out;
+}
+
+/// The share of whole paths over dt, for one stiffness.
+std::vector<report::measurement> map_row(const context& c, const stability_case& in, const scheme_entry& scheme,
+                                         double own_rate) {
+  std::vector<report::measurement> out;
+  const int cells = by_effort(c.effort, 7, 13, 25);
+  for (int i = 0; i < cells; ++i) {
+    const double dt = longest / own_rate * std::exp2(-12.0 * (cells - 1 - i) / (cells - 1));
+    if (dt * in.rate > longest) break;
+    if (dt * in.rate < shortest) continue;  // too many steps for what they would show
+    const auto steps = static_cast<std::int64_t>(std::ceil(in.horizon / dt));
+    const auto o = run_until_broken(in, scheme, {dt, steps, map_paths, c.seed, c.generator, true});
+    out.push_back(stability_row(scheme.info.name, "stable_share", in.name, 1 - static_cast<double>(o.broken) / o.paths,
+                                "1", "sampled"));
+    out.back().dt = dt;
+    if (o.first == breakage::mean_energy) out.back().status = "mean energy off";
+  }
+  return out;
+}
+
+/// [scheme][case]
+struct findings {
+  std::vector<finding> found;
+  std::vector<std::vector<report::measurement>> map;
+};
+
+findings find_all(const context& c, const std::vector<stability_case>& cases) {
+  const std::size_t n = cases.size(), all = n * c.subject.schemes.size();
+  findings out{std::vector<finding>(all), std::vector<std::vector<report::measurement>>(all)};
+  progress_counter done(static_cast<int>(all), c.progress);
+  parallel_for(c.threads, static_cast<int>(all), [&](int task) {
+    const auto k = static_cast<std::size_t>(task);
+    const auto& in = cases[k % n];
+    const auto& scheme = in.bound.schemes[k / n];
+    out.found[k] = find(c, in, scheme);
+    if (in.name.starts_with("theta=")) out.map[k] = map_row(c, in, scheme, cases[0].rate);
+    done.add();
+  });
+  return out;
+}
+
+/// One scheme a piece of work.
+void report_long_runs(const context& c, const std::vector<stability_case>& cases, const findings& all,
+                      report::results& out) {
+  const auto& schemes = cases[0].bound.schemes;
+  std::vector<report::results> parts(schemes.size());
+  parallel_for(c.threads, static_cast<int>(schemes.size()), [&](int task) {
+    const auto k = static_cast<std::size_t>(task);
+    report_rare_breaks(c, cases[0], schemes[k], all.found[k * cases.size()].border, parts[k]);
+    report_long_drift(c, schemes[k], parts[k]);
+  });
+  for (const auto& part : parts) {
+    out.measurements.insert(out.measurements.end(), part.measurements.begin(), part.measurements.end());
+    out.fits.insert(out.fits.end(), part.fits.begin(), part.fits.end());
+  }
+}
+
+void run(const context& c, report::results& out) {
+  const auto cases = stability_cases(c);
+  const auto& schemes = c.subject.schemes;
+  const std::size_t n = cases.size();
+  const auto all = find_all(c, cases);
+  report_cases(cases, out);
+  if (c.subject.model->noise() == noise_class::none)
+    out.savings.push_back({"stability", "", "the axis of sigma, and more than one block of paths", "no noise", {}});
+  for (std::size_t s = 0; s < schemes.size(); ++s) {
+    const auto of_scheme = std::span(all.found).subspan(s * n, n);
+    report_borders(schemes[s], cases, of_scheme, out);
+    for (std::size_t i = 0; i < n; ++i)
+      out.measurements.insert(out.measurements.end(), all.map[s * n + i].begin(), all.map[s * n + i].end());
+    judge_orbit(schemes[s], cases, of_scheme, out);
+    report_scale(c, schemes[s], out);
+  }
+  if (c.effort == effort::thorough) report_long_runs(c, cases, all, out);
+}
+
+std::optional<std::string> cannot_say(const subject& s) {
+  if (!sphere_problem_of(s)) return "the cases are those of the rigid body alone";
+  if (const double rate = fastest_rate(s); !std::isfinite(rate) || !(rate > 0))
+    return "the rates of the scene are not numbers that double precision holds";
+  return std::nullopt;
+}
+
+std::vector<std::string> notes() {
+  return {
+      fmt::format(
+          "A path is broken where its numbers are not finite (of an implicit scheme: the equation of a step is "
+          "not solved), |Pi| is off by {:g} %, or h lies outside what the sphere allows by {:g} % of the "
+          "greatest h, looked at every sixteenth step and more often where there are few. A run is broken where "
+          "more than {:g} % of its paths are, or the mean of h at the end is off by {:g} % of the range of h. "
+          "What broke the most paths is said to come first.",
+          100 * casimir_share, 100 * energy_share, 100 * broken_share, 100 * mean_energy_share),
+      fmt::format(
+          "Largest stable dt: from dt = 1/({0:g} rate) by octaves, then by halves of log dt to 5 %, up to dt = "
+          "{0:g}/rate; rate = c/I_min + theta c^2 (1/I_min - 1/I_max) + sum |sigma_i|^2. The interval reaches to "
+          "the shortest dt that broke. Horizon: the scene's, but at least 64 of 1/rate and at most 128, 256 or 1024 by "
+          "effort. Runs of "
+          "different dt have different noise; 512, 2048 or 8192 paths by effort, up to four times as many where the "
+          "mean "
+          "is within two standard errors of its margin. With so many a mean is uncertain by about 0.5, 0.25 or 0.13 % "
+          "of the range: the border by mean energy is no sharper than that.",
+          longest),
+      "True mean of h: the Kolmogorov operator, or where low degrees do not suffice the driven ordinary differential "
+      "equation at 16 steps to 1/rate. Left out where the range of h is below 0.1 % of h.",
+      "One parameter is moved at a time; inertia ratio keeps the smallest inertia. Separatrix: start near the middle "
+      "axis. Stiff: dissipation 10^4 times as fast as the rest. Denormal: numbers below 1e-308 are taken as zero by "
+      "design, so |Pi| itself is lost there, and no claim is made.",
+      fmt::format(
+          "Map: the share of {} paths that stay whole, over dt and theta; marked where that is all but their mean "
+          "energy is off.",
+          map_paths),
+      "Scale: Pi -> s Pi, theta -> theta/s, sigma -> sqrt(s) sigma, t -> t/s maps solutions onto solutions; with s a "
+      "power of 4 a scheme should do so bit for bit.",
+      "At effort thorough: the share of a million paths that breaks at half the largest stable dt (exact binomial "
+      "interval), and the drift of |Pi| over 10^9 steps (implicit: 10^8) of each of 64 paths.",
+      "Normals: fast ones (right to 1e-6). Areas are drawn from the weak surrogate (independent normals of variance "
+      "dt^2/4)."};
+}
+
+}  // namespace
+
+experiment stability_experiment() {
+  return {{"stability", "How large may a step be before the scheme breaks, and by what does it break first?", notes()},
+          3,
+          cannot_say,
+          run};
+}
+
+}  // namespace polhode
