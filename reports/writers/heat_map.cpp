@@ -25,11 +25,11 @@ std::vector<double> edges_of(const std::vector<double>& centres) {
   return edges;
 }
 
-struct frame {
+struct map_frame {
   std::vector<double> columns, rows;  // edges
   axis x, y;
 
-  explicit frame(const heat_map& m)
+  explicit map_frame(const heat_map& m)
       : columns(edges_of(m.columns)), rows(edges_of(m.rows)), x(true, columns), y(true, rows) {
     x.place_between(left, right);
     y.place_between(bottom, top);
@@ -40,7 +40,7 @@ std::size_t index_of(const std::vector<double>& all, double value) {
   return static_cast<std::size_t>(std::ranges::find(all, value) - all.begin());
 }
 
-void put_cells(std::string& out, const heat_map& m, const frame& f) {
+void put_cells(std::string& out, const heat_map& m, const map_frame& f) {
   for (const auto& cell : m.cells) {
     const auto i = index_of(m.columns, cell.x), k = index_of(m.rows, cell.y);
     const double x0 = f.x(f.columns[i]), x1 = f.x(f.columns[i + 1]), y0 = f.y(f.rows[k + 1]), y1 = f.y(f.rows[k]);
@@ -67,7 +67,7 @@ const char* outline_of(const border_point& p) {
   return "m-3.5 0a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0-7 0z";
 }
 
-void put_border(std::string& out, const heat_map& m, const frame& f) {
+void put_border(std::string& out, const heat_map& m, const map_frame& f) {
   std::string line, marks;
   for (const auto& p : m.border) {
     if (!p.low && !p.high) continue;
@@ -81,7 +81,7 @@ void put_border(std::string& out, const heat_map& m, const frame& f) {
   put(out, "<path class=\"border under\" d=\"{0}\"/><path class=\"border\" d=\"{0}\"/>\n{1}", line, marks);
 }
 
-void put_frame(std::string& out, const heat_map& m, const frame& f) {
+void put_frame(std::string& out, const heat_map& m, const map_frame& f) {
   for (const auto& t : f.x.ticks()) {
     put(out, "<path class=\"tick\" d=\"M{:.1f} {:.1f}v{}\"/>\n", t.place, bottom, t.label.empty() ? 2 : 4);
     if (!t.label.empty())
@@ -103,7 +103,7 @@ void put_frame(std::string& out, const heat_map& m, const frame& f) {
 }  // namespace
 
 std::string to_svg(const heat_map& m) {
-  const frame f(m);
+  const map_frame f(m);
   std::string out;
   put(out, "<svg class=\"plot heat\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{} over {} and {}\">\n", width,
       height, escape_html(m.title), escape_html(m.x_title), escape_html(m.y_title));

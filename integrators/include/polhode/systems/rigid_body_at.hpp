@@ -25,9 +25,9 @@ class rigid_body_at : public Noise {
 
   rigid_body_at(const rigid_body_constants& constants, const Noise& noise) : Noise(noise), k_(constants) {
     if constexpr (polynomials) {
-      const double range = k_.spread() * k_.least_square;
       norm_ = chebyshev_interpolation<rotations<size>::norm_degree>(
-          [&](long double e) { return k_.radius / std::sqrt(k_.least_square + e); }, std::max(range, 1e-300));
+          [&](long double e) { return k_.radius / std::sqrt(k_.least_square * (1 + e)); },
+          std::max(k_.spread(), 1e-300));
     }
   }
 
@@ -171,10 +171,12 @@ class rigid_body_at : public Noise {
   /// c y / |y|.
   template <class S>
   vec<S, 3> normalised(const vec<S, 3>& y) const {
-    if constexpr (polynomials)
-      return evaluate(norm_, S(y[2] * y[2] + (y[1] * y[1] + (y[0] * y[0] - S(k_.least_square))))) * y;
-    else
+    if constexpr (polynomials) {
+      const S excess = y[2] * y[2] + (y[1] * y[1] + (y[0] * y[0] - S(k_.least_square)));
+      return evaluate(norm_, S(excess * S(1 / k_.least_square))) * y;  // relative: no power of |Pi| in a coefficient
+    } else {
       return S(S(k_.radius) / square_root(dot(y, y))) * y;
+    }
   }
 
   template <class S>
