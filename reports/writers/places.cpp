@@ -51,14 +51,13 @@ struct group {
 std::vector<group> groups_of(const results& r, const std::string& experiment, std::size_t coordinates) {
   std::vector<group> groups;
   for (const auto& m : r.measurements) {
-    if (m.experiment != experiment || has_abscissa(m)) continue;
+    if (m.experiment != experiment || !m.scheme.empty() || has_abscissa(m)) continue;
     auto place = read_place(m.observable);
     if (place.size() != coordinates) continue;
     std::vector<std::string> names;
     for (const auto& c : place) names.push_back(c.name);
-    auto known = std::find_if(groups.begin(), groups.end(), [&](const group& g) {
-      return g.first->quantity == m.quantity && g.first->scheme == m.scheme && g.names == names;
-    });
+    auto known = std::find_if(groups.begin(), groups.end(),
+                              [&](const group& g) { return g.first->quantity == m.quantity && g.names == names; });
     if (known == groups.end()) known = groups.insert(known, group{&m, names, {}});
     known->rows.emplace_back(std::move(place), &m);
   }

@@ -1,4 +1,5 @@
-// Measurements that stand at places: their observable says where, "a=1" or "a=1 b=2". Gathered into curves and maps.
+// Measurements of no scheme that stand at places: their observable says where, "a=1" or "a=1 b=2". Gathered into curves
+// and maps. (Those of schemes: field.hpp.)
 #pragma once
 
 #include <string>
