@@ -57,7 +57,8 @@ int parsed_otherwise(const CLI::App& app, const CLI::ParseError& outcome) {
 int run(int argc, char** argv) {
   CLI::App app{"Verifies what stochastic geometric integrators claim."};
   set_up(app);
-  const std::vector<command> commands{add_verify(app), add_simulate(app), add_reference(app), add_list(app)};
+  const std::vector<command> commands{add_verify(app), add_simulate(app), add_reference(app), add_select(app),
+                                      add_list(app)};
   for (const auto& c : commands) c.parser->allow_extras()->footer(exit_codes);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,126 @@
+// polhode select: the cheapest scheme and step that meet a target on a scene, with the evidence.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "cli/arguments.hpp"
+#include "cli/terminal.hpp"
+#include "registry/choose.hpp"
+#include "registry/text.hpp"
+#include "reports/model/errors.hpp"
+
+namespace polhode::cli {
+namespace {
+
+constexpr int nothing_meets_it = 3;
+constexpr std::uint64_t most_threads = 1024;
+
+struct arguments {
+  std::string scene = "paper", goal, tolerance, observable = "energy", time, require, threads, seed = "1", isa = "auto",
+              format = "text";
+};
+
+double positive(std::string_view option, std::string_view text) {
+  double value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(value) || !(value > 0))
+    throw input_error(fmt::format("{} '{}': accepted: a number above 0", option, one_line(text, 60)));
+  return value;
+}
+
+nlohmann::ordered_json json_of(const choice& c) {
+  return {{"scheme", c.scheme},      {"dt", c.dt},       {"predicted", c.predicted},        {"checked", c.checked},
+          {"bound", c.bound},        {"order", c.order}, {"cost_ns_per_unit_time", c.cost}, {"cost_low", c.cost_low},
+          {"cost_high", c.cost_high}};
+}
+
+std::string json_of(const selection& s) {
+  nlohmann::ordered_json out{{"goal", s.question.name},
+                             {"tolerance", s.question.tolerance},
+                             {"observable", s.question.observable},
+                             {"time", s.question.time},
+                             {"scheme", nullptr}};
+  if (s.winner) out.update(json_of(*s.winner));
+  out["tied"] = s.tied;
+  out["runner_up"] = s.runner_up ? json_of(*s.runner_up) : nlohmann::ordered_json();
+  if (!s.winner) {
+    out["closest"] = s.closest ? json_of(*s.closest) : nlohmann::ordered_json();
+    out["reason"] = s.reason;
+  }
+  out["rejected"] = nlohmann::ordered_json::array();
+  for (const auto& r : s.rejected) out["rejected"].push_back({{"scheme", r.scheme}, {"reason", r.reason}});
+  out["notes"] = s.notes;
+  out["snippet"] = s.snippet;
+  return out.dump(2) + '\n';
+}
+
+std::string line_of(const choice& c) {
+  return fmt::format(
+      "{} at dt = {:.4g}: error {:.2g}, at most {:.2g} (predicted {:.2g}); {:.3g} ns a path and unit of "
+      "time\n",
+      c.scheme, c.dt, c.checked, c.bound, c.predicted, c.cost);
+}
+
+std::string text_of(const selection& s) {
+  std::string out;
+  if (s.winner) {
+    out += line_of(*s.winner);
+    if (s.runner_up)
+      out += fmt::format("then {}", line_of(*s.runner_up));
+    else
+      out += "nothing else meets it\n";
+    if (s.runner_up)
+      out += s.tied ? "the two are tied: the intervals of their costs overlap\n"
+                    : fmt::format("the first costs {:.2f} times less\n", s.runner_up->cost / s.winner->cost);
+  } else {
+    out += fmt::format("nothing meets {} {:g}: {}\n", s.question.name, s.question.tolerance, s.reason);
+  }
+  out += '\n';
+  for (const auto& n : s.notes) out += n + '\n';
+  for (const auto& r : s.rejected) out += fmt::format("  {:<20} {}\n", r.scheme, r.reason);
+  return s.snippet.empty() ? out : out + '\n' + s.snippet;
+}
+
+int run(const arguments& given) {
+  const auto output = format_option(given.format);
+  select_options options;
+  options.goal = given.goal;
+  if (given.tolerance.empty()) throw input_error("--tolerance is missing; accepted: a number above 0");
+  options.tolerance = positive("--tolerance", given.tolerance);
+  options.observable = given.observable;
+  if (!given.time.empty()) options.time = positive("--time", given.time);
+  options.require = list_option("--require", given.require);
+  options.threads = static_cast<int>(integer_option("--threads", given.threads, 1, most_threads));
+  options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  options.isa = given.isa;
+  const auto found = select(load_scene(given.scene), options);
+  print(output == format::json ? json_of(found) : text_of(found));
+  return found.winner ? 0 : nothing_meets_it;
+}
+
+}  // namespace
+
+command add_select(CLI::App& app) {
+  const auto given = std::make_shared<arguments>();
+  given->threads = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
+  auto* parser = app.add_subcommand("select", "The cheapest scheme and step for a target, measured on a scene");
+  parser->add_option("SCENE", given->scene, "A built-in name or a TOML file [paper]")->type_name("");
+  parser->add_option("--goal", given->goal, "strong, weak, stationary, energy")->type_name("G");
+  parser->add_option("--tolerance", given->tolerance, "Of the error")->type_name("X");
+  parser->add_option("--observable", given->observable, "Of weak and stationary [energy]")->type_name("NAME");
+  parser->add_option("--time", given->time, "Of strong, weak and energy [the horizon]")->type_name("T");
+  parser->add_option("--require", given->require, "casimir-exact,explicit,no-areas,monotone-energy")->type_name("A,B");
+  parser->add_option("--threads", given->threads, "Working threads [all processors]")->type_name("N");
+  parser->add_option("--seed", given->seed, "Of every random number [1]")->type_name("N");
+  parser->add_option("--isa", given->isa, "Instruction set of the inner loops [auto]")->type_name("I");
+  parser->add_option("--format", given->format, "text, json [text]")->type_name("F");
+  return {parser, [given] { return run(*given); }};
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,32 @@
+#include "selection/goal.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "experiments/transfer.hpp"
+#include "reports/model/errors.hpp"
+
+namespace polhode {
+
+std::unique_ptr<goal> make_goal(const context& c, const goal_question& q) {
+  const auto& s = c.subject;
+  const auto refuse = [&](const std::string& fault) {
+    throw input_error(fmt::format("scene {}: --goal {}: {}", s.scene.name, q.name, fault));
+  };
+  if (!(q.tolerance > 0) || !std::isfinite(q.tolerance))
+    throw input_error(fmt::format("--tolerance '{:g}': accepted: a number above 0", q.tolerance));
+  const bool averages = q.name == "weak" || q.name == "stationary";
+  if (q.name != "energy" && s.model->noise() == noise_class::none)
+    refuse("the scene has no noise, so its path is its law; ask --goal energy, or polhode verify --experiments energy");
+  if (averages && !sphere_problem_of(s)) refuse("exact averages are known for the rigid body alone; ask --goal strong");
+  auto made = averages ? make_averages_goal(c, q) : q.name == "strong" ? make_path_goal(c, q) : make_energy_goal(c, q);
+  if (q.tolerance < 10 * made->floor())
+    throw input_error(
+        fmt::format("--tolerance '{:g}': below what double precision can show here; accepted: {:.1g} or "
+                    "more",
+                    q.tolerance, 10 * made->floor()));
+  return made;
+}
+
+}  // namespace polhode

@@ -1,0 +1,94 @@
+// The path itself: root-mean-square distance after a time from the path driven by the same noise.
+#include <algorithm>
+#include <cmath>
+
+#include "ensemble/paths.hpp"
+#include "experiments/increment_ladder.hpp"
+#include "experiments/vectors.hpp"
+#include "selection/goal.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr int paths = 512, fewest_cells = 8, plain_cells = 32;
+constexpr double most_cells = 4e8;  // of a check: some seconds
+constexpr double rounding = 1e-12;  // of |mu|
+constexpr double quantile = 1.96;
+
+class path_goal final : public goal {
+ public:
+  path_goal(const context& c, const goal_question& q)
+      : context_(c), time_(q.time), rate_(fastest_rate(c.subject)), reference_(c.subject.model->reference()) {}
+
+  std::vector<candidate> candidates(const subject& s) const override {
+    std::vector<candidate> out;
+    for (const auto& e : s.schemes)
+      out.push_back({std::string(e.info.name), e, false, strong_order_on(e.info, s.model->noise())});
+    return out;
+  }
+
+  error_estimate error(const candidate& c, double dt, std::uint64_t seed) const override {
+    const auto stepper = c.scheme.make(dt);
+    const level_grid grid{time_, {static_cast<int>(std::lround(time_ / dt))}};
+    std::vector<double> square(paths);
+    parallel_for(context_.threads, paths / block_lanes,
+                 [&](int block) { run_block(*stepper, grid, cells(c, dt), seed, block * block_lanes, square); });
+    double sum = 0, squares = 0;
+    for (const double x : square) {
+      sum += x;
+      squares += x * x;
+    }
+    const double mean = sum / paths, error = std::sqrt(std::max(0.0, squares / paths - mean * mean) / (paths - 1));
+    return {std::sqrt(mean), std::sqrt(mean + quantile * error) - std::sqrt(mean)};
+  }
+
+  bool affordable(const candidate& c, double dt) const override {
+    return time_ / dt * cells(c, dt) * paths <= most_cells;
+  }
+
+  double further_normals(const candidate& c, double dt) const override {
+    const int channels = context_.subject.model->active_channels();
+    return c.scheme.needs_areas && channels > 1 ? (cells(c, dt) - 1.0) * channels : 0;
+  }
+
+  double floor() const override { return rounding * length(context_.subject.scene.momentum); }
+  double longest_step() const override { return time_; }
+
+  std::vector<std::string> notes() const override {
+    return {
+        "root-mean-square distance of paths driven by one noise. Levy areas, where a scheme takes them, are those of "
+        "the path, from the cells inside a step (Chen's relation): these cells are part of its cost"};
+  }
+
+ private:
+  /// Areas of order one need about 1/dt cells, as those of a step are known to dt / sqrt(cells). A scheme without areas
+  /// misses what the cells know of them: all but 1/cells of the mean square.
+  int cells(const candidate& c, double dt) const {
+    return c.scheme.needs_areas ? std::max(fewest_cells, static_cast<int>(std::ceil(1 / (rate_ * dt)))) : plain_cells;
+  }
+
+  void run_block(const kernel& stepper, const level_grid& grid, int cells, std::uint64_t seed, int first_path,
+                 std::vector<double>& out) const {
+    const auto& s = context_.subject;
+    increment_ladder ladder(*s.model, grid, cells, {context_.generator, noise_quality::precise});
+    auto truth = replicated(s.scene.momentum), state = truth;
+    for (int step = 0; step < grid.steps.front(); ++step) {
+      reference_->advance(truth, ladder.fill(seed, static_cast<std::uint64_t>(first_path), step));
+      stepper.advance(state, ladder.level(0));
+    }
+    for (std::size_t i = 0; i < truth.size(); ++i)
+      out[static_cast<std::size_t>(first_path) + i % block_lanes] += std::pow(state[i] - truth[i], 2);
+  }
+
+  context context_;
+  double time_, rate_;
+  std::unique_ptr<kernel> reference_;
+};
+
+}  // namespace
+
+std::unique_ptr<goal> make_path_goal(const context& c, const goal_question& q) {
+  return std::make_unique<path_goal>(c, q);
+}
+
+}  // namespace polhode

@@ -1,0 +1,97 @@
+#include "selection/search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "experiments/levels.hpp"
+#include "experiments/step_cost.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double coarsest = 0.5;  // of the fastest time scale
+constexpr double share = 0.9;     // of the tolerance that is aimed at
+constexpr int most_tries = 6;
+constexpr double generous = 0.5;  // of the tolerance: a longer step is worth a try
+
+}  // namespace
+
+double error_law::at(double dt) const { return factor * std::pow(dt, order); }
+double error_law::step_for(double error) const { return std::pow(error / factor, 1 / order); }
+
+search::search(const context& c, const goal& g, const goal_question& q)
+    : context_(c), goal_(g), question_(q), rate_(fastest_rate(c.subject)) {}
+
+/// The next shorter step of which a whole number fills the time; at equilibrium any step will do.
+double search::whole_steps(double dt) const {
+  dt = std::min(dt, goal_.longest_step());
+  return question_.name == "stationary" ? dt : question_.time / std::ceil(question_.time / dt * (1 - 1e-12));
+}
+
+prospect search::predict(const candidate& who) const {
+  prospect out{who, {}, 0, 0, {}};
+  if (const auto reason = goal_.cannot_ask(who)) {
+    out.fault = *reason;
+    return out;
+  }
+  double dt = whole_steps(coarsest / rate_);
+  std::array<double, 3> error{};
+  for (int i = 0; i < 3; ++i) error[static_cast<std::size_t>(i)] = goal_.error(who, dt / (1 << i), context_.seed).value;
+  dt /= 4;
+  if (!std::isfinite(error[2])) {
+    out.fault = fmt::format("not finite at dt = {:.3g}", dt);
+    return out;
+  }
+  const double least = std::max(goal_.floor(), 1e-300), slope = std::log2(error[1] / error[2]);
+  // A slope far from the claim is that of no asymptotic range; the check mends what the claim then predicts.
+  const bool sane = std::isfinite(slope) && slope > 0.6 * who.order && slope < 2.5 * who.order && error[2] > 3 * least;
+  const double order = sane ? slope : who.order;
+  out.law = error_law{std::max(error[2], least) / std::pow(dt, order), order};
+  out.dt = whole_steps(out.law->step_for(share * question_.tolerance));
+  return out;
+}
+
+choice search::priced(const candidate& who, double dt) const {
+  const auto step = cost_of_step(context_, who.scheme, dt);
+  const double runs = who.extrapolated ? 3 : 1;  // dt and dt/2
+  const double further = step.normals > 0 ? goal_.further_normals(who, dt) : 0;
+  const double normal = further > 0 ? ns_per_normal(context_) : 0;
+  const auto per_time = [&](double ns) { return runs * (ns + further * normal) / dt; };
+  return {who.name, dt, 0, 0, 0, 0, per_time(step.ns), per_time(step.low), per_time(step.high)};
+}
+
+void search::price(prospect& p) const {
+  if (p.fault.empty()) p.cost = priced(p.who, p.dt).cost;
+}
+
+std::optional<choice> search::check(const prospect& p, std::string& fault) const {
+  std::optional<choice> best;
+  double dt = p.dt;
+  for (int i = 0; i < most_tries; ++i) {
+    if (!goal_.affordable(p.who, dt)) {
+      if (!best) fault = fmt::format("needs about {:.1e} steps to be checked", goal_.longest_step() / dt);
+      break;
+    }
+    const auto e = goal_.error(p.who, dt, context_.seed + 1 + static_cast<std::uint64_t>(i));
+    const bool met = e.bound() <= question_.tolerance;
+    if (met) {
+      best = priced(p.who, dt);
+      best->predicted = p.law->at(dt);
+      best->checked = e.value;
+      best->bound = e.bound();
+      best->order = p.law->order;
+    }
+    const bool longer = met && e.bound() < generous * question_.tolerance && i == 0 && dt < goal_.longest_step();
+    if (best && !longer) break;
+    const double factor = std::pow(share * question_.tolerance / e.bound(), 1 / p.law->order);
+    dt = whole_steps(dt * (std::isfinite(factor) ? std::clamp(factor, 0.1, 4.0) : 0.25));
+    if (!best) fault = fmt::format("error {:.2g} at dt = {:.3g}", e.bound(), dt);
+    if (best && dt <= best->dt) break;
+  }
+  return best;
+}
+
+}  // namespace polhode

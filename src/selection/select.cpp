@@ -1,0 +1,112 @@
+#include "selection/select.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ensemble/paths.hpp"
+#include "selection/requirements.hpp"
+#include "selection/search.hpp"
+#include "selection/snippet.hpp"
+
+namespace polhode {
+namespace {
+
+bool is_required(const std::vector<std::string>& wanted, const char* name) {
+  return std::ranges::find(wanted, name) != wanted.end();
+}
+
+/// Error laws in parallel, prices one by one; by rising predicted cost, those that are out last.
+std::vector<prospect> prospects_of(const context& c, const search& s, const std::vector<candidate>& candidates,
+                                   const std::vector<std::string>& wanted) {
+  std::vector<prospect> out(candidates.size());
+  parallel_for(c.threads, static_cast<int>(candidates.size()), [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    const auto lacking = lacks(candidates[k], wanted);
+    out[k] = lacking ? prospect{candidates[k], {}, 0, 0, *lacking} : s.predict(candidates[k]);
+  });
+  for (auto& p : out) s.price(p);
+  std::ranges::stable_sort(out, [](const prospect& a, const prospect& b) {
+    return a.fault.empty() != b.fault.empty() ? a.fault.empty() : a.cost < b.cost;
+  });
+  return out;
+}
+
+/// Checks in the order of predicted cost until nobody left can undercut the two best.
+void check_all(const context& c, const search& s, const std::vector<std::string>& wanted,
+               std::vector<prospect>& prospects, std::vector<choice>& met) {
+  constexpr double margin = 1.5;  // a prediction may be off by this
+  for (auto& p : prospects) {
+    if (!p.fault.empty()) continue;
+    if (met.size() >= 2 && p.cost > margin * met[1].cost) break;
+    const auto found = s.check(p, p.fault);
+    if (!found) continue;
+    if (is_required(wanted, "monotone-energy") && !monotone_energy(c.subject, p.who, found->dt)) {
+      p.fault = fmt::format("its energy rises without noise at dt = {:.3g} (monotone energy is required)", found->dt);
+      continue;
+    }
+    p.fault.clear();
+    met.push_back(*found);
+    std::ranges::stable_sort(met, {}, &choice::cost);
+  }
+}
+
+std::string loss_of(const prospect& p, const choice* met, const std::optional<choice>& winner) {
+  if (!p.law || (!met && p.cost == 0)) return p.fault;
+  const double times = winner ? (met ? met->cost : p.cost) / winner->cost : 0;
+  std::string out = winner ? fmt::format("{:.3g} times the cost, ", times) : "";
+  out += fmt::format("dt = {:.3g}, order {:.2f}", met ? met->dt : p.dt, p.law->order);
+  if (!met) out += p.fault.empty() ? " (predicted)" : fmt::format(" (predicted); {}", p.fault);
+  return out;
+}
+
+void explain(const std::vector<prospect>& prospects, const std::vector<choice>& met, selection& out) {
+  for (const auto& p : prospects) {
+    if (out.winner && p.who.name == out.winner->scheme) continue;
+    const auto found = std::ranges::find(met, p.who.name, &choice::scheme);
+    out.rejected.push_back({p.who.name, loss_of(p, found == met.end() ? nullptr : &*found, out.winner)});
+  }
+}
+
+/// The prospect with the least error among those that could be asked.
+void say_closest(const std::vector<prospect>& prospects, selection& out) {
+  for (const auto& p : prospects)
+    if (p.law) {
+      out.closest = choice{p.who.name, p.dt, out.question.tolerance, 0, 0, p.law->order, p.cost, p.cost, p.cost};
+      out.reason = fmt::format("no scheme was seen to meet it; {} by its error law would at dt = {:.3g}, but {}",
+                               p.who.name, p.dt, p.fault.empty() ? "was not checked" : p.fault);
+      return;
+    }
+  out.reason = "no scheme could be asked";
+}
+
+}  // namespace
+
+selection select(const context& c, const goal_question& q, const std::vector<std::string>& require) {
+  const auto goal = make_goal(c, q);
+  const auto candidates = goal->candidates(c.subject);
+  check_requirements(require, candidates);
+  const search s(c, *goal, q);
+  selection out;
+  out.question = q;
+  out.notes = goal->notes();
+  auto prospects = prospects_of(c, s, candidates, require);
+  std::vector<choice> met;
+  check_all(c, s, require, prospects, met);
+  if (!met.empty()) out.winner = met[0];
+  if (met.size() > 1) {
+    out.runner_up = met[1];
+    out.tied = met[1].cost_low <= met[0].cost_high;
+  }
+  if (met.empty()) say_closest(prospects, out);
+  explain(prospects, met, out);
+  if (!out.winner || c.subject.scene.system != "rigid_body") return out;
+  const auto who = std::ranges::find(candidates, out.winner->scheme, &candidate::name);
+  const int channels = std::max(1, c.subject.model->active_channels());
+  const int cells = 1 + static_cast<int>(std::lround(goal->further_normals(*who, out.winner->dt) / channels));
+  out.snippet = snippet(c.subject.scene, *who, out.winner->dt, q.time, cells);
+  return out;
+}
+
+}  // namespace polhode

@@ -1,0 +1,47 @@
+// Which scheme, at which step, for this scene? The cheapest that is measured to meet the target.
+//
+// 1. Every scheme's error is measured at three steps in the asymptotic range: error = C dt^p.
+// 2. Its cost is measured here and now (step_cost.hpp): ns a path and unit of time at the dt that C and p predict.
+// 3. In the order of that cost the error is measured at the predicted dt, which is mended until the error's upper bound
+//    is within the tolerance. The first two whose measured costs nobody can undercut are the winner and the runner-up.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "selection/goal.hpp"
+
+namespace polhode {
+
+struct choice {
+  std::string scheme;
+  double dt = 0;
+  double predicted = 0, checked = 0, bound = 0;  ///< error by the model, measured, with its interval
+  double order = 0;                              ///< p of the model
+  double cost = 0, cost_low = 0, cost_high = 0;  ///< ns a path and unit of time
+};
+
+struct rejection {
+  std::string scheme, reason;
+};
+
+struct selection {
+  goal_question question;
+  std::optional<choice> winner, runner_up;
+  bool tied = false;              ///< the intervals of their costs overlap
+  std::optional<choice> closest;  ///< where nothing meets the target
+  std::string reason;             ///< what stands in the way
+  std::vector<rejection> rejected;
+  std::vector<std::string> notes;
+  std::string snippet;  ///< a program against the installed headers; empty without a winner
+};
+
+/// require: casimir-exact, explicit, implicit, no-areas, monotone-energy (without noise the energy never rises at that
+/// dt). Throws input_error on what cannot be asked of the scene.
+selection select(const context&, const goal_question&, const std::vector<std::string>& require = {});
+
+/// The names that `require` takes.
+const std::vector<std::string>& requirements();
+
+}  // namespace polhode

@@ -1,0 +1,78 @@
+#include "selection/snippet.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+namespace {
+
+std::string body_of(const report::scene& s) {
+  std::vector<std::string> vectors;
+  for (const auto& v : s.sigma) vectors.push_back(fmt::format("{{{{{}}}}}", fmt::join(v, ", ")));
+  const std::string head = fmt::format("  const rigid_body body({{{}}}, {}, ", fmt::join(s.inertia, ", "), s.theta);
+  if (vectors.empty()) return head + "rigid_body::isotropic(0));\n";
+  return fmt::format("  const vec<double, 3> sigma[] = {{{}}};\n{}rigid_body::from_vectors(sigma));\n",
+                     fmt::join(vectors, ", "), head);
+}
+
+std::string path_of(const candidate& who, const std::string& dt, const std::string& steps) {
+  const auto name = who.scheme.info.name;
+  return fmt::format("integrate<{}>(body, start, {}, {}, {{.seed = 1, .path = path}})", name, dt, steps);
+}
+
+/// Areas of a path come from the cells inside a step.
+std::string stepper_with_areas(const candidate& who, int cells) {
+  return fmt::format(R"(    vec<double, 3> pi = start;
+    for (std::uint64_t step = 0; step < steps; ++step) {{
+      wiener_levy<double, 3> w;  // increments and Levy areas of this step, from {0} cells
+      for (std::uint64_t cell = 0; cell < {0}; ++cell) {{
+        wiener_levy<double, 3> part;
+        static_cast<wiener<double, 3>&>(part) =
+            wiener_at<3>({{.seed = 1, .path = path, .step = {0} * step + cell}}, dt / {0}, body.active_channels());
+        w = chen(w, part);
+      }}
+      pi = {1}::step(body, pi, w);
+    }}
+    energy += body.energy(pi) / paths;
+)",
+                     cells, who.scheme.info.name);
+}
+
+std::string loop_of(const candidate& who, int cells) {
+  if (who.scheme.needs_areas) return stepper_with_areas(who, cells);
+  if (!who.extrapolated) return fmt::format("    energy += body.energy({}) / paths;\n", path_of(who, "dt", "steps"));
+  return fmt::format(
+      "    const auto coarse = {};\n    const auto fine = {};\n"
+      "    energy += (4 * body.energy(fine) - body.energy(coarse)) / 3 / paths;\n",
+      path_of(who, "dt", "steps"), path_of(who, "dt / 2", "2 * steps"));
+}
+
+}  // namespace
+
+std::string snippet(const report::scene& s, const candidate& who, double dt, double time, int cells) {
+  return fmt::format(R"(#include <cstdint>
+#include <cstdio>
+#include <polhode/integrate.hpp>
+#include <polhode/schemes/{0}.hpp>
+#include <polhode/systems/rigid_body.hpp>
+
+int main() {{
+  using namespace polhode;
+{1}  const vec<double, 3> start{{{{{2}}}}};
+  const double dt = {3:.17g};
+  const std::uint64_t steps = {4};
+  constexpr int paths = 1000;
+  double energy = 0;
+  for (std::uint64_t path = 0; path < paths; ++path) {{
+{5}  }}
+  std::printf("mean energy after %g: %.6f\n", dt * static_cast<double>(steps), energy);
+}}
+)",
+                     who.scheme.info.name, body_of(s), fmt::join(s.momentum, ", "), dt,
+                     std::max(1L, std::lround(time / dt)), loop_of(who, cells));
+}
+
+}  // namespace polhode

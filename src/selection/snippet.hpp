@@ -1,0 +1,14 @@
+// A program against the installed headers that runs what was chosen.
+#pragma once
+
+#include <string>
+
+#include "selection/goal.hpp"
+
+namespace polhode {
+
+/// Of the rigid body: mean energy of a thousand paths after `time`; cells: increments a step, where areas are asked
+/// for.
+std::string snippet(const report::scene&, const candidate&, double dt, double time, int cells);
+
+}  // namespace polhode
