@@ -6,8 +6,9 @@
 namespace polhode {
 
 struct step_cost {
-  double ns = 0, low = 0, high = 0;  ///< CPU time a path and step, one thread: the median of several runs, and their range
-  double normals = 0;                ///< drawn a path and step
+  double ns = 0, low = 0,
+         high = 0;     ///< CPU time a path and step, one thread: the median of several runs, and their range
+  double normals = 0;  ///< drawn a path and step
 };
 
 /// Of independent paths through the pack kernels, their noise included (fast normals); takes some milliseconds.
