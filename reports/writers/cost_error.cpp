@@ -85,7 +85,7 @@ std::vector<cost_line> cost_table_of(const results& r, const std::string& experi
     for (auto& line : lines)
       if (line.what == m.observable && line.cost->scheme == m.scheme) line.next = &m;
   }
-  std::ranges::stable_sort(lines, {}, [](const cost_line& l) { return l.what.substr(0, l.what.find(' ')); });
+  std::ranges::sort(lines, {}, &cost_line::what);  // 1e-01 before 1e-02
   return lines;
 }
 

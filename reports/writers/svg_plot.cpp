@@ -62,7 +62,8 @@ void put_front(std::string& out, const canvas& c) {
       if (p.fitted && c.drawable(p)) on.push_back(p);
   if (on.empty()) return;
   std::ranges::sort(on, {}, &plot_point::x);
-  put(out, "<path class=\"level\" d=\"M{:.1f} {:.1f}V{:.1f}", c.x(on[0].x), canvas::top, c.y(c.magnitude(on[0].y)));
+  put(out, "<path class=\"level\" fill=\"none\" d=\"M{:.1f} {:.1f}V{:.1f}", c.x(on[0].x), canvas::top,
+      c.y(c.magnitude(on[0].y)));
   for (const auto& p : on) put(out, "H{:.1f}V{:.1f}", c.x(p.x), c.y(c.magnitude(p.y)));
   put(out, "H{:.1f}\"/>\n", canvas::right);
 }

@@ -65,8 +65,8 @@ void report_ranking(const std::string& what, const std::vector<reached>& ranked,
     out.measurements.push_back(std::move(cost));
     if (i + 1 == ranked.size()) continue;
     const auto& next = ranked[i + 1];
-    auto ratio =
-        row(r.scheme, "cost_of_next", what, "1", "timed", {}, next.cost / r.cost, next.low / r.high, next.high / r.low);
+    auto ratio = row(r.scheme, "cost_of_next", what, "1", "timed", r.dt, next.cost / r.cost, next.low / r.high,
+                     next.high / r.low);
     ratio.status = fmt::format("{}: {}", *ratio.low <= 1 ? "tied with" : "next", next.scheme);
     out.measurements.push_back(std::move(ratio));
   }
@@ -76,7 +76,7 @@ void report_table(const context& c, const error_kind& kind, const std::vector<co
                   report::results& out) {
   for (int power = 1; power <= finest_accuracy; ++power) {
     const double accuracy = std::pow(10.0, -power);
-    const auto what = fmt::format("{} 1e-{}", kind.name, power);
+    const auto what = fmt::format("{} {:.0e}", kind.name, accuracy);
     const auto ranked = ranking(points, accuracy);
     if (ranked.empty()) {
       if (power == 1) continue;
