@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "reports/writers/cost_error.hpp"
 #include "reports/writers/html_parts.hpp"
 #include "reports/writers/numbers.hpp"
 #include "reports/writers/places.hpp"
@@ -69,6 +70,7 @@ void put_plots_and_claims(std::string& out, const results& r, const std::string&
                           const std::vector<const verdict*>& rows) {
   auto plots = plots_of(r, name);
   std::ranges::move(place_curves_of(r, name), std::back_inserter(plots));
+  std::ranges::move(cost_plots_of(r, name), std::back_inserter(plots));
   const auto maps = place_maps_of(r, name);
   const auto claims = claims_of(rows).size();
   const bool beside = plots.size() + maps.size() == 1 && claims > 0 && claims <= 3;
@@ -158,6 +160,7 @@ void put_experiment(std::string& out, const results& r, const std::string& name,
   put_plots_and_claims(out, r, name, rows);
   put_maps(out, r, name);
   put_tables(out, r, name);
+  put_cost_table(out, r, name);
   put_fits(out, r, name);
   put_verdicts(out, rows);
   put_measurements(out, r, name);

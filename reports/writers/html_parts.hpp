@@ -30,6 +30,8 @@ void put_experiment(std::string& out, const results&, const std::string& name, s
 void put_maps(std::string& out, const results&, const std::string& experiment);
 /// Schemes × observables, for each quantity that has an interval but no step size.
 void put_tables(std::string& out, const results&, const std::string& experiment);
+/// The cheapest scheme for each accuracy, where that was asked.
+void put_cost_table(std::string& out, const results&, const std::string& experiment);
 void put_schemes(std::string& out, const results&);
 void put_left_out(std::string& out, const results&);
 void put_provenance(std::string& out, const provenance&);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "reports/writers/board.hpp"
+#include "reports/writers/cost_error.hpp"
 #include "reports/writers/left_out.hpp"
 #include "reports/writers/numbers.hpp"
 #include "reports/writers/series.hpp"
@@ -69,6 +70,17 @@ void append_reasons(std::string& out, const std::vector<const verdict*>& rows) {
   if (any) out += '\n';
 }
 
+void append_cost_table(std::string& out, const results& r, const std::string& name) {
+  const auto lines = cost_table_of(r, name);
+  if (lines.empty()) return;
+  append_head(out, {"to reach", "cheapest", "dt", "cost", "range", "ratio to the next", "range", ""});
+  for (const auto& [what, cost, next] : lines)
+    append_row(out, {safe(what), safe(cost->scheme), shown(cost->dt), shown(cost->value),
+                     shown_interval(cost->low, cost->high), next ? shown(next->value) : "–",
+                     next ? shown_interval(next->low, next->high) : "–", next ? safe(next->status) : "no other"});
+  out += fmt::format("\nCost: {}.\n\n", safe(lines[0].cost->unit));
+}
+
 void append_experiment(std::string& out, const results& r, const std::string& name) {
   const auto rows = verdicts_of(r, name);
   const auto* declared = find_experiment(r, name);
@@ -79,6 +91,7 @@ void append_experiment(std::string& out, const results& r, const std::string& na
     for (const auto& note : declared->notes) out += fmt::format("- {}\n", safe(note));
     if (!declared->notes.empty()) out += '\n';
   }
+  append_cost_table(out, r, name);
   if (rows.empty()) {
     out += "No claim was tried here.\n\n";
     return;

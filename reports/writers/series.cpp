@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "reports/writers/board.hpp"
+#include "reports/writers/cost_error.hpp"
 #include "reports/writers/field.hpp"
 #include "reports/writers/numbers.hpp"
 
@@ -28,7 +29,7 @@ std::vector<chart> charts_of(const results& r, const std::string& experiment) {
   std::vector<chart> charts;
   std::map<std::tuple<std::string, std::string, bool>, std::size_t> known;
   for (const auto& m : r.measurements) {
-    if (m.experiment != experiment || !has_value(m) || !abscissa(m) || in_field(m)) continue;
+    if (m.experiment != experiment || !has_value(m) || !abscissa(m) || in_field(m) || says_cost(m)) continue;
     const bool over_steps = finite(m.steps).has_value();
     const auto [place, is_new] = known.try_emplace({m.quantity, m.observable, over_steps}, charts.size());
     if (is_new) charts.push_back({m.quantity, m.observable, m.unit, over_steps, {}, {}});

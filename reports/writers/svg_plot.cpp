@@ -44,6 +44,30 @@ void put_bar(std::string& out, const canvas& c, const plot_point& p) {
       x - 3);
 }
 
+/// The level bar, within the frame.
+void put_level_bar(std::string& out, const canvas& c, const plot_point& p) {
+  if (!p.left || !p.right || (c.content.log_x && !(*p.right > 0))) return;
+  const double left = c.content.log_x && !(*p.left > 0) ? c.left : std::max(c.left, c.x(*p.left));
+  const double right = std::min(canvas::right, c.x(*p.right)), y = c.y(c.magnitude(p.y));
+  if (right - left < 2) return;  // hidden by the marker
+  put(out, "<path class=\"bar\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>\n", left, y, right);
+}
+
+/// Through the points on the front, from the cheapest on: no point lies below and left of these stairs.
+void put_front(std::string& out, const canvas& c) {
+  if (!c.content.front) return;
+  std::vector<plot_point> on;
+  for (const auto& s : c.content.series)
+    for (const auto& p : s.points)
+      if (p.fitted && c.drawable(p)) on.push_back(p);
+  if (on.empty()) return;
+  std::ranges::sort(on, {}, &plot_point::x);
+  put(out, "<path class=\"level\" fill=\"none\" d=\"M{:.1f} {:.1f}V{:.1f}", c.x(on[0].x), canvas::top,
+      c.y(c.magnitude(on[0].y)));
+  for (const auto& p : on) put(out, "H{:.1f}V{:.1f}", c.x(p.x), c.y(c.magnitude(p.y)));
+  put(out, "H{:.1f}\"/>\n", canvas::right);
+}
+
 void put_power(std::string& out, const canvas& c, const plot_series& s) {
   double first = 0, last = 0;
   for (const auto& p : s.points) {
@@ -76,10 +100,13 @@ void put_points(std::string& out, const canvas& c, const plot_series& s) {
   for (const auto& p : s.points) {
     if (!c.drawable(p)) continue;
     put_bar(out, c, p);
-    const bool hollow = fitted && !p.fitted;
+    put_level_bar(out, c, p);
+    const bool hollow = (fitted || c.content.front) && !p.fitted;
     put_marker(out, s, c.x(p.x), c.y(c.magnitude(p.y)), hollow);
     put(out, "><title>{} at {}: {} {}{}</title></path>\n", name, shown(p.x), shown(p.y), shown_interval(p.low, p.high),
-        hollow ? ", not in the fit" : "");
+        c.content.front ? (hollow ? "" : ", on the front")
+        : hollow        ? ", not in the fit"
+                        : "");
   }
 }
 
@@ -146,7 +173,10 @@ std::string remarks(const canvas& c) {
     }
   }
   const auto add = [&](const std::string& remark) { text += (text.empty() ? "" : " · ") + remark; };
-  if (hollow) add("hollow: not in the fit");
+  if (c.content.front)
+    add("filled, dashed line: the Pareto front");
+  else if (hollow)
+    add("hollow: not in the fit");
   if (!c.content.slopes.empty()) add("dashed: claimed slope");
   if (zeros > 0) add(fmt::format("{} zero{} not shown", zeros, zeros == 1 ? "" : "s"));
   return text;
@@ -163,6 +193,7 @@ std::string to_svg(const plot& p, svg_use use) {
   put_svg_head(out, p.title, height, use);
   put_axes(out, c);
   put_guides(out, c);
+  put_front(out, c);
   out += "<g class=\"all\">\n";
   for (std::size_t i = 0; i < p.series.size(); ++i) put_series(out, c, key, i);
   out += "</g>\n";

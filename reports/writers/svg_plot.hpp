@@ -12,7 +12,8 @@ namespace polhode::report {
 struct plot_point {
   double x = 0, y = 0;
   std::optional<double> low, high;  ///< drawn as an error bar
-  bool fitted = false;              ///< hollow where its series was fitted without it
+  bool fitted = false;              ///< hollow where its series was fitted without it, or where it is not on the front
+  std::optional<double> left = {}, right = {};  ///< drawn as a level error bar
 };
 
 /// y = prefactor * x^order
@@ -39,6 +40,7 @@ struct plot {
   std::vector<plot_series> series;
   std::vector<double> slopes;  ///< reference slopes, dashed
   std::vector<plot_level> levels;
+  bool front = false;  ///< points say whether they are on the Pareto front, which is drawn through these
 };
 
 enum class svg_use { inside_html, standalone };

@@ -24,6 +24,7 @@ struct context {
   std::uint64_t seed = 1;
   noise_generator generator = noise_generator::philox;
   std::function<void(double share)> progress = [](double) {};
+  const report::results* before = nullptr;  ///< what the experiments before this one found
 };
 
 struct experiment {
@@ -35,6 +36,7 @@ struct experiment {
   std::function<void(const context&, report::results&)> run;
   /// Names under which it reports what follows from a scheme's results, and that scheme: kept and computed with it.
   std::vector<std::pair<std::string, std::string>> derived = {};
+  bool kept = true;  ///< false: never taken from an earlier run, as it times this machine or reads other experiments
 };
 
 experiment casimir_experiment();
@@ -44,6 +46,7 @@ experiment gibbs_experiment();
 experiment lyapunov_experiment();
 experiment weak_experiment();
 experiment stability_experiment();
+experiment work_precision_experiment();
 
 /// By effort: quick, standard, thorough.
 template <class T>

@@ -6,8 +6,10 @@
 // dt^2 the order so is three, dt^4 being seen first; without dt^2, dt^3 and dt^4 it is five, dt^6 being seen first.
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "experiments/transfer_report.hpp"
 
@@ -17,8 +19,12 @@ struct extrapolation {
   std::string name;
   std::vector<int> powers;  ///< of dt that drop out, one more level each
   double order;             ///< what is left
+
+  /// Steps of all runs together for one step of the coarsest: 1 + 2 + 4 + ….
+  double runs() const { return std::exp2(static_cast<double>(powers.size() + 1)) - 1; }
 };
 
+inline constexpr std::string_view extrapolated_from = "strang_weak2";
 inline const std::vector<extrapolation> extrapolations{{"strang_extrapolated", {2}, 3},
                                                        {"strang_extrapolated5", {2, 3, 4}, 5}};
 

@@ -100,6 +100,17 @@ bool unsettled(const order_question& q, double expected, const error_table& t) {
 
 }  // namespace
 
+double size_on_sphere(const sphere_function& f, double radius) {
+  const auto rule = sphere_quadrature(30);
+  double square = 0, area = 0;
+  for (Eigen::Index i = 0; i < rule.weights.size(); ++i) {
+    const double value = f(radius * rule.points.row(i).transpose());
+    square += rule.weights[i] * value * value;
+    area += rule.weights[i];
+  }
+  return std::sqrt(square / area);
+}
+
 report::verdict judge_columns(const order_question& q, double expected, const std::string& scheme,
                               const std::vector<std::optional<order_fit>>& found) {
   std::vector<column_fit> fits;

@@ -15,6 +15,9 @@ namespace polhode {
 /// The scheme's claimed weak order on this noise.
 double weak_order_on(const scheme_info&, noise_class);
 
+/// The root of the mean square of f over the sphere: the unit of its errors.
+double size_on_sphere(const sphere_function&, double radius);
+
 /// [level] of one scheme; errors and uncertainties [quantity].
 struct error_table {
   std::string scheme;

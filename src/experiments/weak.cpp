@@ -19,7 +19,7 @@ constexpr std::array observables{"energy", "pi1", "pi2", "pi3", "pi1^2", "pi2^2"
 constexpr double reference_accuracy = 1e-13;  // of an observable's size
 constexpr double tolerance = 5e-4, extrapolated_tolerance = 1e-7;
 constexpr std::int64_t fitted_range = 64;  // a fit takes the six finest levels, and halving one more
-constexpr std::string_view extrapolated_from = "strang_weak2", beside = "strang";
+constexpr std::string_view beside = "strang";
 
 /// Observables whose true expectation is known.
 struct truths {
@@ -28,18 +28,6 @@ struct truths {
   std::vector<double> exact, uncertainty;
 };
 
-/// The root of the mean square of f over the sphere.
-double size_of(const sphere_function& f, double radius) {
-  const auto rule = sphere_quadrature(30);
-  double square = 0, area = 0;
-  for (Eigen::Index i = 0; i < rule.weights.size(); ++i) {
-    const double value = f(radius * rule.points.row(i).transpose());
-    square += rule.weights[i] * value * value;
-    area += rule.weights[i];
-  }
-  return std::sqrt(square / area);
-}
-
 Eigen::Vector3d start_of(const subject& s) { return Eigen::Map<const Eigen::Vector3d>(s.scene.momentum.data()); }
 
 truths true_expectations(const subject& s, report::results& out) {
@@ -47,7 +35,7 @@ truths true_expectations(const subject& s, report::results& out) {
   truths t;
   for (const char* name : observables) {
     const auto f = *named_observable(name, s.scene.inertia);
-    const double scale = size_of(f, problem.radius);
+    const double scale = size_on_sphere(f, problem.radius);
     const auto value = expectation(problem, f, start_of(s), s.scene.horizon, reference_accuracy * scale);
     if (!value.converged()) {
       out.skipped.push_back({"weak", "", fmt::format("{}: its true expectation is {}", name, value.reason)});
@@ -94,7 +82,7 @@ void report_extrapolations(const order_question& q, const error_table& t, const 
           {"weak", e.name, "fewer than four levels lie clear of rounding and of what the operators leave uncertain"});
     else
       out.verdicts.push_back(judge_table(q, e.order, combined));
-    report_cost(combined, known, horizon, e.order, std::exp2(static_cast<double>(e.powers.size() + 1)) - 1, out);
+    report_cost(combined, known, horizon, e.order, e.runs(), out);
   }
 }
 

@@ -58,7 +58,7 @@ report::results compute(const experiment& e, const context& c, const names& sche
   out.provenance = build_provenance();
   const auto work = work_done_so_far();
   const double cpu = cpu_seconds();
-  e.run({s, c.effort, c.threads, c.seed, c.generator, c.progress}, out);
+  e.run({s, c.effort, c.threads, c.seed, c.generator, c.progress, c.before}, out);
   out.provenance.cpu_seconds = cpu_seconds() - cpu;
   out.done.work = work_done_so_far() - work;
   return out;
@@ -127,6 +127,7 @@ subject restricted(subject s, const names& schemes) {
 }
 
 void run_experiment(const experiment& e, const context& c, report::result_store* store, report::results& out) {
+  if (!e.kept) store = nullptr;
   auto entries = ask(e, c, store);
   for (const auto& one : entries)
     if (one.part) out.reused.push_back(reused(e, one));

@@ -20,8 +20,8 @@ namespace {
 
 /// Adding an experiment: its source, and its name here.
 std::vector<experiment> all_experiments() {
-  return {casimir_experiment(), strong_experiment(),   energy_experiment(),   gibbs_experiment(),
-          weak_experiment(),    lyapunov_experiment(), stability_experiment()};
+  return {casimir_experiment(), strong_experiment(),   energy_experiment(),    gibbs_experiment(),
+          weak_experiment(),    lyapunov_experiment(), stability_experiment(), work_precision_experiment()};
 }
 
 report::scheme described(const scheme_entry& entry) {
@@ -77,7 +77,8 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
     if (const auto reason = e.cannot_say(s))
       out.skipped.push_back({e.info.name, "", *reason});
     else
-      run_experiment(e, {s, options.effort, options.threads, options.seed, generator_named(options.generator), tell},
+      run_experiment(e,
+                     {s, options.effort, options.threads, options.seed, generator_named(options.generator), tell, &out},
                      options.store, out);
     before += e.weight;
   }
