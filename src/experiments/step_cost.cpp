@@ -74,4 +74,19 @@ step_cost cost_of_step(const context& c, const scheme_entry& scheme, double dt) 
   return {ns[runs / 2], ns[left_out], ns[runs - 1 - left_out], normals_of(*c.subject.model, scheme.needs_areas)};
 }
 
+double ns_per_normal(const context& c) {
+  const int active = c.subject.model->active_channels();
+  if (active == 0) return 0;
+  const flush_denormals flushed;
+  increment_buffer noise(*c.subject.model, chunk, false, {c.generator, noise_quality::fast});
+  std::array<double, runs> ns{};
+  for (double& one : ns) {
+    const double begin = thread_time();
+    for (int i = 0; i < chunks; ++i) noise.fill(c.seed, 0, static_cast<std::uint64_t>(i) * chunk, chunk, 1);
+    one = (thread_time() - begin) / (double{chunk} * chunks * block_lanes * active);
+  }
+  std::ranges::sort(ns);
+  return ns[runs / 2];
+}
+
 }  // namespace polhode

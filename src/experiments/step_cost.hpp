@@ -14,4 +14,7 @@ struct step_cost {
 /// Of independent paths through the pack kernels, their noise included (fast normals); takes some milliseconds.
 step_cost cost_of_step(const context&, const scheme_entry&, double dt);
 
+/// ns a normal of the scene's noise, drawn alone; 0 without noise.
+double ns_per_normal(const context&);
+
 }  // namespace polhode

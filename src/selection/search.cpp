@@ -46,9 +46,10 @@ prospect search::predict(const candidate& who) const {
     return out;
   }
   const double least = std::max(goal_.floor(), 1e-300), slope = std::log2(error[1] / error[2]);
-  // A slope far from the claim is that of no asymptotic range; the check mends what the claim then predicts.
-  const bool sane = std::isfinite(slope) && slope > 0.6 * who.order && slope < 2.5 * who.order && error[2] > 3 * least;
-  const double order = sane ? slope : who.order;
+  // Near the claim the claim is the better exponent far away; a slope well above it is believed where it is seen well
+  // above rounding. Whatever is predicted, the check mends.
+  const bool faster = std::isfinite(slope) && slope > 1.25 * who.order && slope < 4 * who.order && error[2] > 3 * least;
+  const double order = faster ? slope : who.order;
   out.law = error_law{std::max(error[2], least) / std::pow(dt, order), order};
   out.dt = whole_steps(out.law->step_for(share * question_.tolerance));
   return out;
