@@ -52,6 +52,7 @@ std::vector<group> groups_of(const results& r, const std::string& experiment, st
   std::vector<group> groups;
   for (const auto& m : r.measurements) {
     if (m.experiment != experiment || !m.scheme.empty() || has_abscissa(m)) continue;
+    if (m.value && !m.low && !m.high) continue;  // a setting, not a result
     auto place = read_place(m.observable);
     if (place.size() != coordinates) continue;
     std::vector<std::string> names;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ensemble/paths.hpp"
+#include "selection/advice.hpp"
 #include "selection/requirements.hpp"
 #include "selection/search.hpp"
 #include "selection/snippet.hpp"
@@ -101,6 +102,7 @@ selection select(const context& c, const goal_question& q, const std::vector<std
   }
   if (met.empty()) say_closest(prospects, out);
   explain(prospects, met, out);
+  if (out.winner) std::ranges::copy(advice(prospects, *out.winner, q.tolerance), std::back_inserter(out.notes));
   if (!out.winner || c.subject.scene.system != "rigid_body") return out;
   const auto who = std::ranges::find(candidates, out.winner->scheme, &candidate::name);
   const int channels = std::max(1, c.subject.model->active_channels());

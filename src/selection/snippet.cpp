@@ -53,12 +53,11 @@ std::string loop_of(const candidate& who, int cells) {
 }  // namespace
 
 std::string snippet(const report::scene& s, const candidate& who, double dt, double time, int cells) {
-  return fmt::format(R"(#include <cstdint>
-#include <cstdio>
-#include <polhode/integrate.hpp>
-#include <polhode/schemes/{0}.hpp>
-#include <polhode/systems/rigid_body.hpp>
-
+  std::string head = "#include <cstdint>\n#include <cstdio>\n";
+  for (const auto& name :
+       {std::string("integrate"), fmt::format("schemes/{}", who.scheme.info.name), std::string("systems/rigid_body")})
+    head += fmt::format("#include <polhode/{}.hpp>\n", name);
+  return fmt::format(R"({0}
 int main() {{
   using namespace polhode;
 {1}  const vec<double, 3> start{{{{{2}}}}};
@@ -71,8 +70,8 @@ int main() {{
   std::printf("mean energy after %g: %.6f\n", dt * static_cast<double>(steps), energy);
 }}
 )",
-                     who.scheme.info.name, body_of(s), fmt::join(s.momentum, ", "), dt,
-                     std::max(1L, std::lround(time / dt)), loop_of(who, cells));
+                     head, body_of(s), fmt::join(s.momentum, ", "), dt, std::max(1L, std::lround(time / dt)),
+                     loop_of(who, cells));
 }
 
 }  // namespace polhode

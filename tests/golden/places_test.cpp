@@ -19,7 +19,7 @@ measurement stands(const char* quantity, const std::string& place, std::optional
   m.experiment = "lyapunov";
   m.quantity = quantity;
   m.observable = place;
-  m.value = value;
+  m.value = m.low = m.high = value;
   m.unit = unit;
   if (!value) m.status = "not converged <here>";
   return m;
