@@ -151,10 +151,15 @@ reference_answer reference(const scene& s, const reference_options& o) {
   const auto& p = *problem;
   reference_answer out;
   out.quantity = o.quantity;
-  if (p.covariance.isZero(0) && o.quantity != "expectation")
-    refuse_scene(s, out,
-                 "no noise, so there is no density, no gap and no random flow; what remains is the path: ask "
-                 "--quantity expectation");
+  if (p.covariance.isZero(0) && o.quantity != "expectation") {
+    out.quantity = "expectation";
+    answer_expectation(s, p, {out.quantity, o.observable, {}, 0}, out);
+    out.reason = fmt::format(
+        "asked for {}: no noise, so there is no density, no gap and no random flow; what remains, and is answered, is "
+        "the path's own value at the horizon (--quantity expectation)",
+        o.quantity);
+    return out;
+  }
   if (o.quantity == "expectation") answer_expectation(s, p, o, out);
   if (o.quantity == "gibbs") answer_gibbs(s, p, o, out);
   if (o.quantity == "lyapunov") answer_lyapunov(s, p, o, out);

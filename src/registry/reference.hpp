@@ -29,7 +29,8 @@ struct reference_answer {
   std::string reason;                    ///< why it is not as certain as intended; empty: it is
 };
 
-/// Throws input_error for what cannot be asked of the scene.
+/// Without noise the expectation is the one question that remains: it is answered whatever was asked, and `reason` says
+/// so. Throws input_error for what cannot be asked of the scene.
 reference_answer reference(const scene&, const reference_options&);
 
 }  // namespace polhode

@@ -100,7 +100,11 @@ class Answers(Case):
         for sigma in (0., []):
             a = self.answer(self.scene(sigma=sigma, theta=0.), quantity='expectation')
             self.assertAlmostEqual(a['value'], .18 + .48 ** 2 / 4 + .64 ** 2 / 6, delta=1e-12)
-            for quantity in QUANTITIES[1:]: self.refused(['given', quantity, 'no noise', '--quantity expectation'], self.scene(sigma=sigma), quantity=quantity)
+            for quantity in QUANTITIES[1:]:
+                rc, out, err = self.run_it(self.scene(sigma=sigma, theta=0.), quantity=quantity, format='json')
+                b = json.loads(out)
+                self.assertEqual((rc, err, b['quantity'], b['value']), (3, '', 'expectation', a['value']))
+                for part in (quantity, 'no noise', '--quantity expectation'): self.assertIn(part, b['reason'])
 
     def test_a_horizon_of_a_million_is_quick(self):
         began = time.monotonic()

@@ -258,10 +258,16 @@ TEST(Reference, WithoutNoiseALongTimeIsFollowedToo) {
   refuses(damped, {"expectation", "energy", 1e300, 0}, {"given", "expectation", "turns", "1e+07"});
 }
 
-TEST(Reference, WithoutNoiseOtherQuestionsNameTheOneThatRemains) {
+TEST(Reference, WithoutNoiseOtherQuestionsNameAndAnswerTheOneThatRemains) {
   const auto still = scene_of({1, 2, 3}, 0.5, {});
-  for (const char* quantity : {"gibbs", "gap", "lyapunov"})
-    refuses(still, {quantity, {}, {}, 0}, {"given", quantity, "no noise", "--quantity expectation"});
+  const auto path = reference(still, {"expectation", {}, {}, 0});
+  for (const char* quantity : {"gibbs", "gap", "lyapunov"}) {
+    const auto answer = reference(still, {quantity, {}, {}, 0});
+    EXPECT_EQ(answer.quantity, "expectation");
+    EXPECT_EQ(answer.value, path.value);
+    for (const char* part : {quantity, "no noise", "--quantity expectation"})
+      EXPECT_NE(answer.reason.find(part), std::string::npos) << answer.reason;
+  }
 }
 
 // --- Refusals.
