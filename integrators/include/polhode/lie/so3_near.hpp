@@ -7,11 +7,16 @@
 
 namespace polhode {
 
-/// Polynomials of that degree for |xi| < reach; their error is below 1e-16 (see cosine_polynomial). |xi| < 2e5, which a
-/// normal increment never reaches where most rotations are small.
+/// Polynomials of that degree for |xi| < reach. Their error (cosine_polynomial) must lie far below rounding: lengths
+/// change by it in the same direction at every step, so that they would drift like n, not like the root of n. |xi| <
+/// 2e5, which a normal increment never reaches where most rotations are small.
 template <int degree, double reach>
 struct so3_near : so3 {
   using so3::exp_action;
+
+  /// sin|xi| / |xi| and (1 - cos|xi|) / |xi|^2, in |xi|^2.
+  static constexpr auto sinc = cosine_polynomial<degree>(1, reach* reach);
+  static constexpr auto cosc = cosine_polynomial<degree>(2, reach* reach);
 
   template <class S>
   static vec<S, 3> exp_action(const vec<S, 3>& xi, const vec<S, 3>& mu) {
@@ -33,8 +38,6 @@ struct so3_near : so3 {
     first = select(far, S(ratio * cos), first);
     second = select(far, S(S(0.5) * ratio * ratio), second);
   }
-  static constexpr auto sinc = cosine_polynomial<degree>(1, reach* reach);
-  static constexpr auto cosc = cosine_polynomial<degree>(2, reach* reach);
 };
 
 }  // namespace polhode

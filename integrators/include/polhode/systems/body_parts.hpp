@@ -32,13 +32,13 @@ template <>
 struct rotations<rotation_size::small> {
   static constexpr rotation_bounds bounds{0.0075, 0.25, 0.012};
   static constexpr int sine_degree = 2, cosine_degree = 1, norm_degree = 5;
-  using algebra = so3_near<4, bounds.generator>;
+  using algebra = so3_near<5, bounds.generator>;
 };
 template <>
 struct rotations<rotation_size::moderate> {
   static constexpr rotation_bounds bounds{0.3, 1.0, 0.2};
   static constexpr int sine_degree = 4, cosine_degree = 4, norm_degree = 10;
-  using algebra = so3_near<6, bounds.generator>;
+  using algebra = so3_near<7, bounds.generator>;
 };
 
 }  // namespace polhode
