@@ -93,12 +93,14 @@ void observe(const model& m, std::span<const double> states, int block, observed
 }
 
 /// Runs one block of paths of the open schemes through the same noise.
-void run_block(const context& c, const design& d, std::span<const std::unique_ptr<kernel>> kernels,
-               std::span<const int> open, int block, std::vector<observed>& out) {
+void run_block(const context& c, const design& d, std::span<const scheme_entry> schemes,
+               std::span<const std::unique_ptr<kernel>> kernels, std::span<const int> open, int block,
+               std::vector<observed>& out) {
   constexpr int chunk = 200;
   const auto& s = c.subject;
-  increment_buffer noise(*s.model, chunk, any_needs_areas(s.schemes), {c.generator, noise_quality::fast});
   const std::vector<std::size_t> indices(open.begin(), open.end());
+  const bool areas = std::ranges::any_of(indices, [&](std::size_t k) { return schemes[k].needs_areas; });
+  increment_buffer noise(*s.model, chunk, areas, {c.generator, noise_quality::fast});
   std::vector<std::vector<double>> states(kernels.size(), uniform_states(c.seed, block, length(s.scene.momentum)));
   std::uint64_t step = 0;
   const auto advance = [&](double time) {
@@ -189,13 +191,10 @@ void report_samples(const context& c, report::results& out) {
   const double radius = length(s.scene.momentum);
   const gibbs_law law(s.scene.inertia, radius, 2 * s.scene.theta / noise_strength(s.scene));
   const auto d = plan(c);
-  std::vector<std::string> schemes;
+  std::vector<scheme_entry> schemes;
+  std::ranges::copy_if(s.schemes, std::back_inserter(schemes), [](const auto& e) { return e.info.casimir.exact; });
   std::vector<std::unique_ptr<kernel>> kernels;
-  for (const auto& scheme : s.schemes) {
-    if (!scheme.info.casimir.exact) continue;
-    schemes.emplace_back(scheme.info.name);
-    kernels.push_back(scheme.make(d.dt));
-  }
+  for (const auto& scheme : schemes) kernels.push_back(scheme.make(d.dt));
   const sampling_plan paths{2048, by_effort(c.effort, 4096, 16'384, 32'768)};
   std::vector<observed> samples(kernels.size(),
                                 observed(static_cast<std::size_t>(blocks_of(paths.most) * block_lanes)));
@@ -203,15 +202,16 @@ void report_samples(const context& c, report::results& out) {
   std::vector<finding> found(kernels.size());
   const auto sizes = sample_until_tight(
       c, paths, static_cast<int>(kernels.size()),
-      [&](int block, std::span<const int> open) { run_block(c, d, kernels, open, block, samples); },
+      [&](int block, std::span<const int> open) { run_block(c, d, schemes, kernels, open, block, samples); },
       [&](int scheme, int so_far) {
         const auto k = static_cast<std::size_t>(scheme);
         found[k] = find(law, moments, samples[k], so_far);
         return tight(moments, found[k]);
       });
   for (std::size_t k = 0; k < schemes.size(); ++k) {
-    report_scheme(moments, schemes[k], d.dt, found[k], out);
-    note_sample_size(out, "gibbs", schemes[k], sizes[k]);
+    const std::string name(schemes[k].info.name);
+    report_scheme(moments, name, d.dt, found[k], out);
+    note_sample_size(out, "gibbs", name, sizes[k]);
   }
 }
 

@@ -10,7 +10,7 @@
 namespace polhode {
 namespace {
 
-constexpr int cells = 8;     // in the finest step, where areas are asked for
+constexpr int cells = 8;     // in the finest step of several channels, so that no scheme changes another's noise
 constexpr double clear = 5;  // standard errors
 constexpr double resolution = 64;
 
@@ -25,7 +25,7 @@ class coupled_levels {
                  int paths)
       : context_(c),
         grid_(asymptotic_levels(c.subject, resolution)),
-        cells_(any_needs_areas(schemes) ? cells : 1),
+        cells_(c.subject.model->active_channels() > 1 ? cells : 1),
         functions_(f),
         found_(schemes.size()) {
     const int pairs = static_cast<int>(grid_.steps.size()) - 1;
