@@ -6,6 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
+#include <thread>
 
 #include "registry/nearest.hpp"
 #include "registry/text.hpp"
@@ -13,6 +16,8 @@
 
 namespace polhode::cli {
 namespace {
+
+constexpr std::uint64_t most_threads = 1024;
 
 std::string shown(std::string_view text) { return fmt::format("'{}'", one_line(text, 60)); }
 
@@ -28,6 +33,19 @@ std::vector<std::string> rest_of(const CLI::App& parser) {
   auto rest = parser.remaining();
   std::erase(rest, "--");
   return rest;
+}
+
+/// Not a number: text that is none.
+double number(std::string_view text) {
+  double value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = fault == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
+  return whole ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+double checked_number(std::string_view option, std::string_view text, bool accepted, std::string_view what) {
+  if (!accepted) throw input_error(fmt::format("{} {}: accepted: {}", option, shown(text), what));
+  return number(text);
 }
 
 void refuse_rest(const CLI::App& parser) {
@@ -55,6 +73,22 @@ void refuse_unknown(const CLI::App& root, std::span<const command> commands) {
   for (const auto* parser : root.get_subcommands()) refuse_rest(*parser);
   if (root.get_subcommands().empty())
     throw input_error(fmt::format("no command given; accepted: {}; see polhode --help", fmt::join(names, ", ")));
+}
+
+std::string default_threads() {
+  return std::to_string(std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, most_threads));
+}
+
+int threads_option(std::string_view text) {
+  return static_cast<int>(integer_option("--threads", text, 1, most_threads));
+}
+
+double positive_option(std::string_view option, std::string_view text) {
+  return checked_number(option, text, number(text) > 0, "a number above 0");
+}
+
+double nonnegative_option(std::string_view option, std::string_view text) {
+  return checked_number(option, text, number(text) >= 0, "a number of at least 0");
 }
 
 std::uint64_t integer_option(std::string_view option, std::string_view text, std::uint64_t low, std::uint64_t high) {

@@ -28,6 +28,12 @@ command add_list(CLI::App&);
 /// Refuses what the parser did not recognise, and names the nearest that it knows.
 void refuse_unknown(const CLI::App&, std::span<const command>);
 
+/// "all processors", within what is accepted.
+std::string default_threads();
+int threads_option(std::string_view text);
+/// A finite number above zero, or from zero on.
+double positive_option(std::string_view option, std::string_view text);
+double nonnegative_option(std::string_view option, std::string_view text);
 std::uint64_t integer_option(std::string_view option, std::string_view text, std::uint64_t low, std::uint64_t high);
 /// The index of the value in the list of those accepted.
 std::size_t choice_option(std::string_view option, std::string_view text, std::span<const std::string> accepted);

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,8 +10,6 @@
 #include "cli/terminal.hpp"
 #include "registry/reference.hpp"
 #include "registry/scene.hpp"
-#include "registry/text.hpp"
-#include "reports/model/errors.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -23,14 +20,6 @@ struct arguments {
   std::string scene = "paper", quantity, format = "text";
   std::optional<std::string> observable, time, degree;
 };
-
-double time_option(std::string_view text) {
-  double value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc{} || end != text.data() + text.size())
-    throw input_error(fmt::format("--time '{}': accepted: a number of at least 0", one_line(text, 60)));
-  return value;
-}
 
 std::string json_of(const reference_answer& a) {
   nlohmann::ordered_json out;
@@ -63,7 +52,7 @@ std::string text_of(const reference_answer& a) {
 int run(const arguments& given) {
   const auto output = format_option(given.format);
   reference_options options{given.quantity, given.observable, {}, 0};
-  if (given.time) options.time = time_option(*given.time);
+  if (given.time) options.time = nonnegative_option("--time", *given.time);
   if (given.degree)
     options.degree = static_cast<int>(integer_option("--degree", *given.degree, 1, most_reference_degree));
   const auto answer = reference(load_scene(given.scene), options);

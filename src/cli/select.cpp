@@ -2,37 +2,24 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "cli/arguments.hpp"
 #include "cli/terminal.hpp"
 #include "registry/choose.hpp"
-#include "registry/text.hpp"
 #include "reports/model/errors.hpp"
 
 namespace polhode::cli {
 namespace {
 
 constexpr int nothing_meets_it = 3;
-constexpr std::uint64_t most_threads = 1024;
 
 struct arguments {
   std::string scene = "paper", goal, tolerance, observable = "energy", time, require, threads, seed = "1", isa = "auto",
               format = "text";
 };
-
-double positive(std::string_view option, std::string_view text) {
-  double value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(value) || !(value > 0))
-    throw input_error(fmt::format("{} '{}': accepted: a number above 0", option, one_line(text, 60)));
-  return value;
-}
 
 nlohmann::ordered_json json_of(const choice& c) {
   return {{"scheme", c.scheme},      {"dt", c.dt},       {"predicted", c.predicted},        {"checked", c.checked},
@@ -92,11 +79,11 @@ int run(const arguments& given) {
   select_options options;
   options.goal = given.goal;
   if (given.tolerance.empty()) throw input_error("--tolerance is missing; accepted: a number above 0");
-  options.tolerance = positive("--tolerance", given.tolerance);
+  options.tolerance = positive_option("--tolerance", given.tolerance);
   options.observable = given.observable;
-  if (!given.time.empty()) options.time = positive("--time", given.time);
+  if (!given.time.empty()) options.time = positive_option("--time", given.time);
   options.require = list_option("--require", given.require);
-  options.threads = static_cast<int>(integer_option("--threads", given.threads, 1, most_threads));
+  options.threads = threads_option(given.threads);
   options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
   options.isa = given.isa;
   const auto found = select(load_scene(given.scene), options);
@@ -108,14 +95,14 @@ int run(const arguments& given) {
 
 command add_select(CLI::App& app) {
   const auto given = std::make_shared<arguments>();
-  given->threads = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
+  given->threads = default_threads();
   auto* parser = app.add_subcommand("select", "The cheapest scheme and step for a target, measured on a scene");
   parser->add_option("SCENE", given->scene, "A built-in name or a TOML file [paper]")->type_name("");
   parser->add_option("--goal", given->goal, "strong, weak, stationary, energy")->type_name("G");
   parser->add_option("--tolerance", given->tolerance, "Of the error")->type_name("X");
   parser->add_option("--observable", given->observable, "Of weak and stationary [energy]")->type_name("NAME");
   parser->add_option("--time", given->time, "Of strong, weak and energy [the horizon]")->type_name("T");
-  parser->add_option("--require", given->require, "casimir-exact,explicit,no-areas,monotone-energy")->type_name("A,B");
+  parser->add_option("--require", given->require, "casimir-exact,explicit,implicit,no-areas,monotone-energy")->type_name("A,B");
   parser->add_option("--threads", given->threads, "Working threads [all processors]")->type_name("N");
   parser->add_option("--seed", given->seed, "Of every random number [1]")->type_name("N");
   parser->add_option("--isa", given->isa, "Instruction set of the inner loops [auto]")->type_name("I");

@@ -4,12 +4,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <limits>
 #include <memory>
-#include <thread>
 
 #include "cli/arguments.hpp"
 #include "cli/progress.hpp"
@@ -25,7 +21,6 @@
 namespace polhode::cli {
 namespace {
 
-constexpr std::uint64_t most_threads = 1024;
 constexpr std::uint64_t most_bodies = std::numeric_limits<std::uint32_t>::max();  // what a bin of a histogram can count
 
 struct arguments {
@@ -34,18 +29,6 @@ struct arguments {
               format = "text";
   bool quiet = false;
 };
-
-[[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view accepted) {
-  throw input_error(fmt::format("{} '{}': accepted: {}", option, one_line(text, 60), accepted));
-}
-
-double number_option(std::string_view option, std::string_view text) {
-  double value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(value) || value <= 0)
-    refuse(option, text, "a positive number");
-  return value;
-}
 
 const std::string& required(std::string_view option, const std::string& text) {
   if (text.empty())
@@ -56,14 +39,14 @@ const std::string& required(std::string_view option, const std::string& text) {
 simulate_options checked_options(const arguments& given) {
   simulate_options options;
   options.scheme = required("--scheme", given.scheme);
-  options.dt = number_option("--dt", required("--dt", given.dt));
+  options.dt = positive_option("--dt", required("--dt", given.dt));
   options.bodies =
       static_cast<std::int64_t>(integer_option("--bodies", required("--bodies", given.bodies), 1, most_bodies));
   options.noise = required("--noise", given.noise);
   options.start = given.start;
   for (const auto& time : list_option("--snapshots", given.snapshots))
-    options.snapshots.push_back(number_option("--snapshots", time));
-  options.threads = static_cast<int>(integer_option("--threads", given.threads, 1, most_threads));
+    options.snapshots.push_back(positive_option("--snapshots", time));
+  options.threads = threads_option(given.threads);
   options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
   options.isa = given.isa;
   options.generator = given.generator;
@@ -140,7 +123,7 @@ void add_common(CLI::App& parser, arguments& given) {
 
 command add_simulate(CLI::App& app) {
   const auto given = std::make_shared<arguments>();
-  given->threads = std::to_string(std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, most_threads));
+  given->threads = default_threads();
   auto* parser = app.add_subcommand("simulate", "Run an ensemble of bodies; final states and pictures");
   parser->add_option("SCENE", given->scene, "A built-in name or a TOML file [paper]")->type_name("");
   parser->add_option("--scheme", given->scheme, "The scheme; see polhode list schemes")->type_name("S");

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
-#include <thread>
 
 #include "cli/arguments.hpp"
 #include "cli/cache.hpp"
@@ -25,8 +24,6 @@
 namespace polhode::cli {
 namespace {
 
-constexpr std::uint64_t most_threads = 1024;
-
 /// As given: checked in one place, so that every fault reads alike.
 struct arguments {
   std::vector<std::string> scenes;
@@ -41,7 +38,7 @@ verify_options checked_options(const arguments& given) {
   options.schemes = list_option("--schemes", given.schemes);
   options.experiments = list_option("--experiments", given.experiments);
   options.effort = static_cast<effort>(choice_option("--effort", given.effort, efforts));
-  options.threads = static_cast<int>(integer_option("--threads", given.threads, 1, most_threads));
+  options.threads = threads_option(given.threads);
   options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
   options.isa = given.isa;
   options.generator = given.generator;
@@ -129,7 +126,7 @@ int run(const arguments& given) {
 command add_verify(CLI::App& app) {
   const auto given = std::make_shared<arguments>();
   given->scenes = {"paper"};
-  given->threads = std::to_string(std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, most_threads));
+  given->threads = default_threads();
   auto* parser = app.add_subcommand("verify", "Hold the claims of the schemes against scenes");
   parser->add_option("SCENE", given->scenes, "Built-in names or TOML files [paper]")->type_name("");
   parser->add_option("--schemes", given->schemes, "Only these schemes")->type_name("A,B");

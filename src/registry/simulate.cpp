@@ -45,7 +45,7 @@ const scheme_entry& chosen_scheme(const subject& s, const std::string& name) {
 
 std::int64_t checked_steps(const scene& s, double dt) {
   const auto value = fmt::format("{}", dt);
-  if (!std::isfinite(dt) || dt <= 0) refuse("--dt", value, "accepted: a positive number");
+  if (!std::isfinite(dt) || dt <= 0) refuse("--dt", value, "accepted: a number above 0");
   const double steps = std::max(1.0, std::round(s.horizon / dt));
   if (steps > most_steps)
     refuse("--dt", value,
