@@ -202,10 +202,10 @@ bool at_rest(const subject& s) {
   return length(drift) <= 1e-12 * fastest_rate(s) * length(s.scene.momentum);
 }
 
-report::scene without(report::scene scene, bool dissipation) {
-  scene.sigma.clear();
-  if (!dissipation) scene.theta = 0;
-  return scene;
+subject without_dissipation(const subject& s) {
+  auto scene = s.scene;
+  scene.theta = 0;
+  return s.with(scene);
 }
 
 std::vector<double> true_end(const subject& s, double t) {
@@ -220,8 +220,8 @@ subject over_time_scales(subject s) {
 }
 
 void run(const context& c, report::results& out) {
-  const auto damped = c.subject.with(without(c.subject.scene, true));
-  const auto free = c.subject.with(without(c.subject.scene, false));
+  const auto damped = c.subject.without_noise();
+  const auto free = without_dissipation(damped);
   const auto grid = asymptotic_levels(over_time_scales(damped), by_effort(c.effort, 256.0, 256.0, 1024.0));
   const auto damped_end = true_end(damped, grid.horizon);
   const auto free_end = free_rotation(

@@ -30,6 +30,12 @@ double worst(const error_table& t, std::span<const error_column> columns, std::s
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> extrapolated_names() {
+  std::vector<std::pair<std::string, std::string>> out;
+  for (const auto& e : extrapolations) out.emplace_back(e.name, extrapolated_from);
+  return out;
+}
+
 error_table extrapolate(const error_table& t, const extrapolation& e) {
   error_table out = t;
   for (const int power : e.powers) out = without(out, power);

@@ -10,6 +10,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "experiments/transfer_report.hpp"
 
@@ -21,12 +23,17 @@ struct extrapolation {
   double order;             ///< what is left
 
   /// Steps of all runs together for one step of the coarsest: 1 + 2 + 4 + ….
-  double runs() const { return std::exp2(static_cast<double>(powers.size() + 1)) - 1; }
+  double runs() const { return std::exp2(static_cast<double>(levels())) - 1; }
+  /// Step sizes that are combined.
+  int levels() const { return static_cast<int>(powers.size()) + 1; }
 };
 
 inline constexpr std::string_view extrapolated_from = "strang_weak2";
 inline const std::vector<extrapolation> extrapolations{{"strang_extrapolated", {2}, 3},
                                                        {"strang_extrapolated5", {2, 3, 4}, 5}};
+
+/// {name, extrapolated_from} of each: experiment::derived_names.
+std::vector<std::pair<std::string, std::string>> extrapolated_names();
 
 /// E(dt), E(dt/2), …: for each power p in turn (2^p E(dt/2) - E(dt)) / (2^p - 1). Listed by the coarsest dt.
 error_table extrapolate(const error_table&, const extrapolation&);

@@ -15,19 +15,13 @@ struct origin {
 
 origin origin_of(const std::string& scheme) {
   for (const auto& e : extrapolations)
-    if (e.name == scheme) return {std::string(extrapolated_from), static_cast<int>(e.powers.size()) + 1};
+    if (e.name == scheme) return {std::string(extrapolated_from), e.levels()};
   return {scheme};
-}
-
-subject without_noise(const subject& s) {
-  auto scene = s.scene;
-  scene.sigma.clear();
-  return s.with(scene);
 }
 
 }  // namespace
 
-price_list::price_list(const context& c) : context_(c), still_(without_noise(c.subject)) {}
+price_list::price_list(const context& c) : context_(c), still_(c.subject.without_noise()) {}
 
 std::optional<price> price_list::of_path(const std::string& scheme, double dt, bool silent) {
   const auto from = origin_of(scheme);

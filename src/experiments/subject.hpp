@@ -33,6 +33,12 @@ struct subject {
   std::vector<scheme_entry> schemes;
   std::vector<report::skip> inapplicable;             ///< schemes that cannot run on this system, and why
   std::function<subject(const report::scene&)> with;  ///< the same system and schemes on a changed scene
+
+  subject without_noise() const {
+    auto still = scene;
+    still.sigma.clear();
+    return with(still);
+  }
 };
 
 /// Claimed strong order on this noise.

@@ -122,12 +122,6 @@ void run(const context& c, report::results& out) {
   report_sampled_orders(c, sampled, q, functions, out);
 }
 
-std::vector<std::pair<std::string, std::string>> derived_names() {
-  std::vector<std::pair<std::string, std::string>> out;
-  for (const auto& e : extrapolations) out.emplace_back(e.name, extrapolated_from);
-  return out;
-}
-
 std::optional<std::string> cannot_say(const subject& s) {
   if (!sphere_problem_of(s)) return "the exact law is computed for the rigid body alone";
   if (s.model->noise() == noise_class::none)
@@ -160,7 +154,7 @@ experiment weak_experiment() {
           2,
           cannot_say,
           run,
-          derived_names()};
+          extrapolated_names()};
 }
 
 }  // namespace polhode

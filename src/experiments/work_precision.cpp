@@ -132,12 +132,6 @@ void run(const context& c, report::results& out) {
   report_missing(c, kinds, out);
 }
 
-std::vector<std::pair<std::string, std::string>> derived_names() {
-  std::vector<std::pair<std::string, std::string>> out;
-  for (const auto& e : extrapolations) out.emplace_back(e.name, extrapolated_from);
-  return out;
-}
-
 }  // namespace
 
 experiment work_precision_experiment() {
@@ -163,7 +157,7 @@ experiment work_precision_experiment() {
       1,
       [](const subject&) -> std::optional<std::string> { return std::nullopt; },
       run,
-      derived_names()};
+      extrapolated_names()};
   e.kept = false;
   return e;
 }

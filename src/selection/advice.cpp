@@ -13,7 +13,7 @@ std::string on_keeping_the_casimir(const std::vector<prospect>& all, const choic
   const prospect *best = nullptr, *worst = nullptr;
   const auto error = [&](const prospect* p) { return p->law->at(winner.dt); };
   for (const auto& p : all) {
-    if (!p.law || !p.who.scheme.info.casimir.exact || p.who.extrapolated) continue;
+    if (!p.law || !p.who.scheme.info.casimir.exact || p.who.combination != nullptr) continue;
     if (!best || error(&p) < error(best)) best = &p;
     if (!worst || error(&p) > error(worst)) worst = &p;
   }

@@ -11,8 +11,8 @@ namespace polhode {
 namespace {
 
 constexpr double tolerance = 0.02, extrapolated_tolerance = 1e-6;  // of an error
+const extrapolation& combination = extrapolations.front();
 constexpr double reference_accuracy = 1e-12, rounding = 1e-12;     // of the observable's size
-constexpr std::string_view extrapolated_from = "strang_weak2", extrapolated = "strang_extrapolated";
 
 class averages_goal final : public goal {
  public:
@@ -38,8 +38,8 @@ class averages_goal final : public goal {
     std::vector<candidate> out;
     for (const auto& e : s.schemes) {
       const double order = weak_order_on(e.info, s.model->noise());
-      out.push_back({std::string(e.info.name), e, false, order});
-      if (e.info.name == extrapolated_from) out.push_back({std::string(extrapolated), e, true, order + 2});
+      out.push_back({std::string(e.info.name), e, nullptr, order});
+      if (e.info.name == extrapolated_from) out.push_back({combination.name, e, &combination, combination.order});
     }
     return out;
   }
@@ -50,13 +50,13 @@ class averages_goal final : public goal {
   }
 
   error_estimate error(const candidate& c, double dt, std::uint64_t) const override {
-    const auto once = [&](double step) { return signed_error(c, step); };
-    auto found = once(dt);
-    if (c.extrapolated) {
-      const auto half = once(dt / 2);
-      found = {(4 * half.value - found.value) / 3, (4 * half.uncertainty + found.uncertainty) / 3};
+    error_table found{c.name, {}, {}, {}};
+    found.add(dt, answer(c, dt));
+    if (c.combination != nullptr) {
+      for (int i = 1; i < c.combination->levels(); ++i) found.add(dt / (1 << i), answer(c, dt / (1 << i)));
+      found = extrapolate(found, *c.combination);
     }
-    return {std::fabs(found.value), found.uncertainty};
+    return {std::fabs(found.error[0][0]), found.uncertainty[0][0] + truth_.uncertainty};
   }
 
   double floor() const override { return rounding * scale_; }
@@ -74,16 +74,15 @@ class averages_goal final : public goal {
   }
 
  private:
-  error_estimate signed_error(const candidate& c, double dt) const {
+  transfer_answer answer(const candidate& c, double dt) const {
     const auto steps = static_cast<std::int64_t>(std::lround((stationary_ ? 1 : question_.time) / dt));
     const transfer_question q{[&](const transfer_operator& op) -> Eigen::VectorXd {
                                 const auto law = stationary_ ? op.stationary_law() : op.law_after(start_, steps);
                                 return Eigen::VectorXd::Constant(1, law.dot(op.basis.coefficients(function_)));
                               },
                               Eigen::VectorXd::Constant(1, *truth_.value), Eigen::VectorXd::Constant(1, scale_),
-                              c.extrapolated ? extrapolated_tolerance : tolerance};
-    const auto a = refine(context_.subject, c.scheme, dt, std::max<std::int64_t>(steps, 1), q);
-    return {a.error[0], a.uncertainty[0] + truth_.uncertainty};
+                              c.combination != nullptr ? extrapolated_tolerance : tolerance};
+    return refine(context_.subject, c.scheme, dt, std::max<std::int64_t>(steps, 1), q);
   }
 
   context context_;

@@ -14,12 +14,12 @@ constexpr double rounding = 1e-13;  // of h
 
 class energy_goal final : public goal {
  public:
-  energy_goal(const context& c, const goal_question& q) : still_(silenced(c.subject)), time_(q.time) {}
+  energy_goal(const context& c, const goal_question& q) : still_(c.subject.without_noise()), time_(q.time) {}
 
   std::vector<candidate> candidates(const subject&) const override {
     std::vector<candidate> out;
     for (const auto& e : still_.schemes)
-      out.push_back({std::string(e.info.name), e, false, double(e.info.deterministic_order)});
+      out.push_back({std::string(e.info.name), e, nullptr, double(e.info.deterministic_order)});
     return out;
   }
 
@@ -50,11 +50,6 @@ class energy_goal final : public goal {
   }
 
  private:
-  static subject silenced(const subject& s) {
-    auto scene = s.scene;
-    scene.sigma.clear();
-    return s.with(scene);
-  }
   double true_energy(double t) const {
     return still_.model->energy(
         solve_drift([&](std::span<const double> mu, std::span<double> out) { still_.model->drift(mu, out); },

@@ -8,15 +8,19 @@
 #include <vector>
 
 #include "experiments/experiment.hpp"
+#include "experiments/extrapolation.hpp"
 
 namespace polhode {
 
-/// A scheme, or the combination (4 E_dt/2 - E_dt) / 3 of its averages.
+/// A scheme, or a combination of its averages at several steps.
 struct candidate {
   std::string name;
   scheme_entry scheme;
-  bool extrapolated = false;
+  const extrapolation* combination = nullptr;
   double order = 0;  ///< claimed in this goal
+
+  /// Steps of all runs together for one step of dt.
+  double runs() const { return combination != nullptr ? combination->runs() : 1; }
 };
 
 /// An error with the half-width of its 95 % interval (0 where nothing is sampled and all is resolved).

@@ -23,7 +23,7 @@ class path_goal final : public goal {
   std::vector<candidate> candidates(const subject& s) const override {
     std::vector<candidate> out;
     for (const auto& e : s.schemes)
-      out.push_back({std::string(e.info.name), e, false, strong_order_on(e.info, s.model->noise())});
+      out.push_back({std::string(e.info.name), e, nullptr, strong_order_on(e.info, s.model->noise())});
     return out;
   }
 

@@ -42,12 +42,10 @@ std::optional<std::string> lacks(const candidate& c, const std::vector<std::stri
 bool monotone_energy(const subject& s, const candidate& c, double dt) {
   constexpr int steps = 4096;
   constexpr double rounding = 1e-14;
-  auto scene = s.scene;
-  scene.sigma.clear();
-  const auto still = s.with(scene);
+  const auto still = s.without_noise();
   const auto stepper = c.scheme.make(dt);
-  auto states = replicated(scene.momentum);
-  double before = still.model->energy(scene.momentum);
+  auto states = replicated(still.scene.momentum);
+  double before = still.model->energy(still.scene.momentum);
   for (int i = 0; i < steps; ++i) {
     stepper->advance(states, silence(1, dt));
     const double h = still.model->energy(lane_of(states, 0, still.model->dimension()));

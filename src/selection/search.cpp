@@ -57,10 +57,9 @@ prospect search::predict(const candidate& who) const {
 
 choice search::priced(const candidate& who, double dt) const {
   const auto step = cost_of_step(context_, who.scheme, dt);
-  const double runs = who.extrapolated ? 3 : 1;  // dt and dt/2
   const double further = step.normals > 0 ? goal_.further_normals(who, dt) : 0;
   const double normal = further > 0 ? ns_per_normal(context_) : 0;
-  const auto per_time = [&](double ns) { return runs * (ns + further * normal) / dt; };
+  const auto per_time = [&](double ns) { return who.runs() * (ns + further * normal) / dt; };
   return {who.name, dt, 0, 0, 0, 0, per_time(step.ns), per_time(step.low), per_time(step.high)};
 }
 

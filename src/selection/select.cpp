@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ensemble/paths.hpp"
 #include "selection/advice.hpp"
@@ -70,11 +71,13 @@ void explain(const std::vector<prospect>& prospects, const std::vector<choice>& 
   }
 }
 
-/// The prospect with the least error among those that could be asked.
+/// The cheapest by its error law among those that could be asked.
 void say_closest(const std::vector<prospect>& prospects, selection& out) {
   for (const auto& p : prospects)
     if (p.law) {
-      out.closest = choice{p.who.name, p.dt, out.question.tolerance, 0, 0, p.law->order, p.cost, p.cost, p.cost};
+      constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+      const double error = p.law->at(p.dt);
+      out.closest = choice{p.who.name, p.dt, error, unknown, unknown, p.law->order, p.cost, p.cost, p.cost};
       out.reason = fmt::format("no scheme was seen to meet it; {} by its error law would at dt = {:.3g}, but {}",
                                p.who.name, p.dt, p.fault.empty() ? "was not checked" : p.fault);
       return;

@@ -30,7 +30,7 @@ struct selection {
   goal_question question;
   std::optional<choice> winner, runner_up;
   bool tied = false;              ///< the intervals of their costs overlap
-  std::optional<choice> closest;  ///< where nothing meets the target
+  std::optional<choice> closest;  ///< where nothing meets the target; checked and bound are not numbers: not measured
   std::string reason;             ///< what stands in the way
   std::vector<rejection> rejected;
   std::vector<std::string> notes;
