@@ -71,6 +71,9 @@ class Select(unittest.TestCase):
         r = json.loads(out)
         self.assertEqual((rc, r['scheme']), (3, None))
         self.assertIn('scheme', r['closest'])
+        self.assertGreater(r['closest']['predicted'], 0)
+        self.assertIsNone(r['closest']['checked'])  # it was not measured there
+        self.assertIsNone(r['closest']['bound'])
         self.assertIn('steps', r['reason'])
 
 

@@ -115,6 +115,23 @@ TEST(Weak, CoupledLevelsFindWhatTheOperatorFinds) {
   for (const auto& v : out.verdicts) EXPECT_NE(v.kind, report::verdict_kind::refuted) << v.scheme << ": " << v.reason;
 }
 
+TEST(Weak, CoupledLevelsDoNotDependOnTheCompany) {
+  const auto s = restricted(bind_scene(load_scene("paper")), {"lie_euler", "magnus"});
+  const auto found = [&](const std::vector<scheme_entry>& schemes) {
+    const order_question q{
+        "weak", "weak order", {{"difference", "energy", 1}}, [](const scheme_entry&) { return 1; }, {}};
+    report::results out;
+    report_sampled_orders({s, effort::quick, 2, 5}, schemes, q, {*named_observable("energy", s.scene.inertia)}, out);
+    std::vector<double> values;
+    for (const auto& m : out.measurements)
+      if (m.scheme == "lie_euler") values.push_back(m.value.value_or(NAN));
+    return values;
+  };
+  const auto alone = found({scheme_of(s, "lie_euler")});  // magnus asks for areas, which lie_euler does not
+  EXPECT_FALSE(alone.empty());
+  EXPECT_EQ(alone, found(s.schemes));
+}
+
 TEST(Gibbs, BiasIsTheKnownOne) {
   const auto r = quick({"lie_euler", "implicit_midpoint", "strang_weak2"}, "gibbs");
   expect_known(r, {"lie_euler", "bias", "energy", {1.059e-2, 5.411e-3, 2.728e-3, 1.369e-3}, 1e-3});
