@@ -26,8 +26,7 @@ class rigid_body_at : public Noise {
   rigid_body_at(const rigid_body_constants& constants, const Noise& noise) : Noise(noise), k_(constants) {
     if constexpr (polynomials) {
       norm_ = chebyshev_interpolation<rotations<size>::norm_degree>(
-          [&](long double e) { return k_.radius / std::sqrt(k_.least_square * (1 + e)); },
-          std::max(k_.spread(), 1e-300));
+          [&](long double e) { return k_.radius / std::sqrt(1 + e); }, std::max(k_.spread(), 1e-300));
     }
   }
 
@@ -44,7 +43,7 @@ class rigid_body_at : public Noise {
       vec<double, 3> e{};
       e[j] = 1;
       const auto turned = so3::exp_action(b, e), before = damped(e, half_step{});
-      const auto after = damped(so3::exp_action(b, before), half_step{});
+      const auto after = damped_to_unit(so3::exp_action(b, before), half_step{});
       for (int i = 0; i < 3; ++i) {
         out.rotation[static_cast<std::size_t>(i)][j] = turned[i];
         out.damped[static_cast<std::size_t>(i)][j] = after[i];
@@ -91,13 +90,13 @@ class rigid_body_at : public Noise {
   vec<S, 3> damped_noise_flow(const vec<S, 3>& pi, const wiener<S, 3>& w) const {
     if constexpr (!parts.dissipation) return noise_flow(pi, w);
     if constexpr (Noise::shared) return normalised(times(this->step.damped, pi));
-    return normalised(damped(noise_flow(damped(pi, half_step{}), w), half_step{}));
+    return normalised(damped_to_unit(noise_flow(damped(pi, half_step{}), w), half_step{}));
   }
 
   template <class S, int n>
   vec<S, 3> dissipation_flow(const vec<S, 3>& pi, part_of_step<n> t) const {
     if constexpr (!parts.dissipation) return pi;
-    return normalised(damped(pi, t));
+    return normalised(damped_to_unit(pi, t));
   }
 
   template <class S, int n>
@@ -168,12 +167,17 @@ class rigid_body_at : public Noise {
     return pi;
   }
 
-  /// c y / |y|.
+  template <class S, int n>
+  vec<S, 3> damped_to_unit(const vec<S, 3>& pi, part_of_step<n>) const {
+    return scaled(k_.damping_to_unit[n - 1], pi);
+  }
+
+  /// c y / |y| of a y damped to unit: no power of |Pi| in a coefficient.
   template <class S>
   vec<S, 3> normalised(const vec<S, 3>& y) const {
     if constexpr (polynomials) {
-      const S excess = y[2] * y[2] + (y[1] * y[1] + (y[0] * y[0] - S(k_.least_square)));
-      return evaluate(norm_, S(excess * S(1 / k_.least_square))) * y;  // relative: no power of |Pi| in a coefficient
+      const S excess = y[2] * y[2] + (y[1] * y[1] + (y[0] * y[0] - S(1.0)));
+      return evaluate(norm_, excess) * y;
     } else {
       return S(S(k_.radius) / square_root(dot(y, y))) * y;
     }

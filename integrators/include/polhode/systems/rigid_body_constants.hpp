@@ -17,14 +17,14 @@ struct rigid_body_constants {
   vec<double, 3> shifted;                 ///< dt (1/I_k - 1/I_2): the Casimir shift
   vec<double, 3> gamma;                   ///< theta dt (Pi x Omega)_k = gamma_k Pi_i Pi_j
   std::array<vec<double, 3>, 2> damping;  ///< exp(-theta c^2 t (1/I_k - shift)) for the whole step and half of it
-  double least_square;                    ///< the least |y|^2 after a whole step's damping
+  /// The same over the least |y| that a whole step's damping leaves: |y| then is 1 at least, whatever the orbit's size.
+  std::array<vec<double, 3>, 2> damping_to_unit;
 
   /// c: the orbit's |Pi|. shift_by_least: the damping exponents are counted from the least 1/I, so that none of them
   /// overflows; else from 1/I_2, which makes its factor 1.
   rigid_body_constants(const vec<double, 3>& inverse, double theta_, double dt_, double c, bool shift_by_least)
       : inverse_inertia(inverse), theta(theta_), dt(dt_), radius(c) {
     const double least = std::min({inverse[0], inverse[1], inverse[2]});
-    double smallest = 1;
     for (int k = 0; k < 3; ++k) {
       const int i = (k + 1) % 3, j = (k + 2) % 3;
       kappa[k] = dt * inverse[k];
@@ -33,15 +33,16 @@ struct rigid_body_constants {
       const double rate = theta * c * c * (inverse[k] - (shift_by_least ? least : inverse[1]));
       damping[0][k] = std::exp(-rate * dt);
       damping[1][k] = std::exp(-rate * dt / 2);
-      smallest = std::min(smallest, damping[0][k]);
     }
-    least_square = c * c * smallest * smallest;
+    const auto& whole = damping[0];
+    for (int n = 0; n < 2; ++n) damping_to_unit[n] = 1 / (c * std::min({whole[0], whole[1], whole[2]})) * damping[n];
   }
 
-  /// Relative width of the range of |y|^2 after a whole step's damping.
+  /// Width of the range of |y|^2, from 1, after a whole step's damping to unit.
   double spread() const {
-    const double largest = std::max({damping[0][0], damping[0][1], damping[0][2]});
-    return radius * radius * largest * largest / least_square - 1;
+    const auto& whole = damping_to_unit[0];
+    const double largest = radius * std::max({whole[0], whole[1], whole[2]});
+    return largest * largest - 1;
   }
 };
 
