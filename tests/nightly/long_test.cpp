@@ -1,8 +1,13 @@
 // Runs too long for every push: ctest -L nightly.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
+#include "ensemble/paths.hpp"
+#include "experiments/stability_long.hpp"
 #include "registry/scene.hpp"
 #include "registry/verify.hpp"
+#include "statistics/order_fit.hpp"
 
 namespace polhode {
 namespace {
@@ -19,6 +24,28 @@ TEST(Casimir, TenMillionSteps) {
     if (f.quantity == "drift_over_steps") {
       EXPECT_LT(f.order, 0.8) << f.scheme;
     }
+}
+
+// A hundred million steps of 64 paths: what is left of |Pi|'s error is a random walk of roundings, for every scheme.
+TEST(Stability, HundredMillionStepsDriftLikeARandomWalk) {
+  const auto s = bind_scene(load_scene("paper"));
+  std::vector<const scheme_entry*> exact;
+  for (const auto& e : s.schemes)
+    if (e.info.casimir.exact) exact.push_back(&e);
+  std::vector<long_drift> found(exact.size());
+  parallel_for(2, static_cast<int>(exact.size()), [&](int i) {
+    const auto& e = *exact[static_cast<std::size_t>(i)];
+    found[static_cast<std::size_t>(i)] =
+        drift_over(s, e, 0.03125, e.info.implicit ? 1e7 : 1e8, 1, noise_generator::ars);
+  });
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const auto law = fit_power_law(found[i].steps, found[i].rms);
+    ASSERT_TRUE(law) << exact[i]->info.name;
+    EXPECT_LT(law->order, 0.8) << exact[i]->info.name;
+    EXPECT_LT(found[i].rms.back(), 1e-11) << exact[i]->info.name;
+    std::printf("%s: %.2e after %.1e steps, growth %.2f\n", std::string(exact[i]->info.name).c_str(),
+                found[i].rms.back(), found[i].steps.back(), law->order);
+  }
 }
 
 }  // namespace
