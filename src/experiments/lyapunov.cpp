@@ -13,6 +13,7 @@
 
 #include "ensemble/paths.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/lyapunov_sampled.hpp"
 #include "experiments/progress_counter.hpp"
 #include "experiments/transfer.hpp"
 
@@ -95,8 +96,7 @@ std::optional<root> border(const sphere_problem& p, double sigma, double most_th
   return with_uncertainty(p, sigma, bracket);
 }
 
-void report_exponents(const sphere_problem& p, report::results& out) {
-  const auto found = lyapunov(p, tolerance);
+void report_exponents(const lyapunov_exponents& found, report::results& out) {
   out.measurements.push_back(row("lambda_1", "", found.lambda1, found.uncertainty, "per time", found.reason));
   out.measurements.push_back(row("lambda_1 + lambda_2", "", found.sum, found.sum_uncertainty, "per time", ""));
   if (!found.lambda1) return;
@@ -107,7 +107,9 @@ void report_exponents(const sphere_problem& p, report::results& out) {
 
 void run(const context& c, report::results& out) {
   const auto p = *sphere_problem_of(c.subject);
-  report_exponents(p, out);
+  const auto exact = lyapunov(p, tolerance);
+  report_exponents(exact, out);
+  report_sampled_exponents(c, exact, out);
   const auto grid = axes_of(p, c.effort);
   const auto easiest = lyapunov(at(p, grid.sigma.back(), grid.theta.back() / 2), map_tolerance);
   if (!easiest.reason.empty()) {
