@@ -2,7 +2,8 @@
 
 #include <array>
 #include <cmath>
-#include <polhode/scalar.hpp>
+#include <polhode/lie/so3.hpp>
+#include <polhode/systems/constant_noise.hpp>
 
 #include "ensemble/kernel_of.hpp"
 #include "ensemble/paths.hpp"
@@ -44,8 +45,11 @@ void add(const pack& x, double* to) { pack(pack(to, stdx::element_aligned) + x).
 /// A block of paths of one scheme.
 class tangent_block {
  public:
-  tangent_block(std::uint64_t seed, std::uint64_t first_path, double radius)
-      : states_(uniform_states(seed, first_path, radius)), tangents_(random_tangents(seed, first_path)) {
+  tangent_block(std::uint64_t seed, std::uint64_t first_path, double radius, const constant_noise<so3>& noise)
+      : noise_(noise),
+        covariance_(noise.sigma() * noise.sigma().transpose()),
+        states_(uniform_states(seed, first_path, radius)),
+        tangents_(random_tangents(seed, first_path)) {
     orthonormalise();
   }
 
@@ -100,19 +104,30 @@ class tangent_block {
   void add_controls(const increment_view& one) {
     for (std::size_t lane = 0; lane < row; lane += width) {
       const auto x = load_lanes<pack, 3>(states_.data() + lane), v = load_lanes<pack, 3>(tangents_.data() + lane);
-      const auto dw = load_increment<pack, 3>(one, static_cast<std::ptrdiff_t>(lane));
+      const auto b = noise_.noise(load_increment<pack, 3>(one, static_cast<std::ptrdiff_t>(lane)));
       const auto w = cross(x, v), unit = pack(1 / dot(v, v)) * v;
       double* to = control_.data() + lane;
       for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        for (const pack& f : {pack(x[j] * x[k]), pack(unit[j] * v[k]), pack(unit[j] * w[k] + unit[k] * w[j])}) {
-          add(f * dw[i], to);
+        const auto difference = [&](const auto& y, const auto& z) { return pack(y[j] * z[j] - y[k] * z[k]); };
+        const pack xx = difference(x, x), vv = difference(unit, v), vw = difference(unit, w), xv = difference(x, v);
+        const pack excess = b[i] * b[i] - one.dt * covariance_(i, i), both = b[j] * b[k] - one.dt * covariance_(j, k);
+        for (const pack& f :
+             {pack(b[i] * x[j] * x[k]), pack(b[i] * unit[j] * v[k]), pack(b[i] * (unit[j] * w[k] + unit[k] * w[j])),
+              pack(excess * xx), pack(excess * vv), pack(excess * vw),  //
+              pack(both * x[j] * x[k]), pack(both * unit[j] * v[k]), pack(both * unit[j] * w[k]),
+              pack(both * unit[k] * w[j]),  //
+              pack(b[i] * x[i] * xx), pack(b[i] * x[i] * vv), pack(b[i] * x[i] * vw), pack(b[i] * unit[i] * xv),
+              pack(b[i] * unit[i] * difference(x, w)), pack(b[i] * w[i] * difference(x, unit))}) {
+          add(f, to);
           to += row;
         }
       }
     }
   }
 
+  constant_noise<so3> noise_;
+  Eigen::Matrix3d covariance_;
   std::vector<double> states_, tangents_;
   std::array<double, row> length_{}, area_{};
   std::array<double, growth::controls * row> control_{};
@@ -130,7 +145,11 @@ void run_tangents(const context& c, const run_length& run, int level, int block,
   const int first = block * block_lanes;
   const auto first_path = static_cast<std::uint64_t>(level) * paths_per_level + static_cast<std::uint64_t>(first);
   increment_buffer noise(*c.subject.model, chunk, with_areas, {c.generator, noise_quality::fast});
-  std::vector<tangent_block> blocks(kernels.size(), {c.seed, first_path, length(c.subject.scene.momentum)});
+  std::vector<constant_noise<so3>::column> vectors;
+  for (const auto& v : c.subject.scene.sigma) vectors.push_back({v});
+  const tangent_block start(c.seed, first_path, length(c.subject.scene.momentum),
+                            constant_noise<so3>::from_vectors(vectors));
+  std::vector<tangent_block> blocks(kernels.size(), start);
   const auto forgetting = static_cast<std::uint64_t>(run.forgetting),
              all = forgetting + static_cast<std::uint64_t>(run.observed);
   for (std::uint64_t step = 0; step < all; step += chunk) {

@@ -19,12 +19,15 @@ struct run_length {
 /// At least those times.
 run_length run_length_of(double dt, double forgetting, double observed);
 
-/// Means over the observed time of each path. Controls have mean 0 for every scheme (statistics/control_variates.hpp):
-/// with x the state, v the first tangent, w = x cross v, and F one of x x^T, v v^T / |v|^2, v w^T / |v|^2, they are
-/// sum_n F_jk(n) dW^i(n), (i,j,k) cyclic. In the limit dt -> 0 and over all F, X_i of the solution of the Poisson
-/// equation of the stretching rate, no variance would be left; these are the lowest ones.
+/// Means over the observed time of each path. The controls have mean 0 for every scheme
+/// (statistics/control_variates.hpp), as each is a sum over steps of what is known before the step times what has mean
+/// 0 in it. With x the state, v the first tangent, w = x cross v, B = sum sigma_i dW^i, Q dt its covariance, (i,j,k)
+/// cyclic, and P one of x x^T, v v^T / |v|^2, v w^T / |v|^2, they are
+///   P_jk B_i,   (P_jj - P_kk) (B_i B_i - Q_ii dt),   P_jk (B_j B_k - Q_jk dt),
+/// and six cubic forms times B_i. These are the lowest terms of the martingale sum X_i g B_i, g the solution of the
+/// Poisson equation of the stretching rate, which for dt -> 0 is all the noise that there is in the growth.
 struct growth {
-  static constexpr int controls = 9;
+  static constexpr int controls = 48;
   Eigen::VectorXd length, area;  ///< [path], logarithmic growth per time: lambda_1 and lambda_1 + lambda_2
   Eigen::MatrixXd control;       ///< [path][control]
   explicit growth(int paths) : length(paths), area(paths), control(paths, controls) {}
