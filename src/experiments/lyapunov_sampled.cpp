@@ -28,7 +28,7 @@ constexpr double known_share = 0.1;                           // of the margin: 
 constexpr double clear = 5;                                   // standard errors: an error that a fit may use
 constexpr double relaxations = 8;                             // until the start is forgotten, to e^-8
 constexpr double observed = 5, observed_thoroughly = 40;      // times as long as that
-constexpr double most_steps = 1e5;                            // of a path, before sampling is too dear to be offered
+constexpr double most_steps = 2e5;                            // of a path, before sampling is too dear to be offered
 
 /// Several step sizes, sampled until their intervals are tight.
 class sampled_levels {
