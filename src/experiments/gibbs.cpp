@@ -15,6 +15,7 @@
 #include "experiments/levels.hpp"
 #include "experiments/sequential.hpp"
 #include "experiments/stationary_bias.hpp"
+#include "experiments/uniform_start.hpp"
 #include "experiments/vectors.hpp"
 #include "references/gibbs.hpp"
 #include "statistics/sample.hpp"
@@ -60,18 +61,6 @@ design plan(const context& c) {
   return {step_size(c.subject), burn_in(s), 1 / noise_strength(s)};
 }
 
-/// Uniform starting points on the sphere of radius c, by address.
-std::vector<double> uniform_states(std::uint64_t seed, int block, double c) {
-  std::vector<double> states(3 * block_lanes);
-  for (int lane = 0; lane < block_lanes; ++lane) {
-    const auto x =
-        normals<3>({seed, noise_kind::initial_state, static_cast<std::uint64_t>(block * block_lanes + lane), 0});
-    const double r = std::sqrt(dot(x, x));
-    for (int k = 0; k < 3; ++k) states[static_cast<std::size_t>(k * block_lanes + lane)] = c * x[k] / r;
-  }
-  return states;
-}
-
 /// What is kept of every path: means over its observations, and the last energy.
 struct observed {
   std::vector<double> energy, square1, square3, energy2, last_energy;
@@ -101,12 +90,13 @@ void run_block(const context& c, const design& d, std::span<const scheme_entry> 
   const std::vector<std::size_t> indices(open.begin(), open.end());
   const bool areas = std::ranges::any_of(indices, [&](std::size_t k) { return schemes[k].needs_areas; });
   increment_buffer noise(*s.model, chunk, areas, {c.generator, noise_quality::fast});
-  std::vector<std::vector<double>> states(kernels.size(), uniform_states(c.seed, block, length(s.scene.momentum)));
+  const auto first_path = static_cast<std::uint64_t>(block * block_lanes);
+  std::vector<std::vector<double>> states(kernels.size(), uniform_states(c.seed, first_path, length(s.scene.momentum)));
   std::uint64_t step = 0;
   const auto advance = [&](double time) {
     for (int left = std::max(1, static_cast<int>(time / d.dt)); left > 0;) {
       const int n = std::min(left, chunk);
-      const auto view = noise.fill(c.seed, static_cast<std::uint64_t>(block * block_lanes), step, n, d.dt);
+      const auto view = noise.fill(c.seed, first_path, step, n, d.dt);
       for (const auto k : indices) kernels[k]->advance(states[k], view);
       step += static_cast<std::uint64_t>(n);
       left -= n;

@@ -1,7 +1,8 @@
 // Does the flow of one common noise spread or collect, and where is the border between the two?
 //
-// lambda_1 is exact (references/lyapunov.hpp), nothing is sampled, and no scheme is asked. The border of chaos
-// theta*(sigma) is the root of lambda_1 in theta, found for each strength of the noise; the map is lambda_1 over both.
+// lambda_1 of the equation is exact (references/lyapunov.hpp), nothing is sampled. The border of chaos theta*(sigma) is
+// the root of lambda_1 in theta, found for each strength of the noise; the map is lambda_1 over both. The exponents of
+// each scheme are sampled (lyapunov_sampled.hpp).
 #include "references/lyapunov.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 
 #include "ensemble/paths.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/lyapunov_sampled.hpp"
 #include "experiments/progress_counter.hpp"
 #include "experiments/transfer.hpp"
 
@@ -95,8 +97,7 @@ std::optional<root> border(const sphere_problem& p, double sigma, double most_th
   return with_uncertainty(p, sigma, bracket);
 }
 
-void report_exponents(const sphere_problem& p, report::results& out) {
-  const auto found = lyapunov(p, tolerance);
+void report_exponents(const lyapunov_exponents& found, report::results& out) {
   out.measurements.push_back(row("lambda_1", "", found.lambda1, found.uncertainty, "per time", found.reason));
   out.measurements.push_back(row("lambda_1 + lambda_2", "", found.sum, found.sum_uncertainty, "per time", ""));
   if (!found.lambda1) return;
@@ -107,7 +108,12 @@ void report_exponents(const sphere_problem& p, report::results& out) {
 
 void run(const context& c, report::results& out) {
   const auto p = *sphere_problem_of(c.subject);
-  report_exponents(p, out);
+  const auto exact = lyapunov(p, tolerance);
+  report_exponents(exact, out);
+  auto sampling = c;
+  sampling.progress = [&c](double share) { c.progress(share / 2); };
+  report_sampled_exponents(sampling, exact, out);
+  const std::function<void(double)> mapping = [&c](double share) { c.progress((1 + share) / 2); };
   const auto grid = axes_of(p, c.effort);
   const auto easiest = lyapunov(at(p, grid.sigma.back(), grid.theta.back() / 2), map_tolerance);
   if (!easiest.reason.empty()) {
@@ -116,7 +122,7 @@ void run(const context& c, report::results& out) {
   }
   const auto n = static_cast<int>(grid.sigma.size());
   std::vector<report::measurement> map(static_cast<std::size_t>(n * n)), curve(static_cast<std::size_t>(n));
-  progress_counter done(n * n + n, c.progress);
+  progress_counter done(n * n + n, mapping);
   parallel_for(c.threads, n * n + n, [&](int i) {
     const double sigma = grid.sigma[static_cast<std::size_t>(i % n)];
     if (i < n * n) {
@@ -153,11 +159,18 @@ experiment lyapunov_experiment() {
        "Does one common noise spread neighbouring bodies or collect them, and where is the border of chaos?",
        {"lambda_1 is the mean stretching rate under the stationary law of tangent directions, solved for in Wigner "
         "functions whose degree is raised until it has converged; lambda_1 + lambda_2 is the mean divergence. Nothing "
-        "is sampled.",
+        "of this is sampled.",
         "Dimension: Kaplan and Yorke's 1 + lambda_1/|lambda_2|; 0, a point, for lambda_1 <= 0.",
         "Border of chaos: the theta at which lambda_1 changes its sign, for noise in the scene's directions of "
-        "strength sigma (sum of squares 3 sigma^2). Map: lambda_1 over both."}},
-      2,
+        "strength sigma (sum of squares 3 sigma^2). Map: lambda_1 over both.",
+        "Exponents of a scheme: sampled growth of lengths and areas under the derivative of its own step (dual "
+        "numbers), over independent paths that have forgotten their start (eight relaxation times). Of the means the "
+        "noise that is known to vanish is taken out by least squares (control variates). An exponent is found if its "
+        "95 % interval lies within a thousandth of the scene's fastest rate of the exact one, at 128 steps per fastest "
+        "time scale. Order: that of |lambda_1(dt) - lambda_1| at coarser steps, at least the weak order; asked for at "
+        "thorough effort alone.",
+        "Normals: fast ones (right to 1e-6). Areas are drawn from the weak surrogate."}},
+      4,
       cannot_say,
       run};
 }

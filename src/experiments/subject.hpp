@@ -11,6 +11,7 @@
 
 #include "ensemble/kernel.hpp"
 #include "ensemble/model.hpp"
+#include "ensemble/tangent_kernel.hpp"
 #include "reports/model/results.hpp"
 
 namespace polhode {
@@ -19,6 +20,7 @@ struct scheme_entry {
   scheme_info info;
   bool needs_areas = false;
   std::function<std::unique_ptr<kernel>(double dt)> make;
+  std::function<std::unique_ptr<tangent_kernel>(double dt)> tangent;  ///< the same step with its derivative
 };
 
 /// Whether any of them asks for Levy areas; where none does they are not drawn.

@@ -84,16 +84,6 @@ class coupled_levels {
   std::vector<differences> found_;
 };
 
-/// Levels that are not clear of their standard error leave the fit, and every mean is above zero.
-std::optional<order_fit> fit(std::span<const double> dt, squared_errors d, std::uint64_t seed) {
-  for (int l = 0; l < d.levels; ++l) {
-    const auto m = level_mean(d, l);
-    const double sign = std::fabs(m.mean) < clear * m.error ? 0 : m.mean < 0 ? -1 : 1;
-    for (int path = 0; path < d.paths; ++path) d.at(path, l) *= sign;
-  }
-  return fit_order_of_means(dt, d, seed);
-}
-
 void report_levels(const series& s, std::span<const double> dt, const squared_errors& d,
                    const std::optional<order_fit>& found, report::results& out) {
   std::vector<report::measurement> points;
@@ -124,7 +114,7 @@ void report_sampled_orders(const context& c, const std::vector<scheme_entry>& sc
         found.clear();
         for (auto& d : levels.of(scheme)) {
           d.paths = so_far;
-          found.push_back(fit(dt, d, c.seed));
+          found.push_back(fit_order_of_clear_means(dt, d, clear, c.seed));
         }
         return std::ranges::all_of(found, [](const auto& f) { return f && half_width(*f) <= tight_order; });
       });

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ensemble/kernel_of.hpp"
+#include "ensemble/tangent_kernel_of.hpp"
 #include "experiments/subject.hpp"
 #include "references/driven_ode.hpp"
 #include "registry/schemes.hpp"
@@ -82,12 +83,19 @@ std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const System& system, con
 }
 
 template <class Scheme, class System>
+std::unique_ptr<tangent_kernel> tangent_kernel_for(const System& system, double dt) {
+  auto stepped = prepared<Scheme>(system, dt);
+  return std::make_unique<tangent_kernel_of<Scheme, decltype(stepped)>>(std::move(stepped));
+}
+
+template <class Scheme, class System>
 void add_scheme(subject& out, const System& system) {
   if constexpr (requires { requires scheme_on<Scheme, System>; }) {
     out.schemes.push_back({Scheme::info, needs_areas_on<Scheme, System>,
                            [system, momentum = out.scene.momentum](double dt) -> std::unique_ptr<kernel> {
                              return kernel_for(scheme_tag<Scheme>{}, system, momentum, dt);
-                           }});
+                           },
+                           [system](double dt) { return tangent_kernel_for<Scheme>(system, dt); }});
   } else {
     out.inapplicable.push_back({"", std::string(Scheme::info.name), "the system does not split into exact flows"});
   }

@@ -209,6 +209,16 @@ std::optional<order_fit> fit_order_of_means(std::span<const double> dt, const sq
   return resampled_fit(dt, values, 1, 0, seed);
 }
 
+std::optional<order_fit> fit_order_of_clear_means(std::span<const double> dt, squared_errors values, double clear,
+                                                  std::uint64_t seed) {
+  for (int l = 0; l < values.levels; ++l) {
+    const auto m = level_mean(values, l);
+    const double sign = std::fabs(m.mean) < clear * m.error ? 0 : m.mean < 0 ? -1 : 1;
+    for (int path = 0; path < values.paths; ++path) values.at(path, l) *= sign;
+  }
+  return fit_order_of_means(dt, values, seed);
+}
+
 error_model fit_error_model(std::span<const double> dt, const squared_errors& e, const std::vector<bool>& used,
                             double order, std::uint64_t seed, int powers) {
   std::vector<std::size_t> kept;

@@ -3,8 +3,8 @@
 // The rule on levels is fixed in advance: levels at the rounding floor and levels that are not finite are left out; of
 // the rest the finest six are taken; the coarsest of these is left out as pre-asymptotic while it lies off the line
 // through the others by more than 0.05 in log2 and more than three standard errors. At least four levels stay, or there
-// is no fit. Where the coarsest of those that stay is still off by more than 0.05 (its 95 % interval, paths resampled), or
-// without sampling error any of them off the line through all, the slope has not settled.
+// is no fit. Where the coarsest of those that stay is still off by more than 0.05 (its 95 % interval, paths resampled),
+// or without sampling error any of them off the line through all, the slope has not settled.
 #pragma once
 
 #include <cstdint>
@@ -52,6 +52,10 @@ std::optional<order_fit> fit_order(std::span<const double> dt, const squared_err
 /// the others must be well clear of zero, as resampled means have a logarithm too.
 std::optional<order_fit> fit_order_of_means(std::span<const double> dt, const squared_errors& values,
                                             std::uint64_t seed);
+
+/// The same of |mean|; levels whose mean is within `clear` standard errors of zero leave the fit.
+std::optional<order_fit> fit_order_of_clear_means(std::span<const double> dt, squared_errors values, double clear,
+                                                  std::uint64_t seed);
 
 /// The mean square error in powers of dt, weighted least squares over the used levels.
 struct error_model {

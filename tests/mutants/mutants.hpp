@@ -37,10 +37,16 @@ struct areas_redrawn {
         const auto bits = std::bit_cast<std::uint64_t>(dw);
         return w.dt / 2 * normals<1>({99, noise_kind::area, bits % (1ull << 48), static_cast<std::uint64_t>(pair)})[0];
       };
-      if constexpr (is_pack<S>)
-        w.area[pair] = S([&](auto lane) { return redrawn(w.dw[0][lane]); });
+      const auto in_every_lane = [&]<class Lanes>(const Lanes& dw) {
+        if constexpr (is_pack<Lanes>)
+          return Lanes([&](auto lane) { return redrawn(dw[lane]); });
+        else
+          return redrawn(dw);
+      };
+      if constexpr (requires { w.dw[0].slope; })
+        w.area[pair].value = in_every_lane(w.dw[0].value);
       else
-        w.area[pair] = redrawn(w.dw[0]);
+        w.area[pair] = in_every_lane(w.dw[0]);
     }
     return magnus::step(system, mu, w);
   }

@@ -1,0 +1,64 @@
+// The tangents of a scheme's own step, by dual numbers: no derivative is written by hand, and none can be wrong. One
+// form of the system for every scene and step size, as a derivative is worth no specialisation. Instantiated in the
+// registry alone.
+#pragma once
+
+#include <utility>
+
+#include <polhode/dual.hpp>
+
+#include "ensemble/kernel_of.hpp"
+#include "ensemble/tangent_kernel.hpp"
+
+namespace polhode {
+
+template <class Scheme, class System>
+class tangent_kernel_of final : public tangent_kernel {
+ public:
+  explicit tangent_kernel_of(System system) : system_(std::move(system)) {}
+
+  void advance(std::span<double> states, std::span<double> tangents, const increment_view& view) const override {
+    count_path_steps(static_cast<std::uint64_t>(view.steps) * block_lanes);
+    for (int i = 0; i < view.steps; ++i)
+      for (int lane = 0; lane < block_lanes; lane += static_cast<int>(pack::size()))
+        step(states.data() + lane, tangents.data() + lane, increment(view, i, lane));
+  }
+
+ private:
+  static constexpr int dimension = System::dimension, channels = System::channels, pairs = pairs_of<channels>;
+  static constexpr int next_vector = dimension * block_lanes;
+  using number = dual<pack, tangent_vectors>;
+
+  static wiener_levy<number, channels> increment(const increment_view& view, int i, int lane) {
+    wiener_levy<number, channels> w;
+    w.dt = view.dt;
+    if (view.silent()) return w;
+    const auto dw = load_increment<pack, channels>(view, i * channels * block_lanes + lane);
+    for (int k = 0; k < channels; ++k) w.dw[k].value = dw[k];
+    if constexpr (needs_areas_on<Scheme, System>) {
+      const auto area = load_lanes<pack, pairs>(view.area.data() + i * pairs * block_lanes + lane);
+      for (int k = 0; k < pairs; ++k) w.area[k].value = area[k];
+    }
+    return w;
+  }
+
+  [[gnu::flatten]] void step(double* state, double* tangent, const wiener_levy<number, channels>& w) const {
+    const auto value = load_lanes<pack, dimension>(state);
+    vec<number, dimension> mu;
+    for (int k = 0; k < dimension; ++k) mu[k].value = value[k];
+    for (int t = 0; t < tangent_vectors; ++t) {
+      const auto slope = load_lanes<pack, dimension>(tangent + t * next_vector);
+      for (int k = 0; k < dimension; ++k) mu[k].slope[t] = slope[k];
+    }
+    mu = Scheme::step(system_, mu, w);
+    for (int k = 0; k < dimension; ++k) {
+      mu[k].value.copy_to(state + k * block_lanes, stdx::element_aligned);
+      for (int t = 0; t < tangent_vectors; ++t)
+        mu[k].slope[t].copy_to(tangent + t * next_vector + k * block_lanes, stdx::element_aligned);
+    }
+  }
+
+  System system_;
+};
+
+}  // namespace polhode

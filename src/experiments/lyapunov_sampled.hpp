@@ -1,0 +1,15 @@
+// Lyapunov exponents of the schemes themselves: sampled growth of the tangents of their own steps, against the exact
+// exponents of the equation.
+#pragma once
+
+#include "experiments/experiment.hpp"
+#include "references/lyapunov.hpp"
+
+namespace polhode {
+
+/// For each scheme that keeps the sphere: lambda_1 and lambda_1 + lambda_2 at one small dt, each with a verdict against
+/// the exact value; the error of lambda_1 over dt, its fit and a verdict on its order. Where the exact values are not
+/// known nothing is compared.
+void report_sampled_exponents(const context&, const lyapunov_exponents& exact, report::results&);
+
+}  // namespace polhode
