@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "ensemble/paths.hpp"
+#include "ensemble/uniform_start.hpp"
 #include "experiments/experiment.hpp"
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
@@ -63,12 +64,7 @@ design plan(const context& c) {
 /// Uniform starting points on the sphere of radius c, by address.
 std::vector<double> uniform_states(std::uint64_t seed, int block, double c) {
   std::vector<double> states(3 * block_lanes);
-  for (int lane = 0; lane < block_lanes; ++lane) {
-    const auto x =
-        normals<3>({seed, noise_kind::initial_state, static_cast<std::uint64_t>(block * block_lanes + lane), 0});
-    const double r = std::sqrt(dot(x, x));
-    for (int k = 0; k < 3; ++k) states[static_cast<std::size_t>(k * block_lanes + lane)] = c * x[k] / r;
-  }
+  start_uniformly(seed, static_cast<std::uint64_t>(block * block_lanes), c, states);
   return states;
 }
 

@@ -1,0 +1,142 @@
+// Where lambda_1 < 0 all bodies under one noise meet in one random point: at the rate lambda_1?
+//
+// Bodies in pairs at a tiny distance, under the noise of many paths: the mean of log(distance) over a long time, once
+// directions have forgotten their start, falls at lambda_1 a unit of time.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ensemble/shared_increments.hpp"
+#include "ensemble/uniform_start.hpp"
+#include "experiments/attractor.hpp"
+#include "experiments/sequential.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double close = 1e-7;       // of the radius: small against the sphere, large against rounding
+constexpr double folds = 3;          // the distance falls by exp(3) on the way
+constexpr double forgotten = 1e-3;   // of the start, before the clock runs
+constexpr double rate_margin = 0.1;  // of lambda_1
+constexpr double tight_share = 1.0 / 3;
+constexpr double most_steps = 10'000;
+
+struct clock {
+  double dt;
+  std::int64_t before, measured;  ///< steps
+  double time() const { return static_cast<double>(measured) * dt; }
+};
+
+/// Lane 2i + 1 beside lane 2i, in the direction of another uniform body.
+void put_in_pairs(std::uint64_t seed, std::uint64_t first_body, double radius, std::vector<double>& states) {
+  std::vector<double> other(states.size());
+  start_uniformly(seed, first_body, radius, states);
+  start_uniformly(seed, first_body + block_lanes, radius, other);
+  for (std::size_t lane = 0; lane < block_lanes; lane += 2) {
+    std::array<double, 3> at{}, to{};
+    double along = 0, size = 0, across = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] = states[k * block_lanes + lane];
+      to[k] = other[k * block_lanes + lane];
+      along += at[k] * to[k] / (radius * radius);
+    }
+    for (std::size_t k = 0; k < 3; ++k) across = std::hypot(across, to[k] - along * at[k]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      to[k] = at[k] + close * radius * (to[k] - along * at[k]) / across;
+      size = std::hypot(size, to[k]);
+    }
+    for (std::size_t k = 0; k < 3; ++k) states[k * block_lanes + lane + 1] = radius * to[k] / size;
+  }
+}
+
+/// The mean over the pairs of the logarithm of their distance.
+double log_distance(const std::vector<double>& states) {
+  double sum = 0;
+  for (std::size_t lane = 0; lane < block_lanes; lane += 2) {
+    double square = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      square += std::pow(states[k * block_lanes + lane + 1] - states[k * block_lanes + lane], 2);
+    sum += 0.5 * std::log(square);
+  }
+  return sum / (block_lanes / 2);
+}
+
+void report_spread(const std::string& name, const clock& t, const std::vector<double>& rates, double exact,
+                   report::results& out) {
+  const auto found = mean_interval(rates);
+  const double margin = rate_margin * std::fabs(exact);
+  out.measurements.push_back(measured({"attractor", name, "collapse rate", "", "per time", "sampled"}, {}, found.value,
+                                      found.low, found.high));
+  report::verdict v{"attractor",
+                    name,
+                    "collapse at the rate lambda_1",
+                    exact,
+                    found.value,
+                    found.low,
+                    found.high,
+                    judge(exact, found.low, found.high, margin),
+                    ""};
+  v.reason = fmt::format(
+      "{:.5f} [{:.5f}, {:.5f}] against lambda_1 = {:.5f} +- {:.2g} (a tenth), over a time of {:.3g} "
+      "at dt = {:.4g}",
+      found.value, found.low, found.high, exact, margin, t.time(), t.dt);
+  if (!std::isfinite(found.value)) {
+    v.estimate = v.low = v.high = std::nullopt;
+    v.reason = "bodies were lost: not finite";
+  }
+  out.verdicts.push_back(v);
+}
+
+}  // namespace
+
+void report_collapse(const context& c, const attractor_frame& f, report::results& out) {
+  const double exact = *f.exponents.lambda1, dt = f.dt / 4;
+  const clock t{dt, f.steps_in(-std::log(forgotten) / f.gap, dt), f.steps_in(-folds / exact, dt)};
+  const std::int64_t steps = t.before + t.measured;
+  if (static_cast<double>(steps) > most_steps) {
+    out.skipped.push_back({"attractor", "",
+                           fmt::format("collapse: at lambda_1 = {:.2e} it takes {} steps, at most {:g} "
+                                       "are affordable",
+                                       exact, steps, most_steps)});
+    return;
+  }
+  const sampling_plan plan{512, by_effort(c.effort, 4096, 16'384, 65'536)};
+  const auto most = static_cast<std::size_t>(blocks_of(plan.most) * block_lanes);
+  std::vector<std::vector<double>> rates(f.schemes.size(), std::vector<double>(most));
+  std::vector<std::unique_ptr<kernel>> kernels;
+  for (const auto& scheme : f.schemes) kernels.push_back(scheme.make(dt));
+  const auto run_path = [&](std::uint64_t path, std::span<const int> open) {
+    const bool areas =
+        std::ranges::any_of(open, [&](int k) { return f.schemes[static_cast<std::size_t>(k)].needs_areas; });
+    const shared_increments drawn(*c.subject.model, c.seed, steps, dt, areas, 1, fast_noise(c), path);
+    std::vector<double> start(3 * block_lanes), states;
+    put_in_pairs(c.seed, 2 * path * block_lanes, f.problem.radius, start);
+    for (const int scheme : open) {
+      const auto k = static_cast<std::size_t>(scheme);
+      const auto noise = kernels[k]->share(drawn.view(0, static_cast<int>(steps)));
+      states = start;
+      kernels[k]->advance(states, noise, 0, t.before);
+      const double before = log_distance(states);
+      kernels[k]->advance(states, noise, t.before, t.measured);
+      rates[k][static_cast<std::size_t>(path)] = (log_distance(states) - before) / t.time();
+    }
+  };
+  const auto so_far = [&](std::size_t k, int paths) { return std::vector(rates[k].begin(), rates[k].begin() + paths); };
+  const auto sizes = sample_until_tight(
+      c, plan, static_cast<int>(f.schemes.size()),
+      [&](int block, std::span<const int> open) {
+        for (int i = 0; i < block_lanes; ++i) run_path(static_cast<std::uint64_t>(block * block_lanes + i), open);
+      },
+      [&](int scheme, int paths) {
+        const auto found = mean_interval(so_far(static_cast<std::size_t>(scheme), paths));
+        return half_width(found) <= tight_share * rate_margin * std::fabs(exact);
+      });
+  for (std::size_t k = 0; k < f.schemes.size(); ++k) {
+    report_spread(std::string(f.schemes[k].info.name), t, so_far(k, sizes[k].used), exact, out);
+    out.verdicts.back().reason += "; " + sizes[k].text();
+  }
+}
+
+}  // namespace polhode
