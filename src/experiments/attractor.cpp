@@ -1,4 +1,5 @@
-// What becomes of many bodies under one noise, and is it what the theory of random attractors says?
+// What becomes of many bodies under one noise, and is it what the theory of random attractors says? (Crauel and
+// Flandoli, Probab. Theory Relat. Fields 100 (1994) 365; Young, J. Stat. Phys. 108 (2002) 733.)
 #include "experiments/attractor.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +32,7 @@ struct framed {
 };
 
 framed frame_of(const subject& s) {
-  framed out{{*sphere_problem_of(s), true_law(s), {}, 0, 0.5 / fastest_rate(s), {}}, ""};
+  framed out{{*sphere_problem_of(s), true_law(s), {}, 0, 0.25 / fastest_rate(s), {}}, ""};
   auto& f = out.frame;
   if (!f.law.density || !f.law.reason.empty()) {
     out.fault = "the true stationary law is " + f.law.reason;
@@ -108,17 +109,18 @@ experiment attractor_experiment() {
   return {
       {"attractor",
        "What becomes of bodies all over the sphere under one common noise?",
-       {"Averages: per noise path the harmonics (to degree 4) of the random measure of 64 bodies from a uniform start, "
-        "after one body has forgotten it to 1e-6. Over N paths its mean lies at b^2 + V/N, squared, from the true law, "
+       {"Averages: per noise path the harmonics (to degree 3) of the random measure of 64 bodies from a uniform start, "
+        "after one body has forgotten it to 1e-4. Over N paths its mean lies at b^2 + V/N, squared, from the true law, "
         "b "
         "the exact bias of the scheme's own law (transfer operator): with b^2 taken off the slope must be -1/2, and "
         "the "
         "mean over all paths must be the scheme's own law to a tenth of a standard deviation of any function.",
         "Pullback: bodies start uniformly at -T with the same noise up to time 0. Change: from one T to the next, "
         "root-mean-square over noise paths, by two independent sets of bodies, so that their number leaves no bias.",
-        "Where lambda_1 < 0: the rate at which bodies 1e-7 apart meet, over many noise paths, against the exact "
+        "Where lambda_1 < 0: the rate at which bodies 1e-6 apart meet, over many noise paths, against the exact "
         "lambda_1. "
-        "Where lambda_1 > 0: numbers of boxes of equal area that are occupied, that hold the information, that hold "
+        "Where lambda_1 > 0 (quick: schemes of weak order two alone): numbers of boxes of equal area that are "
+        "occupied, that hold the information, that hold "
         "the "
         "pairs, against their side; mean slopes over noise paths. D_2 <= D_1 <= D_0, and D_1 is Kaplan and Yorke's. "
         "Finite samples miss boxes, the more the smaller: D_0 comes out too low, D_1 slightly (first order corrected), "

@@ -17,7 +17,7 @@ struct attractor_frame {
   stationary_law law;                 ///< the true one
   lyapunov_exponents exponents;       ///< lambda1 may be missing, with a reason
   double gap = 0;                     ///< the slowest rate at which one body forgets its start
-  double dt = 0;                      ///< coarse: half of the fastest time scale, so that a bias is seen
+  double dt = 0;                      ///< coarse, a quarter of the fastest time scale: a bias is seen
   std::vector<scheme_entry> schemes;  ///< those that keep the sphere
 
   double lambda2() const { return exponents.sum - *exponents.lambda1; }

@@ -23,13 +23,14 @@
 namespace polhode {
 namespace {
 
-constexpr int degree = 4;
+constexpr int degree = 3;
 constexpr int row = block_lanes;  // noise paths whose averages over 2, 4, … 64 are one sample of the slope
-constexpr double forgotten = 1e-6;
+constexpr double forgotten = 1e-4;
 constexpr double mean_bound = 0.1;  // as in experiment gibbs: a tenth of a standard deviation, of any function
-constexpr double tight_share = 1.0 / 3;
-constexpr double law_tolerance = 0.02;  // of the scheme's own bias
-constexpr double most_steps = 4000;
+constexpr double tight_share = 0.5;
+constexpr double law_tolerance = 0.02;     // of the scheme's own bias
+constexpr double most_path_steps = 2.5e8;  // of one scheme at quick effort
+constexpr int least_paths = 2048;
 constexpr int replicates = 400;
 
 /// The distance of the scheme's own stationary law from the true one, coefficient by coefficient.
@@ -205,16 +206,18 @@ std::vector<scheme_run> prepared(const context& c, const attractor_frame& f, int
 }  // namespace
 
 void report_averages(const context& c, const attractor_frame& f, report::results& out) {
-  const double time = -std::log(forgotten) / f.gap;
-  if (time / f.dt > most_steps) {
+  const auto steps = f.steps_in(-std::log(forgotten) / f.gap, f.dt);
+  sampling_plan plan{least_paths, by_effort(c.effort, 8192, 32'768, 131'072)};
+  const double most = most_path_steps * by_effort(c.effort, 1, 10, 100);
+  const auto work = [&] { return 1.0 * block_lanes * static_cast<double>(steps) * plan.most; };
+  while (work() > most && plan.most > least_paths) plan.most /= 2;
+  if (work() > most) {
     out.skipped.push_back({"attractor", "",
-                           fmt::format("averages over noise paths: forgetting the start takes {:.1e} steps, at most "
-                                       "{:g} are affordable",
-                                       time / f.dt, most_steps)});
+                           fmt::format("averages over noise paths: forgetting the start takes {} steps, {:.1e} "
+                                       "path-steps a scheme; at most {:.1e} are affordable",
+                                       steps, work(), most)});
     return;
   }
-  const auto steps = f.steps_in(time, f.dt);
-  const sampling_plan plan{2048, by_effort(c.effort, 8192, 32'768, 131'072)};
   auto runs = prepared(part_of(c, 0, 0), f, plan.most);
   std::vector<grand_mean> found(runs.size());
   const auto sizes = sample_until_tight(

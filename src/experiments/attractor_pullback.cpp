@@ -23,9 +23,10 @@ namespace polhode {
 namespace {
 
 constexpr int degree = 4;
-constexpr int spans = 12;                // longest T, in the time in which the area of a set shrinks by root e
+constexpr int spans = 7;                 // to the longest T, of which six changes are left
+constexpr double span_time = 2.5;        // in the time in which the area of a set shrinks by e
 constexpr double clear_of_zero = 3;      // standard errors that a level must have above zero to be fitted
-constexpr double most_path_steps = 6e8;  // of one scheme at quick effort
+constexpr double most_path_steps = 3e8;  // of one scheme at quick effort
 
 struct pullback_plan {
   std::int64_t steps;  ///< between two starts
@@ -138,8 +139,8 @@ void report_rate(const std::string& name, const std::optional<interval_estimate>
 }  // namespace
 
 void report_pullback(const context& c, const attractor_frame& f, report::results& out) {
-  const double span = -1 / f.exponents.sum;  // twice the mean exponent
-  pullback_plan plan{f.steps_in(span, f.dt), by_effort(c.effort, 24, 96, 256), by_effort(c.effort, 32, 64, 128)};
+  const double span = -span_time / f.exponents.sum;
+  pullback_plan plan{f.steps_in(span, f.dt), by_effort(c.effort, 64, 384, 1024), by_effort(c.effort, 2, 4, 4)};
   const double path_steps =
       1.0 * spans * (spans + 1) * static_cast<double>(plan.steps) * plan.paths * plan.blocks * block_lanes;
   if (path_steps > most_path_steps * by_effort(c.effort, 1, 10, 100)) {

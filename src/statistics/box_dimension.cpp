@@ -69,9 +69,12 @@ std::vector<box_level> count_boxes(std::span<const std::uint32_t> counts, int ch
 std::vector<bool> usable_levels(std::span<const std::vector<box_level>> clouds) {
   std::vector<bool> usable(clouds.front().size());
   for (std::size_t i = 0; i < usable.size(); ++i) {
-    double fill = 0;
-    for (const auto& cloud : clouds) fill += cloud[i].fill / static_cast<double>(clouds.size());
-    usable[i] = fill >= least_fill;
+    double points = 0, occupied = 0;
+    for (const auto& cloud : clouds) {
+      points += cloud[i].fill * cloud[i].boxes[0];
+      occupied += cloud[i].boxes[0];
+    }
+    usable[i] = points >= least_fill * occupied;
   }
   return usable;
 }

