@@ -109,7 +109,7 @@ experiment attractor_experiment() {
   return {
       {"attractor",
        "What becomes of bodies all over the sphere under one common noise?",
-       {"Averages: per noise path the harmonics (to degree 3) of the random measure of 64 bodies from a uniform start, "
+       {"Averages: per noise path the harmonics (to degree 2) of the random measure of 64 bodies from a uniform start, "
         "after one body has forgotten it to 1e-4. Over N paths its mean lies at b^2 + V/N, squared, from the true law, "
         "b "
         "the exact bias of the scheme's own law (transfer operator): with b^2 taken off the slope must be -1/2, and "
@@ -117,7 +117,8 @@ experiment attractor_experiment() {
         "mean over all paths must be the scheme's own law to a tenth of a standard deviation of any function.",
         "Pullback: bodies start uniformly at -T with the same noise up to time 0. Change: from one T to the next, "
         "root-mean-square over noise paths, by two independent sets of bodies, so that their number leaves no bias.",
-        "Where lambda_1 < 0: the rate at which bodies 1e-6 apart meet, over many noise paths, against the exact "
+        "Where lambda_1 < 0: the rate at which bodies 1e-6 apart meet (set back to that distance now and then), over "
+        "many noise paths, against the exact "
         "lambda_1. "
         "Where lambda_1 > 0 (quick: schemes of weak order two alone): numbers of boxes of equal area that are "
         "occupied, that hold the information, that hold "

@@ -23,7 +23,7 @@
 namespace polhode {
 namespace {
 
-constexpr int degree = 3;
+constexpr int degree = 2;
 constexpr int row = block_lanes;  // noise paths whose averages over 2, 4, … 64 are one sample of the slope
 constexpr double forgotten = 1e-4;
 constexpr double mean_bound = 0.1;  // as in experiment gibbs: a tenth of a standard deviation, of any function

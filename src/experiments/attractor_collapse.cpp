@@ -25,9 +25,19 @@ constexpr double most_steps = 10'000;
 
 struct clock {
   double dt;
-  std::int64_t before, measured;  ///< steps
-  double time() const { return static_cast<double>(measured) * dt; }
+  std::int64_t piece, before, measured;  ///< steps of a piece; pieces before the clock runs, and while it does
+  std::int64_t steps() const { return piece * (before + measured); }
+  double time() const { return static_cast<double>(piece * measured) * dt; }
 };
+
+clock clock_of(const attractor_frame& f) {
+  clock t{f.dt / 4, 0, 0, 0};
+  t.piece = f.steps_in(-1 / f.lambda2(), t.dt);
+  const double piece = static_cast<double>(t.piece) * t.dt;
+  t.before = f.steps_in(-std::log(forgotten) / f.gap, piece);
+  t.measured = f.steps_in(-folds / *f.exponents.lambda1, piece);
+  return t;
+}
 
 /// Moves lane 2i + 1 towards lane 2i until they are close, on the sphere.
 void bring_together(double radius, std::vector<double>& states) {
@@ -54,6 +64,20 @@ double log_distance(const std::vector<double>& states) {
     sum += 0.5 * std::log(square);
   }
   return sum / (block_lanes / 2);
+}
+
+/// Pieces after which the pairs are brought together again: no distance grows to the size of the sphere, or falls to
+/// rounding (Benettin et al., Meccanica 15 (1980) 9).
+double rate_along(const kernel& k, const shared_steps& noise, const clock& t, double radius,
+                  std::vector<double>& states) {
+  double sum = 0;
+  for (std::int64_t i = 0; i < t.before + t.measured; ++i) {
+    bring_together(radius, states);
+    const double before = log_distance(states);
+    k.advance(states, noise, i * t.piece, t.piece);
+    if (i >= t.before) sum += log_distance(states) - before;
+  }
+  return sum / t.time();
 }
 
 void report_rate(const std::string& name, const clock& t, const std::vector<double>& rates, double exact, double margin,
@@ -85,9 +109,9 @@ void report_rate(const std::string& name, const clock& t, const std::vector<doub
 }  // namespace
 
 void report_collapse(const context& c, const attractor_frame& f, report::results& out) {
-  const double exact = *f.exponents.lambda1, margin = rate_margin * -f.lambda2(), dt = f.dt / 4;
-  const clock t{dt, f.steps_in(-std::log(forgotten) / f.gap, dt), f.steps_in(-folds / exact, dt)};
-  const std::int64_t steps = t.before + t.measured;
+  const double exact = *f.exponents.lambda1, margin = rate_margin * -f.lambda2();
+  const auto t = clock_of(f);
+  const std::int64_t steps = t.steps();
   if (static_cast<double>(steps) > most_steps) {
     out.skipped.push_back({"attractor", "",
                            fmt::format("collapse: at lambda_1 = {:.2e} it takes {} steps, at most {:g} "
@@ -99,23 +123,18 @@ void report_collapse(const context& c, const attractor_frame& f, report::results
   const auto most = static_cast<std::size_t>(blocks_of(plan.most) * block_lanes);
   std::vector<std::vector<double>> rates(f.schemes.size(), std::vector<double>(most));
   std::vector<std::unique_ptr<kernel>> kernels;
-  for (const auto& scheme : f.schemes) kernels.push_back(scheme.make(dt));
+  for (const auto& scheme : f.schemes) kernels.push_back(scheme.make(t.dt));
   const auto run_path = [&](std::uint64_t path, std::span<const int> open) {
     const bool areas =
         std::ranges::any_of(open, [&](int k) { return f.schemes[static_cast<std::size_t>(k)].needs_areas; });
-    const shared_increments drawn(*c.subject.model, c.seed, steps, dt, areas, 1, fast_noise(c), path);
+    const shared_increments drawn(*c.subject.model, c.seed, steps, t.dt, areas, 1, fast_noise(c), path);
     std::vector<double> start(3 * block_lanes), states;
     start_uniformly(c.seed, path * block_lanes, f.problem.radius, start);
-    bring_together(f.problem.radius, start);
     for (const int scheme : open) {
       const auto k = static_cast<std::size_t>(scheme);
       const auto noise = kernels[k]->share(drawn.view(0, static_cast<int>(steps)));
       states = start;
-      kernels[k]->advance(states, noise, 0, t.before);
-      bring_together(f.problem.radius, states);
-      const double before = log_distance(states);
-      kernels[k]->advance(states, noise, t.before, t.measured);
-      rates[k][static_cast<std::size_t>(path)] = (log_distance(states) - before) / t.time();
+      rates[k][static_cast<std::size_t>(path)] = rate_along(*kernels[k], noise, t, f.problem.radius, states);
     }
   };
   const auto so_far = [&](std::size_t k, int paths) { return std::vector(rates[k].begin(), rates[k].begin() + paths); };

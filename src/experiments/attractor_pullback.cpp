@@ -23,10 +23,11 @@ namespace polhode {
 namespace {
 
 constexpr int degree = 4;
-constexpr int spans = 7;                 // to the longest T, of which six changes are left
-constexpr double span_time = 2.5;        // in the time in which the area of a set shrinks by e
-constexpr double clear_of_zero = 3;      // standard errors that a level must have above zero to be fitted
-constexpr double most_path_steps = 3e8;  // of one scheme at quick effort
+constexpr int spans = 7;                   // to the longest T, of which six changes are left
+constexpr double span_time = 2.5;          // in the time in which the area of a set shrinks by e
+constexpr double clear_of_zero = 3;        // standard errors that a level must have above zero to be fitted
+constexpr double most_path_steps = 1.5e8;  // of one scheme at quick effort
+constexpr int least_paths = 32;
 
 struct pullback_plan {
   std::int64_t steps;  ///< between two starts
@@ -141,13 +142,16 @@ void report_rate(const std::string& name, const std::optional<interval_estimate>
 void report_pullback(const context& c, const attractor_frame& f, report::results& out) {
   const double span = -span_time / f.exponents.sum;
   pullback_plan plan{f.steps_in(span, f.dt), by_effort(c.effort, 64, 384, 1024), by_effort(c.effort, 2, 4, 4)};
-  const double path_steps =
-      1.0 * spans * (spans + 1) * static_cast<double>(plan.steps) * plan.paths * plan.blocks * block_lanes;
-  if (path_steps > most_path_steps * by_effort(c.effort, 1, 10, 100)) {
+  const double most = most_path_steps * by_effort(c.effort, 1, 10, 100);
+  const auto work = [&] {
+    return 1.0 * spans * (spans + 1) * static_cast<double>(plan.steps) * plan.paths * plan.blocks * block_lanes;
+  };
+  while (work() > most && plan.paths > least_paths) plan.paths /= 2;
+  if (work() > most) {
     out.skipped.push_back({"attractor", "",
-                           fmt::format("pullback: forgetting takes {:.1e} path-steps a scheme, at "
-                                       "most {:.1e} are affordable",
-                                       path_steps, most_path_steps)});
+                           fmt::format("pullback: forgetting takes {:.1e} path-steps a scheme, at most {:.1e} are "
+                                       "affordable",
+                                       work(), most)});
     return;
   }
   progress_counter done(static_cast<int>(f.schemes.size()), c.progress);
