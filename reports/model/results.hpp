@@ -28,7 +28,7 @@ constexpr std::string_view name_of(verdict_kind kind) {
 /// Where a result comes from: enough to make it again.
 struct provenance {
   std::string version, commit, compiler, flags, cpu;
-  std::string isa;  ///< instruction set of the inner loops: v2, v3, v4 (x86-64 levels) or portable
+  std::string isa;        ///< instruction set of the inner loops: v2, v3, v4 (x86-64 levels) or portable
   std::string generator;  ///< of the noise: philox or ars
   int threads = 1;
   std::uint64_t seed = 0;
@@ -69,6 +69,7 @@ struct measurement {
   std::string status = "ok";               ///< why the value is missing or not used, e.g. "not finite"
   std::optional<double> steps;             ///< number of steps where that is the abscissa (growth laws)
   bool fitted = false;                     ///< used in the fit of its series
+  std::string abscissa = {};               ///< what `steps` is where it is no number of steps, e.g. "noise paths"
 };
 
 /// log2(value) against log2(dt): value = prefactor * dt^order.
@@ -97,6 +98,15 @@ struct counters {
 struct saved {
   counters work;
   double cpu_seconds = 0;
+};
+
+/// A density on the sphere of directions relative to the uniform one, in bins of equal area: [height][longitude], rows
+/// of equal z from z = -1, longitudes from -pi.
+struct density {
+  std::string experiment, scheme, name;
+  std::optional<double> time;
+  int longitudes = 0, heights = 0;
+  std::vector<double> values;
 };
 
 /// Something that a scene does not need or cannot answer. An empty scheme means all of them.
@@ -141,6 +151,7 @@ struct results {
   std::vector<skip> skipped;
   std::vector<saving> savings;
   std::vector<reuse> reused;
+  std::vector<density> densities;
   work_done done;
 };
 

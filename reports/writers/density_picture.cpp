@@ -24,7 +24,7 @@ constexpr shade paper = 0, ink = 1, grey = 2, empty = 3, first_rim = 4, first_de
 constexpr int densities = 256 - first_density;
 constexpr colour paper_colour{255, 255, 255}, ink_colour{20, 20, 20}, grey_colour{80, 80, 80}, empty_colour{30, 22, 44};
 
-std::vector<colour> palette() {
+std::vector<colour> palette(const colour_map& map) {
   std::vector<colour> out{paper_colour, ink_colour, grey_colour, empty_colour};
   for (int quarters = 1; quarters < 4; ++quarters) {
     colour rim{};
@@ -32,13 +32,13 @@ std::vector<colour> palette() {
       rim[k] = static_cast<std::uint8_t>((quarters * empty_colour[k] + (4 - quarters) * paper_colour[k]) / 4);
     out.push_back(rim);
   }
-  for (int i = 0; i < densities; ++i) out.push_back(viridis(i / (densities - 1.0)));
+  for (int i = 0; i < densities; ++i) out.push_back(map.at(map.first + (1 - map.first) * i / (densities - 1.0)));
   return out;
 }
 
 shade density_shade(double place) { return static_cast<shade>(first_density + std::lround(place * (densities - 1))); }
 
-/// Densities relative to bodies spread evenly, from black to yellow.
+/// Densities relative to bodies spread evenly, from dark to bright.
 struct colour_scale {
   double low, high;
   double place(double density) const { return std::clamp(std::log(density / low) / std::log(high / low), 0.0, 1.0); }
@@ -104,7 +104,7 @@ void draw_titles(raster& out, const simulation& s, const ensemble_snapshot& show
 
 }  // namespace
 
-density_picture::density_picture(int side) {
+density_picture::density_picture(int side, const colour_map& map) : palette_(palette(map)) {
   pixels_.reserve(std::size_t{map_width} * map_height + std::size_t{2} * disc * disc);
   add_disc(map_left, map_top, map_width, map_height, [&](double y, auto& row) { mollweide_row(side, y, row); });
   add_disc(upper_left, disc_top, disc, disc, [&](double y, auto& row) { upper_row(side, y, row); });
@@ -147,7 +147,7 @@ raster density_picture::paint(const simulation& s, const ensemble_snapshot& show
   };
   std::array<shade, 256> usual{};  // most pixels see a few bodies only
   for (std::size_t sum = 0; sum < usual.size(); ++sum) usual[sum] = shade_of(sum);
-  raster out(width, height, palette());
+  raster out(width, height, palette_);
   for (std::size_t i = 0; i < sums.size(); ++i)
     out.pixels[pixels_[i].place] = sums[i] < usual.size() ? usual[sums[i]] : shade_of(sums[i]);
   for (const auto& p : rim_) out.pixels[p.place] = static_cast<shade>(first_rim + p.inside - 1);

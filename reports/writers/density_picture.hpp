@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reports/model/simulation.hpp"
+#include "reports/writers/colour_map.hpp"
 #include "reports/writers/raster.hpp"
 
 namespace polhode::report {
@@ -14,7 +15,8 @@ namespace polhode::report {
 /// Made once for many pictures: which bins of a snapshot each pixel sees.
 class density_picture {
  public:
-  explicit density_picture(int side);  ///< of the squares of ensemble_snapshot::picture
+  /// side: of the squares of ensemble_snapshot::picture.
+  explicit density_picture(int side, const colour_map& = colour_maps().front());
   raster paint(const simulation&, const ensemble_snapshot&) const;
 
  private:
@@ -30,6 +32,7 @@ class density_picture {
   template <class Bins>
   void add_disc(int left, int top, int width, int height, Bins bins_of_row);
 
+  std::vector<colour> palette_;
   std::vector<pixel> pixels_;
   std::vector<rim_pixel> rim_;
 };

@@ -18,13 +18,15 @@ json list_of(const std::vector<Row>& rows, Write write) {
 json to_value(const experiment& e) { return {{"name", e.name}, {"question", e.question}, {"notes", e.notes}}; }
 
 json to_value(const measurement& m) {
-  return {{"experiment", m.experiment}, {"scheme", m.scheme},
-          {"quantity", m.quantity},     {"observable", m.observable},
-          {"dt", number(m.dt)},         {"steps", number(m.steps)},
-          {"value", number(m.value)},   {"low", number(m.low)},
-          {"high", number(m.high)},     {"unit", m.unit},
-          {"method", m.method},         {"status", status_of(m)},
-          {"fitted", m.fitted}};
+  json out{{"experiment", m.experiment}, {"scheme", m.scheme},
+           {"quantity", m.quantity},     {"observable", m.observable},
+           {"dt", number(m.dt)},         {"steps", number(m.steps)},
+           {"value", number(m.value)},   {"low", number(m.low)},
+           {"high", number(m.high)},     {"unit", m.unit},
+           {"method", m.method},         {"status", status_of(m)},
+           {"fitted", m.fitted}};
+  if (!m.abscissa.empty()) out["abscissa"] = m.abscissa;
+  return out;
 }
 
 json to_value(const fit& f) {
@@ -88,6 +90,13 @@ json to_value(const work_done& d) {
   return out;
 }
 
+json to_value(const density& d) {
+  json values = json::array();
+  for (const double x : d.values) values.push_back(number(x));
+  return {{"experiment", d.experiment}, {"scheme", d.scheme},   {"name", d.name},  {"time", number(d.time)},
+          {"longitudes", d.longitudes}, {"heights", d.heights}, {"values", values}};
+}
+
 std::string compact(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
 // Lists one record a line: a document that can be searched and compared line by line.
@@ -121,6 +130,7 @@ std::string to_json(const results& r) {
   document["skipped"] = list_of(r.skipped, row);
   document["savings"] = list_of(r.savings, row);
   document["reused"] = list_of(r.reused, row);
+  if (!r.densities.empty()) document["densities"] = list_of(r.densities, row);
   document["counters"] = to_value(r.done);
   return laid_out(document);
 }

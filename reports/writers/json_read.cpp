@@ -69,10 +69,13 @@ experiment experiment_from(const node& n) {
 }
 
 measurement measurement_from(const node& n) {
-  return {n["experiment"].text(), n["scheme"].text(),        n["quantity"].text(),    n["observable"].text(),
-          n["dt"].maybe_number(), n["value"].maybe_number(), n["low"].maybe_number(), n["high"].maybe_number(),
-          n["unit"].text(),       n["method"].text(),        n["status"].text(),      n["steps"].maybe_number(),
-          n["fitted"].flag()};
+  return {n["experiment"].text(),  n["scheme"].text(),
+          n["quantity"].text(),    n["observable"].text(),
+          n["dt"].maybe_number(),  n["value"].maybe_number(),
+          n["low"].maybe_number(), n["high"].maybe_number(),
+          n["unit"].text(),        n["method"].text(),
+          n["status"].text(),      n["steps"].maybe_number(),
+          n["fitted"].flag(),      n.maybe("abscissa") ? n["abscissa"].text() : ""};
 }
 
 fit fit_from(const node& n) {
@@ -105,6 +108,22 @@ saving saving_from(const node& n) {
 
 reuse reuse_from(const node& n) {
   return {n["experiment"].text(), n["scheme"].text(), n["computed"].text(), saved_from(n["saved"])};
+}
+
+density density_from(const node& n) {
+  density d{n["experiment"].text(),
+            n["scheme"].text(),
+            n["name"].text(),
+            n["time"].maybe_number(),
+            n["longitudes"].integer<int>(),
+            n["heights"].integer<int>(),
+            {}};
+  const node values = n["values"];
+  d.values = values.list([](const node& one) { return one.number(); });
+  if (d.longitudes < 1 || d.heights < 1 || d.values.size() % static_cast<std::size_t>(d.longitudes) != 0 ||
+      d.values.size() / static_cast<std::size_t>(d.longitudes) != static_cast<std::size_t>(d.heights))
+    refuse(values.where, "as many numbers as longitudes times heights");
+  return d;
 }
 
 work_done work_from(const node& n) {
@@ -143,9 +162,11 @@ results from_json(std::string_view text) {
             root["skipped"].list(skip_from),
             {},
             {},
+            {},
             {}};
   if (const auto savings = root.maybe("savings")) r.savings = savings->list(saving_from);
   if (const auto reused = root.maybe("reused")) r.reused = reused->list(reuse_from);
+  if (const auto densities = root.maybe("densities")) r.densities = densities->list(density_from);
   if (const auto counted = root.maybe("counters")) r.done = work_from(*counted);
   return r;
 }

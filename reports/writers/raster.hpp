@@ -25,8 +25,4 @@ struct raster {
   static int text_width(std::string_view, int scale);
 };
 
-/// Blue-violet to yellow, evenly brighter, t in [0, 1]. Source: matplotlib's viridis (van der Walt, Smith), as the
-/// polynomial of sixth degree fitted by M. Zucker (shadertoy WlfXRN, CC0).
-colour viridis(double t);
-
 }  // namespace polhode::report

@@ -16,7 +16,7 @@ namespace polhode::report {
 namespace {
 
 struct chart {
-  std::string quantity, observable, unit;
+  std::string quantity, observable, unit, abscissa;
   bool over_steps = false;
   std::vector<const measurement*> rows;    // with an abscissa and a value
   std::vector<const measurement*> levels;  // with a value that belongs to no step size
@@ -32,7 +32,7 @@ std::vector<chart> charts_of(const results& r, const std::string& experiment) {
     if (m.experiment != experiment || !has_value(m) || !abscissa(m) || in_field(m) || says_cost(m)) continue;
     const bool over_steps = finite(m.steps).has_value();
     const auto [place, is_new] = known.try_emplace({m.quantity, m.observable, over_steps}, charts.size());
-    if (is_new) charts.push_back({m.quantity, m.observable, m.unit, over_steps, {}, {}});
+    if (is_new) charts.push_back({m.quantity, m.observable, m.unit, m.abscissa, over_steps, {}, {}});
     charts[place->second].rows.push_back(&m);
   }
   for (const auto& m : r.measurements) {
@@ -103,9 +103,10 @@ plot plot_of(const results& r, const chart& c, const std::vector<const fit*>& fi
     p.series.push_back(std::move(one));
   }
   p.log_y = wants_log(c, has_fit);
-  p.log_x = wants_log_abscissa(c) && (p.log_y || c.over_steps || !has_fit);
+  const bool decay = c.abscissa.starts_with("time") && !has_fit;  // exponential: straight over a linear axis
+  p.log_x = !decay && wants_log_abscissa(c) && (p.log_y || c.over_steps || !has_fit);
   const bool signs = std::any_of(c.rows.begin(), c.rows.end(), [](const auto* m) { return *m->value < 0; });
-  p.x_title = c.over_steps ? "number of steps" : "step size dt";
+  p.x_title = !c.abscissa.empty() ? c.abscissa : c.over_steps ? "number of steps" : "step size dt";
   p.y_title = ordinate_title(c, p.log_y && signs);
   p.title = fmt::format("{} over {}", p.y_title, p.x_title);
   for (const auto* m : c.levels) p.levels.push_back({m->scheme.empty() ? m->method : m->scheme, *m->value});

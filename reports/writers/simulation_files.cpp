@@ -51,24 +51,38 @@ std::string counts_npy(const ensemble_snapshot& shown) {
   return to_npy(shown.counts, {static_cast<std::size_t>(shown.heights), static_cast<std::size_t>(shown.longitudes)});
 }
 
+/// A row of equal z a line, as the array has it.
+std::string counts_csv(const ensemble_snapshot& shown) {
+  std::string out;
+  const auto width = static_cast<std::size_t>(shown.longitudes);
+  for (std::size_t i = 0; i < shown.counts.size(); ++i) {
+    out += fmt::format_int(shown.counts[i]).c_str();
+    out += (i + 1) % width == 0 ? '\n' : ',';
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string final_name(const simulation& s) { return s.bodies > most_rows ? "final.npy" : "final.csv"; }
 
-void write_simulation_files(const std::filesystem::path& folder, const simulation& s,
+void write_simulation_files(const std::filesystem::path& folder, const simulation& s, const snapshot_style& style,
                             const std::filesystem::path& known_as) {
   const auto write = [&](const std::string& name, const std::string& content) {
     disk::write_file(folder / name, content, known_as / name);
   };
   std::optional<density_picture> picture;
   jobs first, pictures;
-  if (!s.snapshots.empty()) first.emplace_back([&] { picture.emplace(s.snapshots.front().side); });
+  if (!s.snapshots.empty())
+    first.emplace_back([&] { picture.emplace(s.snapshots.front().side, colour_maps()[style.colour_map]); });
   first.emplace_back([&] {
     write(final_name(s), s.bodies > most_rows ? to_npy_rows(s.states, s.final.components.size()) : final_csv(s));
   });
   first.emplace_back([&] { write("summary.json", to_json(s)); });
   for (const auto& shown : s.snapshots) {
-    first.emplace_back([&] { write(snapshot_name(shown, "npy"), counts_npy(shown)); });
+    first.emplace_back([&] {
+      write(snapshot_name(shown, style.as_text ? "csv" : "npy"), style.as_text ? counts_csv(shown) : counts_npy(shown));
+    });
     pictures.emplace_back([&] { write(snapshot_name(shown, "png"), to_png(picture->paint(s, shown))); });
   }
   do_all(first, s.provenance.threads);

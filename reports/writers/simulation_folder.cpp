@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_our_file(std::string_view name) {
-  const bool snapshot = name.starts_with("snapshot_") && (name.ends_with(".npy") || name.ends_with(".png"));
+  const bool snapshot =
+      name.starts_with("snapshot_") && (name.ends_with(".npy") || name.ends_with(".csv") || name.ends_with(".png"));
   return snapshot || name == "final.csv" || name == "final.npy" || name == "summary.json";
 }
 
@@ -58,19 +59,18 @@ fs::path usable(const fs::path& out) {
   return path;
 }
 
-
 }  // namespace
 
 void check_simulation_folder(const fs::path& out) { usable(out); }
 
-void write_simulation(const fs::path& out, const simulation& s) {
+void write_simulation(const fs::path& out, const simulation& s, const snapshot_style& style) {
   const auto path = usable(out);
   const auto parent = path.parent_path();
   made_parents parents(parent);
   const auto name = path.filename().string();
   disk::remove_stale(parent, name);
   const disk::staging staged(parent / disk::staging_name(name), out);
-  write_simulation_files(staged.path(), s, out);
+  write_simulation_files(staged.path(), s, style, out);
   disk::sync_directory(staged.path(), out);
   if (!disk::move_if_free(staged.path(), path, out)) {
     usable(out);  // somebody may have put something there meanwhile

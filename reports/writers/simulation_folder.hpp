@@ -5,13 +5,14 @@
 #include <string>
 
 #include "reports/model/simulation.hpp"
+#include "reports/writers/simulation_files.hpp"
 
 namespace polhode::report {
 
-/// Writes final.csv (final.npy above 100000 bodies), summary.json, and snapshot_<time>.npy and .png for each snapshot.
-/// A folder of ours that stands there is exchanged in one step. Throws input_error where it holds anything else,
-/// output_error where the disk refuses; neither leaves a trace.
-void write_simulation(const std::filesystem::path& out, const simulation&);
+/// Writes final.csv (final.npy above 100000 bodies), summary.json, and snapshot_<time>.npy (or .csv) and .png for each
+/// snapshot. A folder of ours that stands there is exchanged in one step. Throws input_error where it holds anything
+/// else, output_error where the disk refuses; neither leaves a trace.
+void write_simulation(const std::filesystem::path& out, const simulation&, const snapshot_style& = {});
 
 /// The same refusals, before the work starts. Creates nothing.
 void check_simulation_folder(const std::filesystem::path& out);

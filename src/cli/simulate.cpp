@@ -13,8 +13,8 @@
 #include "cli/terminal.hpp"
 #include "registry/text.hpp"
 #include "reports/model/errors.hpp"
+#include "reports/writers/colour_map.hpp"
 #include "reports/writers/numbers.hpp"
-#include "reports/writers/simulation_files.hpp"
 #include "reports/writers/simulation_folder.hpp"
 #include "reports/writers/simulation_json.hpp"
 
@@ -26,7 +26,7 @@ constexpr std::uint64_t most_bodies = std::numeric_limits<std::uint32_t>::max();
 struct arguments {
   std::string scene = "paper", scheme, dt, bodies, noise, start, snapshots;
   std::string out = "simulation", threads, seed = "1", isa = "auto", generator = "philox", normals = "fast",
-              format = "text";
+              format = "text", colour_map = "viridis", histogram = "npy";
   bool quiet = false;
 };
 
@@ -52,6 +52,12 @@ simulate_options checked_options(const arguments& given) {
   options.generator = given.generator;
   options.normals = given.normals;
   return options;
+}
+
+report::snapshot_style checked_style(const arguments& given) {
+  static const std::vector<std::string> histograms{"npy", "csv"};
+  return {choice_option("--colour-map", given.colour_map, report::colour_map_names()),
+          choice_option("--histogram", given.histogram, histograms) == 1};
 }
 
 std::string row(const report::ensemble_state& s) {
@@ -90,6 +96,7 @@ report::simulation run_it(const scene& s, const simulate_options& options, bool 
 int run(const arguments& given) {
   const auto output = format_option(given.format);
   const auto options = checked_options(given);
+  const auto style = checked_style(given);
   const auto scene = load_scene(given.scene);
   check_simulation(scene, options);
   if (given.out.empty()) throw input_error("--out '': accepted: the folder to be written");
@@ -99,7 +106,7 @@ int run(const arguments& given) {
   const auto result = run_it(scene, options, given.quiet);
   {
     const defer_signals whole;
-    report::write_simulation(out, result);
+    report::write_simulation(out, result, style);
   }
   if (output == format::json)
     print(report::to_json(result));
@@ -131,6 +138,8 @@ command add_simulate(CLI::App& app) {
   parser->add_option("--bodies", given->bodies, "How many")->type_name("N");
   parser->add_option("--noise", given->noise, "common, independent, none")->type_name("K");
   parser->add_option("--snapshots", given->snapshots, "Times to count and picture")->type_name("T1,T2");
+  parser->add_option("--colour-map", given->colour_map, "viridis, magma, cividis [viridis]")->type_name("NAME");
+  parser->add_option("--histogram", given->histogram, "Of a snapshot: npy, csv [npy]")->type_name("K");
   parser->add_option("--start", given->start, "uniform, momentum [by the noise]")->type_name("K");
   add_common(*parser, *given);
   return {parser, [given] { return run(*given); }};

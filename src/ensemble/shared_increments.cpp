@@ -23,7 +23,7 @@ void draw(const noise_address& address, int wanted, double scale, noise_source s
 }  // namespace
 
 shared_increments::shared_increments(const model& m, std::uint64_t seed, std::int64_t steps, double dt, bool with_areas,
-                                     int threads, noise_source source)
+                                     int threads, noise_source source, std::uint64_t path)
     : dt_(dt),
       channels_(m.channels()),
       pairs_(pairs_among(m.channels())),
@@ -37,8 +37,8 @@ shared_increments::shared_increments(const model& m, std::uint64_t seed, std::in
   parallel_for(threads, static_cast<int>((steps + piece - 1) / piece), [&](int p) {
     for (std::int64_t i = p * piece; i < std::min(steps, (p + 1) * piece); ++i) {
       const auto step = static_cast<std::uint64_t>(i);
-      draw({seed, noise_kind::increment, 0, step}, active, std::sqrt(dt), source, dw_.data() + i * channels_);
-      if (areas > 0) draw({seed, noise_kind::area, 0, step}, areas, dt / 2, source, area_.data() + i * pairs_);
+      draw({seed, noise_kind::increment, path, step}, active, std::sqrt(dt), source, dw_.data() + i * channels_);
+      if (areas > 0) draw({seed, noise_kind::area, path, step}, areas, dt / 2, source, area_.data() + i * pairs_);
     }
   });
 }

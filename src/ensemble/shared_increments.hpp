@@ -1,4 +1,4 @@
-// One noise for all bodies: the increments of path 0 over all steps, computed once.
+// One noise for all bodies: the increments of one path over all steps, computed once.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ namespace polhode {
 
 class shared_increments {
  public:
-  /// The numbers that increment_buffer gives to path 0, areas included.
+  /// The numbers that increment_buffer gives to the path, areas included.
   shared_increments(const model&, std::uint64_t seed, std::int64_t steps, double dt, bool with_areas, int threads,
-                    noise_source = {});
+                    noise_source = {}, std::uint64_t path = 0);
 
   /// Steps first_step … first_step + steps - 1.
   increment_view view(std::int64_t first_step, int steps) const;

@@ -8,10 +8,10 @@
 #include <polhode/systems/noise_at.hpp>
 
 #include "ensemble/direction_bins.hpp"
-#include "ensemble/normal_block.hpp"
 #include "ensemble/paths.hpp"
 #include "ensemble/shared_increments.hpp"
 #include "ensemble/sphere_bins.hpp"
+#include "ensemble/uniform_start.hpp"
 
 namespace polhode {
 namespace {
@@ -29,7 +29,6 @@ double shared_bytes(const model& m, const simulation_plan& p) {
   return shared_increments::bytes(m, p.steps, p.with_areas) + static_cast<double>(p.steps) * sizeof(shared_step);
 }
 
-/// On the sphere through the momentum every body starts in the direction of three normals at its own address.
 void start(const simulation_plan& p, std::int64_t block, std::vector<double>& states) {
   if (p.start == ensemble_start::momentum) {
     states = replicated(p.momentum);
@@ -37,15 +36,7 @@ void start(const simulation_plan& p, std::int64_t block, std::vector<double>& st
   }
   double radius = 0;
   for (const double x : p.momentum) radius = std::hypot(radius, x);
-  const auto first = static_cast<std::uint64_t>(block * block_lanes);
-  fill_normals({p.seed, noise_kind::initial_state, first, 0, 1, 3, 3, 1, states.data()});
-  double *x = states.data(), *y = x + block_lanes, *z = y + block_lanes;
-  for (int i = 0; i < block_lanes; ++i) {
-    const double length = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-    x[i] = radius * x[i] / length;
-    y[i] = radius * y[i] / length;
-    z[i] = radius * z[i] / length;
-  }
+  start_uniformly(p.seed, static_cast<std::uint64_t>(block * block_lanes), radius, states);
 }
 
 /// Everything that the pieces share.
@@ -55,7 +46,7 @@ class ensemble_run {
       : model_(m), kernel_(k), plan_(p), progress_(progress), counting_(p.snapshots.size()) {
     noiseless_ = p.noise == ensemble_noise::none || m.active_channels() == 0;
     if (!noiseless_ && p.noise == ensemble_noise::common) {
-      const shared_increments drawn(m, p.seed, p.steps, p.dt, p.with_areas, p.threads, p.source);
+      const shared_increments drawn(m, p.seed, p.steps, p.dt, p.with_areas, p.threads, p.source, p.path);
       common_ = k.share(drawn.view(0, static_cast<int>(p.steps)));
       out_.drawn = drawn.drawn();
     }

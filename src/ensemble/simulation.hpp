@@ -26,6 +26,7 @@ struct simulation_plan {
   bool with_areas = false;
   noise_source source;
   std::uint64_t seed = 0;
+  std::uint64_t path = 0;  ///< whose noise is common to all
   int threads = 1;
 };
 

@@ -43,6 +43,7 @@ experiment casimir_experiment();
 experiment strong_experiment();
 experiment energy_experiment();
 experiment gibbs_experiment();
+experiment attractor_experiment();
 experiment lyapunov_experiment();
 experiment weak_experiment();
 experiment stability_experiment();

@@ -10,12 +10,12 @@
 #include <cmath>
 
 #include "ensemble/paths.hpp"
+#include "ensemble/uniform_start.hpp"
 #include "experiments/experiment.hpp"
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
 #include "experiments/sequential.hpp"
 #include "experiments/stationary_bias.hpp"
-#include "experiments/uniform_start.hpp"
 #include "experiments/vectors.hpp"
 #include "references/gibbs.hpp"
 #include "statistics/sample.hpp"

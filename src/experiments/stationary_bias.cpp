@@ -14,20 +14,6 @@ namespace {
 constexpr double density_accuracy = 1e-10;  // in L2
 constexpr double tolerance = 5e-4;
 
-/// The true density on the unit sphere, in harmonics: exp(-beta h) where the noise is isotropic (a closed form), else
-/// what the Kolmogorov operator leaves as it is.
-stationary_law true_law(const subject& s) {
-  const auto problem = *sphere_problem_of(s);
-  auto law = stationary(problem, density_accuracy);
-  if (s.model->noise() != noise_class::isotropic || !law.density) return law;
-  const double beta = 2 * problem.theta / problem.covariance(0, 0);
-  const auto energy = *named_observable("energy", problem.inertia);
-  law.density = harmonic_coefficients(
-      [&](const Eigen::Vector3d& x) { return std::exp(-beta * energy(problem.radius * x)); }, law.degree);
-  *law.density /= std::sqrt(4 * std::numbers::pi) * (*law.density)[0];
-  return law;
-}
-
 /// The distance in L2 of two laws in harmonics; beyond its degree a law has none.
 double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   const auto both = std::min(a.size(), b.size());
@@ -53,6 +39,18 @@ transfer_question question_on(const sphere_problem& problem, const Eigen::Vector
 }
 
 }  // namespace
+
+stationary_law true_law(const subject& s) {
+  const auto problem = *sphere_problem_of(s);
+  auto law = stationary(problem, density_accuracy);
+  if (s.model->noise() != noise_class::isotropic || !law.density) return law;
+  const double beta = 2 * problem.theta / problem.covariance(0, 0);
+  const auto energy = *named_observable("energy", problem.inertia);
+  law.density = harmonic_coefficients(
+      [&](const Eigen::Vector3d& x) { return std::exp(-beta * energy(problem.radius * x)); }, law.degree);
+  *law.density /= std::sqrt(4 * std::numbers::pi) * (*law.density)[0];
+  return law;
+}
 
 void report_stationary_bias(const context& c, report::results& out) {
   const auto& s = c.subject;

@@ -2,8 +2,13 @@
 #pragma once
 
 #include "experiments/experiment.hpp"
+#include "references/kolmogorov.hpp"
 
 namespace polhode {
+
+/// The true density on the unit sphere, in harmonics, of a rigid body: exp(-beta h) where the noise is isotropic (a
+/// closed form), else what the Kolmogorov operator leaves as it is. Without a density or with a reason: not known.
+stationary_law true_law(const subject&);
 
 /// The part of experiment gibbs that rests on transfer.hpp: bias of E[h] and E[h^2] and distance of the densities over
 /// dt, and the order of the bias against the claimed weak order. Appends a skip where the true law is not known.

@@ -7,7 +7,7 @@
 
 #include "ensemble/kernel_of.hpp"
 #include "ensemble/paths.hpp"
-#include "experiments/uniform_start.hpp"
+#include "ensemble/uniform_start.hpp"
 #include "experiments/vectors.hpp"
 
 namespace polhode {

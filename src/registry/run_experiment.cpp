@@ -32,6 +32,7 @@ void append_rows(const report::results& from, Wanted wanted, report::results& to
   append(&report::results::fits);
   append(&report::results::verdicts);
   append(&report::results::skipped);
+  append(&report::results::densities);
 }
 
 /// What the inner loops of this program have done so far.

@@ -77,6 +77,9 @@ class Errors(Case):
                 ('dt', '7', ['horizon = 2']), ('dt', '1e-12', ['steps']), ('dt', '1e-300', ['steps']), ('bodies', '0', ['--bodies']), ('bodies', '-5', ['--bodies']), ('bodies', '1e3', ['1e3']),
                 ('bodies', '4000000000', ['MiB']), ('noise', 'comon', ["'common'", 'independent', 'none']), ('start', 'here', ['uniform', 'momentum']), ('format', 'xml', ['json']),
                 ('snapshots', '0', ['--snapshots']), ('snapshots', '1,2.5', ['--snapshots', '2.5', 'horizon = 2']), ('snapshots', '1,,2', ['1,,2']), ('snapshots', 'x', ['x']),
+                ('snapshots', '2.0001', ['--snapshots', '2.0001', 'horizon = 2']), ('snapshots', '-1', ['--snapshots']),
+                ('colour-map', 'jet', ['--colour-map', "'jet'", 'viridis, magma, cividis']), ('colour-map', 'virdis', ["did you mean 'viridis'"]), ('histogram', 'txt', ['--histogram', 'npy, csv']),
+                ('bodies', '10000000000', ['--bodies', '4294967295']),
                 ('isa', 'v9', ['--isa', 'v9', 'auto']), ('seed', '-1', ['--seed']), ('threads', '0', ['--threads']), ('out', '', ['--out'])):
             self.refused(names, **{option: value})
         self.refused(['papr', "'paper'"], scene='papr')
@@ -139,6 +142,23 @@ class Files(Case):
             (width, height, depth, colours), rows = read_png(self.path('out', name))
             self.assertEqual((depth, colours, len(rows)), (8, 3, height * (width + 1)))
             self.assertGreater(len(set(rows)), 100)
+
+    def test_colour_maps_change_the_colours_alone(self):
+        pictures = {}
+        for name in ('viridis', 'magma', 'cividis'):
+            self.good(snapshots='1', **{'colour-map': name})
+            pictures[name] = read(self.path('out', 'snapshot_1.png'))
+        self.assertEqual(len(set(pictures.values())), 3)
+
+    def test_histograms_as_text(self):
+        self.good(bodies=1000, snapshots='1')
+        data = read_npy(self.path('out', 'snapshot_1.npy'))[2]
+        self.good(bodies=1000, snapshots='1', histogram='csv')
+        self.assertEqual(sorted(os.listdir(self.path('out'))), ['final.csv', 'snapshot_1.csv', 'snapshot_1.png', 'summary.json'])
+        rows = [[int(x) for x in row] for row in csv.reader(read(self.path('out', 'snapshot_1.csv'), 'r').splitlines())]
+        self.assertEqual((len(rows), {len(r) for r in rows}), (512, {1024}))
+        self.assertEqual([x for r in rows for x in r], list(struct.unpack(f'<{512 * 1024}I', data)))
+        self.good()  # a folder with such a file is ours
 
     def test_a_folder_of_ours_is_exchanged(self):
         self.good(snapshots='1')

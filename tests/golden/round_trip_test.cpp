@@ -32,8 +32,20 @@ class maker {
     return out;
   }
   report::measurement measured() {
-    return {text(),  text(), text(), text(),       maybe(), maybe(),           maybe(),
-            maybe(), text(), text(), "s" + text(), maybe(), random_() % 2 == 0};
+    return {text(),
+            text(),
+            text(),
+            text(),
+            maybe(),
+            maybe(),
+            maybe(),
+            maybe(),
+            text(),
+            text(),
+            "s" + text(),
+            maybe(),
+            random_() % 2 == 0,
+            random_() % 2 == 0 ? "" : text()};
   }
   report::counters work() { return {random_(), random_(), random_()}; }
   report::results made() {
@@ -52,6 +64,7 @@ class maker {
       r.skipped.push_back({text(), text(), text(), {work(), number()}});
       r.savings.push_back({text(), text(), text(), text(), {work(), number()}});
       r.reused.push_back({text(), text(), text(), {work(), number()}});
+      r.densities.push_back({text(), text(), text(), maybe(), 3, 2, {number(), 0, 1, 2.5, 1e-3, number()}});
     }
     r.done = {work(), random_(), random_(), random_()};
     return r;
@@ -84,6 +97,8 @@ TEST(round_trip, random_results_come_back_bit_for_bit) {
       EXPECT_EQ(after.savings[i].what, before.savings[i].what);
       EXPECT_EQ(after.savings[i].saved.work, before.savings[i].saved.work);
       EXPECT_EQ(after.reused[i].computed, before.reused[i].computed);
+      EXPECT_EQ(after.densities[i].values, before.densities[i].values);
+      EXPECT_TRUE(same(after.densities[i].time, before.densities[i].time) && a.abscissa == b.abscissa);
       EXPECT_TRUE(same(after.reused[i].saved.cpu_seconds, before.reused[i].saved.cpu_seconds));
     }
     EXPECT_EQ(after.done.work, before.done.work);
@@ -152,6 +167,9 @@ TEST(round_trip, foreign_text_is_refused) {
   expect_refused(changed("\"inertia\":[1.0,2.0,3.0]", "\"inertia\":[1.0,2.0]"));
   expect_refused(changed("\"fitted\":false", "\"fitted\":0"));
   expect_refused(changed("\"results_reused\":3", "\"results_reused\":-3"));
+  auto with_density = sample();
+  with_density.densities.push_back({"attractor", "", "law", {}, 2, 2, {1, 1, 1}});
+  expect_refused(to_json(with_density));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -84,6 +85,57 @@ TEST(DensityPicture, ReachesTheLastColourAndNoFurther) {
   const auto picture = report::density_picture(side).paint(s, shot);
   EXPECT_EQ(picture.palette.size(), 256u);
   EXPECT_EQ(picture.pixels[static_cast<std::size_t>((680 + 195) * picture.width + 60 + 245)], 255);
+}
+
+// Matplotlib's tables at 0, 64, 128, 192, 255 of 255; the polynomials are within 3 %.
+TEST(ColourMaps, AreThoseOfTheirTables) {
+  const std::vector<std::vector<report::colour>> tables{
+      {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}},
+      {{0, 0, 4}, {81, 18, 124}, {183, 55, 121}, {252, 137, 97}, {252, 253, 191}},
+      {{0, 34, 78}, {67, 78, 108}, {125, 124, 120}, {188, 174, 108}, {254, 232, 56}}};
+  ASSERT_EQ(report::colour_maps().size(), tables.size());
+  for (std::size_t m = 0; m < tables.size(); ++m)
+    for (std::size_t i = 0; i < 5; ++i) {
+      const auto found = report::colour_maps()[m].at(std::min(1.0, 64.0 * static_cast<double>(i) / 255));
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(found[k], tables[m][i][k], 8) << report::colour_maps()[m].name << ' ' << i;
+    }
+}
+
+TEST(ColourMaps, GrowEvenlyBrighterFromWhatIsEmpty) {
+  const auto light = [](const report::colour& c) {  // CIE L*, Rec. 709 primaries
+    double y = 0;
+    const double weights[] = {0.2126, 0.7152, 0.0722};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double v = c[k] / 255.0;
+      y += weights[k] * (v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+    }
+    return 116 * std::cbrt(y) - 16;
+  };
+  for (const auto& map : report::colour_maps()) {
+    double before = light(map.at(map.first));
+    EXPECT_GE(before, 9) << map.name;  // the sphere where no body is: 9
+    const double whole = light(map.at(1)) - before;
+    for (double t = 0.1; t < 1.01; t += 0.1) {
+      const double now = light(map.at(std::min(1.0, map.first + (1 - map.first) * t)));
+      EXPECT_NEAR((now - before) / whole, 0.1, 0.05) << map.name << ' ' << t;
+      before = now;
+    }
+  }
+}
+
+TEST(DensityPicture, ChangesItsColoursAndNothingElse) {
+  report::simulation s;
+  s.bodies = 1;
+  report::ensemble_snapshot shot;
+  shot.side = side;
+  shot.picture.resize(hemisphere_bins::count);
+  const auto first = report::density_picture(side).paint(s, shot);
+  for (const auto& map : report::colour_maps().subspan(1)) {
+    const auto other = report::density_picture(side, map).paint(s, shot);
+    EXPECT_EQ(other.pixels, first.pixels);
+    EXPECT_NE(other.palette, first.palette);
+  }
 }
 
 TEST(Npy, TurnsColumnsIntoRows) {

@@ -1,0 +1,48 @@
+// The parts of the experiment `attractor`, and what they all rest on.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ensemble/simulation.hpp"
+#include "experiments/experiment.hpp"
+#include "experiments/judge.hpp"
+#include "references/lyapunov.hpp"
+
+namespace polhode {
+
+/// Known without sampling, once for all parts.
+struct attractor_frame {
+  sphere_problem problem;
+  stationary_law law;                 ///< the true one
+  lyapunov_exponents exponents;       ///< lambda1 may be missing, with a reason
+  double gap = 0;                     ///< the slowest rate at which one body forgets its start
+  double dt = 0;                      ///< coarse, a quarter of the fastest time scale: a bias is seen
+  std::vector<scheme_entry> schemes;  ///< those that keep the sphere
+
+  double lambda2() const { return exponents.sum - *exponents.lambda1; }
+  /// At least one.
+  std::int64_t steps_in(double time, double step) const;
+};
+
+/// A path's noise that is common to many bodies: fast normals.
+noise_source fast_noise(const context&);
+
+/// Bodies from a uniform start under the noise of path 0; how many, how long and with which areas is left open.
+simulation_plan common_noise_plan(const context&, double dt);
+
+/// The share of the progress between `from` and `to`.
+context part_of(const context&, double from, double to);
+
+/// Averages over noise paths against the true law.
+void report_averages(const context&, const attractor_frame&, report::results&);
+/// Snapshots at time 0 of bodies that started at -T, one noise.
+void report_pullback(const context&, const attractor_frame&, report::results&);
+/// Where lambda_1 < 0: the rate at which close bodies meet.
+void report_collapse(const context&, const attractor_frame&, report::results&);
+/// Where lambda_1 > 0: dimensions of snapshots.
+void report_dimensions(const context&, const attractor_frame&, report::results&);
+/// Densities to look at: one noise path at four times, and the true law.
+void report_densities(const context&, const attractor_frame&, report::results&);
+
+}  // namespace polhode

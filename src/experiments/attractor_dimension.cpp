@@ -1,0 +1,133 @@
+// Where lambda_1 > 0 the bodies under one noise gather on a fractal: is its information dimension that of Kaplan and
+// Yorke, 1 + lambda_1 / |lambda_2|?  (Ledrappier and Young, Probab. Theory Relat. Fields 80 (1988) 217, for random
+// maps.)
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ensemble/sphere_bins.hpp"
+#include "experiments/attractor.hpp"
+#include "experiments/progress_counter.hpp"
+#include "experiments/transfer_report.hpp"
+#include "statistics/box_dimension.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr int coarsest = 16;  // boxes along a hemisphere: larger ones see the sphere and its rim
+constexpr double dimension_margin = 0.15;
+constexpr double longer = 2;               // than the mean time to fall below a box: rates fluctuate along a path
+constexpr double most_path_steps = 1.8e9;  // of one scheme at quick effort
+constexpr std::array names{"box-counting", "information", "correlation"};
+
+struct dimension_plan {
+  double dt;
+  std::int64_t steps, bodies;
+  int paths;
+};
+
+/// The side of a box of that many along a hemisphere, by its area on the unit sphere.
+double side_of(int boxes) { return std::sqrt(8.0) / boxes; }
+
+std::vector<std::vector<box_level>> clouds_of(const context& c, const dimension_plan& plan,
+                                              const scheme_entry& scheme) {
+  auto p = common_noise_plan(c, plan.dt);
+  p.steps = plan.steps;
+  p.bodies = plan.bodies;
+  p.snapshots = {plan.steps};
+  p.with_areas = scheme.needs_areas;
+  const auto stepper = scheme.make(plan.dt);
+  std::vector<std::vector<box_level>> clouds;
+  for (int path = 0; path < plan.paths; ++path) {
+    p.path = static_cast<std::uint64_t>(path);
+    const auto run = simulate_ensemble(*c.subject.model, *stepper, p);
+    clouds.push_back(count_boxes(run.snapshots[0].picture, 2, hemisphere_bins::side, coarsest));
+  }
+  return clouds;
+}
+
+void report_boxes(const std::string& name, box_kind kind, std::span<const std::vector<box_level>> clouds,
+                  const std::vector<bool>& usable, const std::optional<dimension_estimate>& found,
+                  report::results& out) {
+  const auto k = static_cast<std::size_t>(kind);
+  const series s{"attractor", name, fmt::format("boxes, {}", names[k]), "snapshot", "", "sampled"};
+  for (std::size_t i = 0; i < usable.size(); ++i) {
+    double log_sum = 0;
+    for (const auto& cloud : clouds) log_sum += std::log(cloud[i].boxes[k]);
+    auto m = measured(s, {}, std::exp(log_sum / static_cast<double>(clouds.size())));
+    m.steps = side_of(clouds.front()[i].side);
+    m.abscissa = "side of a box";
+    m.fitted = usable[i];
+    if (!usable[i]) m.status = fmt::format("an occupied box holds fewer than {:g} bodies", least_fill);
+    out.measurements.push_back(m);
+  }
+  if (!found) return;
+  const auto& d = found->value;
+  const double at_one = found->boxes_at_one * std::pow(side_of(1), d.value);
+  out.fits.push_back({s.experiment, name, s.quantity, s.observable, -d.value, -d.high, -d.low, at_one,
+                      fmt::format("{} sizes of boxes in which an occupied one holds {:g} bodies or more",
+                                  std::ranges::count(usable, true), least_fill)});
+  out.measurements.push_back(measured({s.experiment, name, fmt::format("{} dimension", names[k]), "", "", "sampled"},
+                                      {}, d.value, d.low, d.high));
+}
+
+void report_cloud(const std::string& name, const dimension_plan& plan, double exact,
+                  std::span<const std::vector<box_level>> clouds, report::results& out) {
+  const auto usable = usable_levels(clouds);
+  report::verdict v{"attractor",
+                    name,
+                    "information dimension",
+                    exact,
+                    {},
+                    {},
+                    {},
+                    report::verdict_kind::inconclusive,
+                    "fewer than three sizes of boxes are full enough"};
+  for (const auto kind : box_kinds) {
+    const auto found = fit_dimension(clouds, kind, usable);
+    report_boxes(name, kind, clouds, usable, found, out);
+    if (kind != box_kind::information || !found) continue;
+    const auto& d = found->value;
+    v.estimate = d.value;
+    v.low = d.low;
+    v.high = d.high;
+    v.kind = judge(exact, d.low, d.high, dimension_margin);
+    v.reason = fmt::format(
+        "{:.3f} [{:.3f}, {:.3f}] against Kaplan-Yorke {:.3f} +- {:g}: {} bodies, {} noise paths, dt = "
+        "{:.4g}",
+        d.value, d.low, d.high, exact, dimension_margin, plan.bodies, plan.paths, plan.dt);
+  }
+  out.verdicts.push_back(v);
+}
+
+}  // namespace
+
+void report_dimensions(const context& c, const attractor_frame& f, report::results& out) {
+  const double time = longer * std::log(1 / side_of(hemisphere_bins::side)) / -f.lambda2();
+  const dimension_plan plan{f.dt, f.steps_in(time, f.dt), by_effort(c.effort, 1 << 15, 1 << 16, 1 << 18),
+                            by_effort(c.effort, 64, 64, 128)};
+  const double path_steps = static_cast<double>(plan.steps * plan.bodies) * plan.paths;
+  if (path_steps > most_path_steps * by_effort(c.effort, 1, 10, 100)) {
+    out.skipped.push_back({"attractor", "",
+                           fmt::format("dimensions: contracting below a box takes {:.1e} path-steps a "
+                                       "scheme, at most {:.1e} are affordable",
+                                       path_steps, most_path_steps)});
+    return;
+  }
+  out.measurements.push_back(measured({"attractor", "", "Kaplan-Yorke dimension", "", "", "exact"}, {},
+                                      f.exponents.dimension, f.exponents.dimension, f.exponents.dimension));
+  progress_counter done(static_cast<int>(f.schemes.size()), c.progress);
+  for (const auto& scheme : f.schemes) {
+    const std::string name(scheme.info.name);
+    if (c.effort == effort::quick && weak_order_on(scheme.info, c.subject.model->noise()) < 2) {
+      out.skipped.push_back({"attractor", name, "dimensions: at quick effort of schemes of weak order two alone"});
+      continue;
+    }
+    report_cloud(name, plan, f.exponents.dimension, clouds_of(c, plan, scheme), out);
+    done.add();
+  }
+}
+
+}  // namespace polhode

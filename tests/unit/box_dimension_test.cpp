@@ -1,0 +1,124 @@
+// Dimensions of sets that are known: a great circle, the sphere, and measures whose dimensions differ.
+#include "statistics/box_dimension.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+#include "ensemble/sphere_bins.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+using point = std::array<double, 3>;
+using sampler = std::function<point(std::mt19937_64&)>;
+
+double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+point at(double longitude, double z) {
+  const double r = std::sqrt(1 - z * z);
+  return {r * std::cos(longitude), r * std::sin(longitude), z};
+}
+
+/// Four clouds, boxes as the experiment takes them.
+std::vector<std::vector<box_level>> clouds_of(const sampler& sample) {
+  std::vector<std::vector<box_level>> clouds;
+  for (unsigned cloud = 0; cloud < 4; ++cloud) {
+    std::mt19937_64 random(cloud + 1);
+    std::vector<std::uint32_t> counts(hemisphere_bins::count);
+    for (int i = 0; i < 1 << 17; ++i) {
+      const auto p = sample(random);
+      ++counts[static_cast<std::size_t>(hemisphere_bins::of(p[0], p[1], p[2]))];
+    }
+    clouds.push_back(count_boxes(counts, 2, hemisphere_bins::side, 16));
+  }
+  return clouds;
+}
+
+std::array<double, 3> dimensions(const sampler& sample) {
+  const auto clouds = clouds_of(sample);
+  const auto usable = usable_levels(clouds);
+  std::array<double, 3> out{};
+  for (const auto kind : box_kinds) {
+    const auto found = fit_dimension(clouds, kind, usable);
+    EXPECT_TRUE(found);
+    if (found) out[static_cast<std::size_t>(kind)] = found->value.value;
+  }
+  return out;
+}
+
+/// Around an axis that is none of the grid's.
+point turned(const point& p) {
+  const double c = std::cos(0.7), s = std::sin(0.7), d = std::cos(1.1), e = std::sin(1.1);
+  const point q{c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
+  return {d * q[0] + e * q[2], q[1], -e * q[0] + d * q[2]};
+}
+
+/// z in [-0.6, 0.6] by the binary digits of a number, each 1 with probability p: D_1 - 1 is its entropy in bits, D_2 -
+/// 1 = -log2(p^2 + q^2), D_0 = 2.
+point binomial(std::mt19937_64& random, double p) {
+  double z = 0;
+  for (int digit = 1; digit <= 20; ++digit) z += (uniform(random) < p ? 1 : 0) * std::exp2(-digit);
+  return at(2 * pi * uniform(random), 0.6 * (2 * z - 1));
+}
+
+TEST(BoxDimension, OfAGreatCircleIsOne) {
+  const auto d = dimensions([](auto& random) { return turned(at(2 * pi * uniform(random), 0)); });
+  for (const double x : d) EXPECT_NEAR(x, 1, 0.04);
+}
+
+TEST(BoxDimension, OfTheSphereIsTwo) {
+  const auto d = dimensions([](auto& random) { return at(2 * pi * uniform(random), 2 * uniform(random) - 1); });
+  for (const double x : d) EXPECT_NEAR(x, 2, 0.06);  // boxes on the rim of a chart are not whole
+}
+
+TEST(BoxDimension, OfAPointIsZero) {
+  for (const double x : dimensions([](auto&) { return at(0.3, 0.2); })) EXPECT_NEAR(x, 0, 1e-9);
+}
+
+// Cantor's middle thirds across, an interval along: 1 + log 2 / log 3, whatever is counted.
+TEST(BoxDimension, OfACantorSetOfCirclesIsThatOfTheCantorSetAndOne) {
+  const auto d = dimensions([](auto& random) {
+    double z = 0;
+    for (int digit = 1; digit <= 12; ++digit) z += (uniform(random) < 0.5 ? 2 : 0) * std::pow(3.0, -digit);
+    return turned(at(2 * pi * uniform(random), 0.8 * (2 * z - 1)));
+  });
+  for (const double x : d) EXPECT_NEAR(x, 1 + std::log(2) / std::log(3), 0.07);
+}
+
+TEST(BoxDimension, TellsInformationFromPairs) {
+  const double p = 0.15, q = 1 - p;
+  const double information = 1 - p * std::log2(p) - q * std::log2(q), pairs = 1 - std::log2(p * p + q * q);
+  const auto d = dimensions([&](auto& random) { return turned(binomial(random, p)); });
+  EXPECT_NEAR(d[1], information, 0.08);
+  EXPECT_NEAR(d[2], pairs, 0.08);
+  EXPECT_LT(d[2], d[1]);
+  EXPECT_LT(d[1], d[0]);
+}
+
+TEST(BoxDimension, AFewPointsSayNothing) {
+  std::vector<std::uint32_t> counts(hemisphere_bins::count);
+  for (std::size_t i = 0; i < counts.size(); i += 1001) ++counts[i];
+  const std::vector clouds(2, count_boxes(counts, 2, hemisphere_bins::side, 16));
+  EXPECT_FALSE(fit_dimension(clouds, box_kind::information, usable_levels(clouds)));
+}
+
+TEST(BoxDimension, CountsByHand) {
+  const std::vector<std::uint32_t> counts{3, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                                          0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4};  // two charts of 4 x 4
+  const auto levels = count_boxes(counts, 2, 4, 2);
+  ASSERT_EQ(levels.size(), 2u);
+  EXPECT_EQ(levels[0].side, 2);
+  EXPECT_EQ(levels[1].boxes[0], 3);
+  EXPECT_NEAR(levels[1].boxes[2], 8 * 7 / 18.0, 1e-12);  // 3.2 + 4.3 ordered pairs of 8.7
+  const double entropy = std::log(8) - (3 * std::log(3) + 4 * std::log(4)) / 8;
+  EXPECT_NEAR(levels[1].boxes[1], std::exp(entropy + 2 / 16.0), 1e-12);
+  EXPECT_EQ(levels[0].boxes[0], 3);
+}
+
+}  // namespace
+}  // namespace polhode

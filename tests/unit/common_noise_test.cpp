@@ -1,0 +1,82 @@
+// What experiment attractor rests on: the noise of a step before time 0 is the same for every start, and each path has
+// its own; the means of the harmonics are right.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ensemble/paths.hpp"
+#include "ensemble/shared_increments.hpp"
+#include "ensemble/simulation.hpp"
+#include "ensemble/uniform_start.hpp"
+#include "experiments/harmonic_means.hpp"
+#include "registry/scene.hpp"
+#include "registry/verify.hpp"
+
+namespace polhode {
+namespace {
+
+subject paper() { return bind_scene(load_scene("paper")); }
+
+TEST(SharedIncrements, OfAPathAreThoseOfItsLane) {
+  const auto s = paper();
+  const shared_increments one(*s.model, 7, 20, 0.1, true, 1, {}, 67);
+  increment_buffer buffer(*s.model, 20, true);
+  const auto block = buffer.fill(7, 64, 0, 20, 0.1);
+  const auto view = one.view(0, 20);
+  for (std::size_t i = 0; i < view.dw.size(); ++i) EXPECT_DOUBLE_EQ(view.dw[i], block.dw[i * block_lanes + 3]);
+  for (std::size_t i = 0; i < view.area.size(); ++i) EXPECT_DOUBLE_EQ(view.area[i], block.area[i * block_lanes + 3]);
+}
+
+/// Bodies that start later, with the last steps of the same table, go as bodies whose noise is those steps alone.
+TEST(Pullback, AShorterRunSeesTheLastStepsOfALongerOne) {
+  const auto s = paper();
+  const shared_increments drawn(*s.model, 3, 100, 0.1, true, 1, {}, 5);
+  for (const auto& scheme : s.schemes) {
+    const auto stepper = scheme.make(0.1);
+    const auto table = stepper->share(drawn.view(0, 100));
+    std::vector<double> late(3 * block_lanes), alone;
+    start_uniformly(3, 0, 1, late);
+    alone = late;
+    stepper->advance(late, table, 70, 30);
+    stepper->advance(alone, stepper->share(drawn.view(70, 30)), 0, 30);
+    for (std::size_t i = 0; i < late.size(); ++i) ASSERT_EQ(late[i], alone[i]) << scheme.info.name;
+  }
+}
+
+TEST(HarmonicMeans, AreTheHarmonicsOfTheBodies) {
+  std::vector<double> states(3 * block_lanes);
+  Eigen::VectorXd expected = Eigen::VectorXd::Zero(24);
+  harmonic_means means(4);
+  for (int block = 0; block < 3; ++block) {
+    start_uniformly(1, static_cast<std::uint64_t>(block * block_lanes), 2.5, states);
+    means.add(states);
+    for (int lane = 0; lane < block_lanes; ++lane) {
+      const auto x = lane_of(states, lane, 3);
+      EXPECT_NEAR(std::hypot(x[0], x[1], x[2]), 2.5, 1e-14);
+      expected += harmonics_at(Eigen::Vector3d(x.data()) / 2.5, 4).tail(24);
+    }
+  }
+  const Eigen::VectorXd found = means.take();
+  EXPECT_LT((found - std::sqrt(4 * M_PI) / (3 * block_lanes) * expected).norm(), 1e-13);
+  EXPECT_LT(found.norm(), 5 / std::sqrt(3.0 * block_lanes / 24));  // uniform bodies: about sqrt(24 / bodies)
+}
+
+TEST(Simulation, EachPathHasItsOwnNoise) {
+  const auto s = paper();
+  simulation_plan p;
+  p.noise = ensemble_noise::common;
+  p.start = ensemble_start::uniform;
+  p.momentum = s.scene.momentum;
+  p.dt = 0.1;
+  p.steps = 10;
+  p.bodies = 100;
+  const auto run = [&](std::uint64_t path) {
+    p.path = path;
+    return simulate_ensemble(*s.model, *s.schemes.front().make(0.1), p).states;
+  };
+  EXPECT_EQ(run(0), run(0));
+  EXPECT_NE(run(0), run(1));
+}
+
+}  // namespace
+}  // namespace polhode

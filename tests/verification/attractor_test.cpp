@@ -1,0 +1,130 @@
+// Experiment attractor: its claims hold where bodies spread and where they collect, and threads change nothing.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "references/gibbs.hpp"
+#include "references/lyapunov.hpp"
+#include "registry/scene.hpp"
+#include "registry/verify.hpp"
+#include "reports/writers/json.hpp"
+
+namespace polhode {
+namespace {
+
+report::results quick(const scene& s, std::vector<std::string> schemes, int threads = 2) {
+  verify_options options;
+  options.experiments = {"attractor"};
+  options.schemes = std::move(schemes);
+  options.effort = effort::quick;
+  options.threads = threads;
+  return verify(s, options);
+}
+
+const report::results& on_paper() {
+  static const auto r = quick(load_scene("paper"), {"lie_euler", "strang_weak2"});
+  return r;
+}
+
+scene damped() {
+  auto s = load_scene("paper");
+  s.theta = 1;
+  return s;
+}
+
+void expect_to_hold(const report::results& r, const std::string& claim, std::size_t count) {
+  std::size_t found = 0;
+  for (const auto& v : r.verdicts) {
+    if (v.claim != claim) continue;
+    ++found;
+    EXPECT_EQ(v.kind, report::verdict_kind::holds) << v.scheme << ": " << v.reason;
+  }
+  EXPECT_EQ(found, count) << claim;
+}
+
+std::optional<report::measurement> row(const report::results& r, std::string_view scheme, std::string_view quantity,
+                                       std::string_view method = "sampled") {
+  for (const auto& m : r.measurements)
+    if (m.scheme == scheme && m.quantity == quantity && m.method == method && !m.steps) return m;
+  return std::nullopt;
+}
+
+void expect_dimensions_in_their_order() {
+  const auto pairs = row(on_paper(), "strang_weak2", "correlation dimension"),
+             information = row(on_paper(), "strang_weak2", "information dimension"),
+             boxes = row(on_paper(), "strang_weak2", "box-counting dimension");
+  ASSERT_TRUE(pairs && information && boxes);
+  EXPECT_LT(*pairs->value, *information->value);
+  EXPECT_LT(*information->value, *boxes->value);
+}
+
+// The distance that averages are to keep in the end: seen for a scheme of order one, hardly for one of order two.
+void expect_the_exact_bias_to_tell_the_orders_apart() {
+  const auto first = row(on_paper(), "lie_euler", "distance to the true law", "transfer"),
+             second = row(on_paper(), "strang_weak2", "distance to the true law", "transfer");
+  ASSERT_TRUE(first && second);
+  EXPECT_GT(*first->value, 0.025);
+  EXPECT_LT(*second->value, 0.001);
+}
+
+void expect_densities_relative_to_the_uniform_one() {
+  const auto& all = on_paper().densities;
+  ASSERT_EQ(all.size(), 5u);
+  for (const auto& d : all) {
+    ASSERT_EQ(d.values.size(), 128u * 64u);
+    double sum = 0, height2 = 0;
+    for (std::size_t i = 0; i < d.values.size(); ++i) {
+      EXPECT_GE(d.values[i], 0);
+      const double z = 2 * (static_cast<double>(i / 128) + 0.5) / 64 - 1;
+      sum += d.values[i] / 8192;
+      height2 += d.values[i] / 8192 * z * z;
+    }
+    EXPECT_NEAR(sum, 1, 2e-3) << d.name;
+    if (d.time) continue;
+    EXPECT_EQ(d.name, "stationary law");
+    EXPECT_NEAR(height2, 0.40576662289, 1e-3);  // MODEL, section 3: E[Pi_3^2]
+  }
+}
+
+TEST(Attractor, ClaimsHoldWhereBodiesSpread) {
+  for (const char* claim : {"slope over noise paths", "mean over noise paths", "pullback converges"})
+    expect_to_hold(on_paper(), claim, 2);
+  expect_to_hold(on_paper(), "information dimension", 1);
+  expect_dimensions_in_their_order();
+  expect_the_exact_bias_to_tell_the_orders_apart();
+  expect_densities_relative_to_the_uniform_one();
+}
+
+TEST(Attractor, ClaimsHoldWhereBodiesCollect) {
+  const auto r = quick(damped(), {"strang", "lie_heun"});
+  for (const char* claim :
+       {"slope over noise paths", "mean over noise paths", "pullback converges", "collapse at the rate lambda_1"})
+    expect_to_hold(r, claim, 2);
+  EXPECT_NEAR(*row(r, "strang", "collapse rate")->value, -0.04358, 0.1 * 0.04358);  // MODEL, section 5
+}
+
+TEST(Attractor, ThreadsChangeNothing) {
+  const auto text = [](int threads) {
+    auto r = quick(load_scene("paper"), {"lie_heun"}, threads);
+    r.provenance = {};
+    return report::to_json(r);
+  };
+  EXPECT_EQ(text(1), text(3));
+}
+
+TEST(Attractor, IsSkippedWithAReasonWhereItSaysNothing) {
+  auto ball = load_scene("paper"), undamped = ball, silent = ball;
+  ball.inertia = {2, 2, 2};
+  undamped.theta = 0;
+  silent.sigma.clear();
+  for (const auto& s : {ball, undamped, silent}) {
+    const auto r = quick(s, {"strang"});
+    ASSERT_FALSE(r.skipped.empty());
+    EXPECT_TRUE(r.measurements.empty());
+    for (const auto& v : r.verdicts) EXPECT_EQ(v.kind, report::verdict_kind::skipped);
+  }
+}
+
+}  // namespace
+}  // namespace polhode
