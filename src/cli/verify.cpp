@@ -35,7 +35,7 @@ struct arguments {
   std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto",
                                     generator = "philox", format = "text";
   std::optional<std::string> baseline, save_baseline;
-  bool fresh = false, no_cache = false, quiet = false;
+  bool fresh = false, no_cache = false, quiet = false, latex = false;
 };
 
 verify_options checked_options(const arguments& given) {
@@ -134,7 +134,7 @@ int run(const arguments& given) {
   const auto compared = earlier.compare(all);
   {
     const defer_signals whole;
-    report::write_report(out, all);
+    report::write_report(out, all, given.latex ? report::latex::yes : report::latex::no);
     earlier.save(all);
   }
   if (cache && !cache->trouble().empty())
@@ -163,6 +163,7 @@ command add_verify(CLI::App& app) {
   parser->add_option("--baseline", given->baseline, "Compare with what has this name")->type_name("NAME");
   parser->add_option("--save-baseline", given->save_baseline, "Keep the results under this name")->type_name("NAME");
   parser->add_option("--format", given->format, "On standard output: text, json [text]")->type_name("F");
+  parser->add_flag("--latex", given->latex, "Write report.tex, too: tables and plots for a paper");
   parser->add_flag("--fresh", given->fresh, "Compute all anew and replace what is cached");
   parser->add_flag("--no-cache", given->no_cache, "Neither use the cache nor write to it");
   parser->add_flag("-q,--quiet", given->quiet, "No summary, no progress");

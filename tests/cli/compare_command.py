@@ -26,7 +26,7 @@ class Compare(unittest.TestCase):
         return p.returncode, p.stdout, p.stderr
 
     def changed(self, change):
-        r = json.load(open(self.a))
+        with open(self.a) as f: r = json.load(f)
         change(r)
         with open(self.path('b.json'), 'w') as f: json.dump(r, f)
         return self.path('b.json')
@@ -56,7 +56,7 @@ class Compare(unittest.TestCase):
             r['provenance']['cpu'] = 'another'
             for m in r['measurements']:
                 for k in ('value', 'low', 'high'):
-                    if m[k] is not None and m['quantity'] == 'error': m[k] *= 3
+                    if m[k] is not None and m['fitted']: m[k] *= 3
         rc, out, _ = self.run_it('compare', self.a, self.changed(grow), '--format', 'json')
         r = json.loads(out)
         self.assertEqual((rc, r['scene']), (1, 'paper'))
@@ -67,7 +67,7 @@ class Compare(unittest.TestCase):
         self.assertGreater(worse[0]['after']['value'], worse[0]['before']['value'])
 
     def test_bad_input_is_one_line(self):
-        with open(self.path('cut.json'), 'w') as f: f.write(open(self.a).read()[:500])
+        with open(self.a) as a, open(self.path('cut.json'), 'w') as f: f.write(a.read()[:500])
         other = self.changed(lambda r: r['scene'].update(theta=0.25))
         for args, names in (((), ['OLD', 'NEW']), ((self.a,), ['OLD', 'NEW']), ((self.a, self.path('none.json')), ['none.json', 'accepted']),
                             ((self.a, self.path('cut.json')), ['cut.json']), ((self.a, other), ['theta']), ((self.a, self.a, '--format', 'xml'), ['xml', 'json'])):

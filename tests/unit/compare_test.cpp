@@ -21,7 +21,8 @@ report::measurement number(double value, double half, const std::string& method,
 report::results with(std::vector<report::measurement> numbers, std::vector<report::verdict> verdicts = {}) {
   report::results r;
   r.scene = {"s", "rigid_body", {1, 2, 3}, 0.5, {{0.5, 0, 0}}, {1, 0, 0}, 2, {4}};
-  r.schemes = {{.name = "heun"}};
+  r.schemes.resize(1);
+  r.schemes[0].name = "heun";
   r.experiments = {{"strong", "?", {}}};
   r.measurements = std::move(numbers);
   r.fits = {{"strong", "heun", "error", "state", 0.5, 0.4, 0.6, 1, ""}};
