@@ -91,7 +91,7 @@ std::string table_of(const std::vector<const verdict*>& rows) {
   std::string out =
       "\\begin{longtable}{@{}llrrll@{}}\n\\toprule\nscheme & claim & claimed & found & 95\\,\\% interval & "
       "verdict\\\\\n"
-      "\\midrule\\endhead\n";
+      "\\midrule\n";
   for (const auto* v : rows)
     out += fmt::format("{} & {} & {} & {} & {} & {}\\\\\n", escape_latex(v->scheme), escape_latex(v->claim),
                        escape_latex(shown(v->expected)), escape_latex(shown(v->estimate)),
@@ -105,7 +105,7 @@ std::string cost_table_source(const results& r, const std::string& experiment) {
   std::string out =
       "\\begin{longtable}{@{}llrrr@{}}\n\\toprule\nto reach & cheapest & $dt$ & ns a path and unit of time & times to "
       "the "
-      "next\\\\\n\\midrule\\endhead\n";
+      "next\\\\\n\\midrule\n";
   for (const auto& [what, cost, next] : lines)
     out += fmt::format("{} & {} & {} & {} & {}\\\\\n", escape_latex(what), escape_latex(cost->scheme),
                        escape_latex(shown(cost->dt)), escape_latex(shown(cost->value)),

@@ -11,8 +11,8 @@ namespace polhode::report {
 
 std::string to_latex(const results&);
 
-/// printable, on one line, with LaTeX's own marks made harmless. Greek letters and the signs that the reports use become
-/// commands; what else is beyond ASCII becomes a question mark, as a paper's fonts are not known.
+/// printable, on one line, with LaTeX's own marks made harmless. Greek letters and the signs that the reports use
+/// become commands; what else is beyond ASCII becomes a question mark, as a paper's fonts are not known.
 std::string escape_latex(std::string_view);
 
 }  // namespace polhode::report
