@@ -10,11 +10,13 @@
 
 namespace polhode::report {
 
+enum class latex { no, yes };
+
 /// Writes out/<scene>/{results.json, measurements.csv, verdicts.csv, report.html, report.md, junit.xml} for each
-/// result. A new `out` appears in one step with all its scenes; in an old one each scene is exchanged in one step.
-/// Throws input_error where `out` holds anything but reports, output_error where the disk refuses; neither leaves a
-/// trace.
-void write_report(const std::filesystem::path& out, std::span<const results>);
+/// result, and report.tex where LaTeX is asked for. A new `out` appears in one step with all its scenes; in an old one
+/// each scene is exchanged in one step. Throws input_error where `out` holds anything but reports, output_error where
+/// the disk refuses; neither leaves a trace.
+void write_report(const std::filesystem::path& out, std::span<const results>, latex = latex::no);
 
 /// The same refusals, before the work starts. Creates nothing.
 void check_output_folder(const std::filesystem::path& out);

@@ -23,6 +23,7 @@ command add_verify(CLI::App&);
 command add_simulate(CLI::App&);
 command add_reference(CLI::App&);
 command add_select(CLI::App&);
+command add_compare(CLI::App&);
 command add_list(CLI::App&);
 
 /// Refuses what the parser did not recognise, and names the nearest that it knows.

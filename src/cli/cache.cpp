@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
+#include "cli/user_folders.hpp"
 #include "registry/text.hpp"
 #include "reports/model/errors.hpp"
 
@@ -12,11 +12,6 @@ namespace polhode::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path variable(const char* name) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? "" : value;
-}
 
 /// Whether `inner` is `outer` or lies in it, links followed as far as they exist.
 bool lies_in(const fs::path& inner, const fs::path& outer) {
@@ -29,14 +24,6 @@ bool lies_in(const fs::path& inner, const fs::path& outer) {
 }
 
 }  // namespace
-
-fs::path cache_folder() {
-  if (const auto own = variable("POLHODE_CACHE"); !own.empty()) return fs::absolute(own);
-  // The XDG specification has relative paths ignored.
-  if (const auto xdg = variable("XDG_CACHE_HOME"); xdg.is_absolute()) return xdg / "polhode";
-  if (const auto home = variable("HOME"); home.is_absolute()) return home / ".cache" / "polhode";
-  return {};
-}
 
 std::unique_ptr<report::result_folder> open_cache(report::result_folder::access how, const fs::path& out) {
   const auto folder = cache_folder();

@@ -17,7 +17,7 @@ namespace {
 constexpr int bad_input = 2, cannot_run = 4;
 
 constexpr auto exit_codes =
-    "Exit codes: 0 all claims hold, 1 a claim is refuted, 2 bad input,\n"
+    "Exit codes: 0 all claims hold, 1 a claim is refuted, or something got worse, 2 bad input,\n"
     "            3 nothing refuted but something inconclusive, 4 could not write or run";
 
 std::string version() {
@@ -57,8 +57,8 @@ int parsed_otherwise(const CLI::App& app, const CLI::ParseError& outcome) {
 int run(int argc, char** argv) {
   CLI::App app{"Verifies what stochastic geometric integrators claim."};
   set_up(app);
-  const std::vector<command> commands{add_verify(app), add_simulate(app), add_reference(app), add_select(app),
-                                      add_list(app)};
+  const std::vector<command> commands{add_verify(app), add_simulate(app), add_reference(app),
+                                      add_select(app), add_compare(app),  add_list(app)};
   for (const auto& c : commands) c.parser->allow_extras()->footer(exit_codes);
   try {
     app.parse(argc, argv);

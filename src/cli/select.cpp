@@ -102,7 +102,8 @@ command add_select(CLI::App& app) {
   parser->add_option("--tolerance", given->tolerance, "Of the error")->type_name("X");
   parser->add_option("--observable", given->observable, "Of weak and stationary [energy]")->type_name("NAME");
   parser->add_option("--time", given->time, "Of strong, weak and energy [the horizon]")->type_name("T");
-  parser->add_option("--require", given->require, "casimir-exact,explicit,implicit,no-areas,monotone-energy")->type_name("A,B");
+  parser->add_option("--require", given->require, "casimir-exact,explicit,implicit,no-areas,monotone-energy")
+      ->type_name("A,B");
   parser->add_option("--threads", given->threads, "Working threads [all processors]")->type_name("N");
   parser->add_option("--seed", given->seed, "Of every random number [1]")->type_name("N");
   parser->add_option("--isa", given->isa, "Instruction set of the inner loops [auto]")->type_name("I");

@@ -75,4 +75,6 @@ void print_error(std::string_view text) noexcept {
   }
 }
 
+void print_aside(std::string_view text) noexcept { write_all(STDERR_FILENO, text); }
+
 }  // namespace polhode::cli

@@ -18,4 +18,7 @@ void print(std::string_view text);
 /// One line `polhode: …` on standard error, whatever the text holds. Never throws.
 void print_error(std::string_view text) noexcept;
 
+/// Writes all of it to standard error, where standard output belongs to another document. Never throws.
+void print_aside(std::string_view text) noexcept;
+
 }  // namespace polhode::cli

@@ -9,15 +9,20 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "cli/arguments.hpp"
+#include "cli/baseline.hpp"
 #include "cli/cache.hpp"
+#include "cli/comparing.hpp"
 #include "cli/progress.hpp"
 #include "cli/signals.hpp"
 #include "cli/summary.hpp"
 #include "cli/terminal.hpp"
+#include "cli/user_folders.hpp"
 #include "registry/text.hpp"
 #include "reports/model/errors.hpp"
+#include "reports/writers/comparison_text.hpp"
 #include "reports/writers/folder.hpp"
 #include "reports/writers/json.hpp"
 
@@ -29,7 +34,8 @@ struct arguments {
   std::vector<std::string> scenes;
   std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto",
                                     generator = "philox", format = "text";
-  bool fresh = false, no_cache = false, quiet = false;
+  std::optional<std::string> baseline, save_baseline;
+  bool fresh = false, no_cache = false, quiet = false, latex = false;
 };
 
 verify_options checked_options(const arguments& given) {
@@ -95,30 +101,47 @@ std::string text_of(std::span<const report::results> all, const std::filesystem:
   return text;
 }
 
+/// Of two exit codes: refuted (1) before inconclusive (3) before all well.
+int worse_of(int a, int b) { return a == 1 || b == 1 ? 1 : std::max(a, b); }
+
+void print_all(const arguments& given, std::span<const report::results> all,
+               std::span<const report::comparison> compared) {
+  const bool json = format_option(given.format) == format::json;
+  if (json)
+    print(json_of(all));
+  else if (!given.quiet)
+    print(text_of(all, given.out));
+  if (given.quiet) return;
+  for (const auto& c : compared) {
+    const auto text = report::to_text(c);
+    json ? print_aside(text) : print('\n' + text);
+  }
+}
+
 int run(const arguments& given) {
-  const auto output = format_option(given.format);
+  format_option(given.format);
   auto options = checked_options(given);
   const auto scenes = checked_scenes(given);
   for (const auto& scene : scenes) check_options(scene, options);
   if (given.out.empty()) throw input_error("--out '': accepted: the folder to be written");
   const std::filesystem::path out{given.out};
   report::check_output_folder(out);
+  const baseline earlier(given.baseline, given.save_baseline, scenes);
   const auto cache = cache_for(given, out);
   options.store = cache.get();
 
   const auto all = run_all(scenes, options, given.quiet);
+  const auto compared = earlier.compare(all);
   {
     const defer_signals whole;
-    report::write_report(out, all);
+    report::write_report(out, all, given.latex ? report::latex::yes : report::latex::no);
+    earlier.save(all);
   }
   if (cache && !cache->trouble().empty())
     print_error(
         fmt::format("results are not kept for the next run: {}: {}", cache_folder().string(), cache->trouble()));
-  if (output == format::json)
-    print(json_of(all));
-  else if (!given.quiet)
-    print(text_of(all, out));
-  return exit_code(all);
+  print_all(given, all, compared);
+  return worse_of(exit_code(all), exit_code(compared));
 }
 
 }  // namespace
@@ -137,7 +160,10 @@ command add_verify(CLI::App& app) {
   parser->add_option("--seed", given->seed, "Seed of the noise [1]")->type_name("N");
   parser->add_option("--generator", given->generator, "Random bits: philox, ars [philox]")->type_name("NAME");
   parser->add_option("--isa", given->isa, "Instruction set: auto, v2, v3, v4 [auto]")->type_name("NAME");
+  parser->add_option("--baseline", given->baseline, "Compare with what has this name")->type_name("NAME");
+  parser->add_option("--save-baseline", given->save_baseline, "Keep the results under this name")->type_name("NAME");
   parser->add_option("--format", given->format, "On standard output: text, json [text]")->type_name("F");
+  parser->add_flag("--latex", given->latex, "Write report.tex, too: tables and plots for a paper");
   parser->add_flag("--fresh", given->fresh, "Compute all anew and replace what is cached");
   parser->add_flag("--no-cache", given->no_cache, "Neither use the cache nor write to it");
   parser->add_flag("-q,--quiet", given->quiet, "No summary, no progress");

@@ -26,6 +26,7 @@ ROOMS = {
     'statistics':    ['src/statistics/'],
     'experiments':   ['src/experiments/'],
     'selection':     ['src/selection/'],
+    'comparison':    ['src/comparison/'],
     'registry':      ['src/registry/'],
     'cli':           ['src/cli/'],
     'reports/model': ['reports/model/'],
@@ -50,8 +51,9 @@ MAY = {
     'statistics':    INTEGRATORS,
     'experiments':   CALCULUS + ['systems'] + JUDGES + ['reports/model'],
     'selection':     CALCULUS + ['systems'] + JUDGES + ['experiments', 'reports/model'],
+    'comparison':    ['reports/model'],
     'registry':      INTEGRATORS + JUDGES + ['experiments', 'selection', 'reports/model'],
-    'cli':           ['registry', 'selection', 'reports/model', 'writers'],
+    'cli':           ['registry', 'selection', 'comparison', 'reports/model', 'writers'],
     'reports/model': [],
     'writers':       ['reports/model'],
 }

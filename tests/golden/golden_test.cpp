@@ -5,6 +5,7 @@
 #include "reports/writers/html.hpp"
 #include "reports/writers/json.hpp"
 #include "reports/writers/junit.hpp"
+#include "reports/writers/latex.hpp"
 #include "reports/writers/markdown.hpp"
 #include "reports/writers/series.hpp"
 #include "tests/golden/golden_file.hpp"
@@ -18,6 +19,7 @@ TEST(golden, measurements_csv) { expect_golden(report::measurements_csv(sample()
 TEST(golden, verdicts_csv) { expect_golden(report::verdicts_csv(sample()), "verdicts.csv"); }
 TEST(golden, report_html) { expect_golden(report::to_html(sample()), "report.html"); }
 TEST(golden, report_md) { expect_golden(report::to_markdown(sample()), "report.md"); }
+TEST(golden, report_tex) { expect_golden(report::to_latex(sample()), "report.tex"); }
 TEST(golden, junit_xml) { expect_golden(report::to_junit(sample()), "junit.xml"); }
 
 TEST(golden, plot_svg) {

@@ -1,0 +1,65 @@
+#include "reports/writers/comparison_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "reports/writers/numbers.hpp"
+#include "reports/writers/text.hpp"
+
+namespace polhode::report {
+namespace {
+
+constexpr std::array<change_kind, 4> kinds{change_kind::worse, change_kind::unsure, change_kind::better,
+                                           change_kind::different};
+
+std::string side(const std::string& text, std::optional<double> value, std::optional<double> low,
+                 std::optional<double> high) {
+  std::string out = text;
+  if (value || text.empty()) out += (out.empty() ? "" : " ") + shown(value);
+  if (const auto interval = shown_interval(low, high); !interval.empty() && value) out += ' ' + interval;
+  return out;
+}
+
+}  // namespace
+
+std::string_view heading_of(change_kind kind) {
+  switch (kind) {
+    case change_kind::worse: return "worse";
+    case change_kind::unsure: return "no longer shown to hold";
+    case change_kind::better: return "better";
+    case change_kind::different: return "different";
+  }
+  return "different";
+}
+
+std::string line_of(const change& c) {
+  std::string out = c.experiment;
+  if (!c.scheme.empty()) out += ' ' + c.scheme;
+  out += ": " + c.what;
+  if (c.dt) out += fmt::format(", dt = {}", shown(c.dt));
+  return one_line(fmt::format("{}: {}, now {}", out, side(c.text_before, c.before, c.before_low, c.before_high),
+                              side(c.text_after, c.after, c.after_low, c.after_high)));
+}
+
+std::string to_text(const comparison& c, std::size_t most) {
+  std::string out = fmt::format("{}: {} claims and {} numbers compared", one_line(c.scene), c.claims, c.numbers);
+  if (c.timings > 0) out += fmt::format(", {} timings", c.timings);
+  out += '\n';
+  for (const auto& s : c.settings) out += fmt::format("  {}\n", one_line(s));
+  if (!c.timings_left_out.empty()) out += fmt::format("timings are not compared: {}\n", c.timings_left_out);
+  for (const auto kind : kinds) {
+    const auto all = std::ranges::count(c.changes, kind, &change::kind);
+    if (all == 0) continue;
+    out += fmt::format("\n{}: {}\n", heading_of(kind), all);
+    std::size_t shown_lines = 0;
+    for (const auto& x : c.changes)
+      if (x.kind == kind && shown_lines++ < most) out += fmt::format("  {}\n", line_of(x));
+    if (shown_lines > most) out += fmt::format("  … and {} more (--format json has all)\n", shown_lines - most);
+  }
+  if (c.changes.empty()) out += "nothing has changed beyond noise\n";
+  return out;
+}
+
+}  // namespace polhode::report

@@ -1,0 +1,55 @@
+// polhode compare: what has changed between two results of one scene, beyond noise.
+#include "comparison/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "cli/arguments.hpp"
+#include "cli/comparing.hpp"
+#include "cli/read_results.hpp"
+#include "cli/terminal.hpp"
+#include "reports/model/errors.hpp"
+#include "reports/writers/comparison_json.hpp"
+#include "reports/writers/comparison_text.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct arguments {
+  std::string before, after, format = "text";
+};
+
+int run(const arguments& given) {
+  const auto output = format_option(given.format);
+  if (given.before.empty() || given.after.empty())
+    throw input_error("compare: two results are needed; accepted: compare OLD NEW, each a results.json or its folder");
+  const std::array found{compare(read_results(given.before), read_results(given.after))};
+  print(output == format::json ? report::to_json(found) : report::to_text(found.front()));
+  return exit_code(found);
+}
+
+}  // namespace
+
+int exit_code(std::span<const report::comparison> all) {
+  const auto has = [&](report::change_kind kind) {
+    return std::ranges::any_of(all, [&](const auto& c) {
+      return std::ranges::find(c.changes, kind, &report::change::kind) != c.changes.end();
+    });
+  };
+  return has(report::change_kind::worse) ? 1 : has(report::change_kind::unsure) ? 3 : 0;
+}
+
+command add_compare(CLI::App& app) {
+  const auto given = std::make_shared<arguments>();
+  auto* parser = app.add_subcommand("compare", "Two results of one scene: what has changed, beyond noise");
+  parser->add_option("OLD", given->before, "A results.json, or the folder of a scene")->type_name("");
+  parser->add_option("NEW", given->after, "The same, later")->type_name("");
+  parser->add_option("--format", given->format, "text, json [text]")->type_name("F");
+  return {parser, [given] { return run(*given); }};
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,29 @@
+#include "cli/read_results.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "registry/text.hpp"
+#include "reports/model/errors.hpp"
+#include "reports/writers/json.hpp"
+
+namespace polhode::cli {
+
+report::results read_results(const std::filesystem::path& given) {
+  std::error_code ignored;
+  const auto file = std::filesystem::is_directory(given, ignored) ? given / "results.json" : given;
+  const auto name = one_line(file.string(), 200);
+  std::ifstream in(file, std::ios::binary);
+  if (!in)
+    throw input_error(fmt::format("{}: cannot be read; accepted: a results.json, or the folder of a scene", name));
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  try {
+    return report::from_json(text);
+  } catch (const input_error& fault) {
+    throw input_error(fmt::format("{}: {}", name, fault.what()));
+  }
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,13 @@
+// Results files as the command line names them.
+#pragma once
+
+#include <filesystem>
+
+#include "reports/model/results.hpp"
+
+namespace polhode::cli {
+
+/// A results.json, or the folder of a scene that holds one. Throws input_error, on one line, with the file's name.
+report::results read_results(const std::filesystem::path&);
+
+}  // namespace polhode::cli

@@ -1,0 +1,196 @@
+#include "comparison/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "reports/model/errors.hpp"
+
+namespace polhode {
+namespace {
+
+using report::change;
+using report::change_kind;
+using report::comparison;
+using report::measurement;
+using report::results;
+using report::verdict_kind;
+
+constexpr double level = 0.05, exact_agreement = 1e-9, timing_margin = 0.1;
+
+using series_key = std::tuple<std::string, std::string, std::string, std::string>;
+series_key series_of(const auto& m) { return {m.experiment, m.scheme, m.quantity, m.observable}; }
+
+/// Step sizes as printed, so that the last bit of a quotient makes no new row.
+using row_key = std::tuple<series_key, std::string, std::string>;
+row_key row_of(const measurement& m) {
+  return {series_of(m), m.dt ? fmt::format("{:.12g}", *m.dt) : m.steps ? fmt::format("{:g}", *m.steps) : "", m.method};
+}
+
+bool sampled(const measurement& m) { return m.method == "sampled"; }
+bool timed(const measurement& m) { return m.method == "timed"; }
+
+struct pair_of_rows {
+  const measurement &before, &after;
+};
+
+std::vector<pair_of_rows> pairs(const results& before, const results& after) {
+  std::map<row_key, const measurement*> old;
+  for (const auto& m : before.measurements) old.emplace(row_of(m), &m);
+  std::vector<pair_of_rows> out;
+  for (const auto& m : after.measurements)
+    if (const auto found = old.find(row_of(m)); found != old.end()) out.push_back({*found->second, m});
+  return out;
+}
+
+double half_width(const measurement& m) { return m.low && m.high ? (*m.high - *m.low) / 2 : 0; }
+
+bool beyond_noise(const pair_of_rows& p, double z) {
+  const double a = *p.before.value, b = *p.after.value;
+  const double u = half_width(p.before), v = half_width(p.after);
+  if (timed(p.after)) return std::fabs(b - a) > u + v + timing_margin * std::max(std::fabs(a), std::fabs(b));
+  const double rounding = exact_agreement * std::max(std::fabs(a), std::fabs(b));
+  if (!sampled(p.after)) return std::fabs(b - a) > u + v + rounding;
+  return std::fabs(b - a) > z / 1.96 * std::hypot(u, v) + rounding;
+}
+
+change row_change(const pair_of_rows& p) {
+  const auto& [before, after] = p;
+  std::string what = after.quantity;
+  if (!after.observable.empty()) what += " of " + after.observable;
+  return {change_kind::different,
+          after.experiment,
+          after.scheme,
+          what,
+          after.dt,
+          before.value,
+          before.low,
+          before.high,
+          after.value,
+          after.low,
+          after.high,
+          {},
+          {}};
+}
+
+std::string missing_text(const measurement& m) { return m.value ? "" : m.status == "ok" ? "no value" : m.status; }
+
+void compare_numbers(const results& before, const results& after, comparison& out) {
+  const auto rows = pairs(before, after);
+  std::set<series_key> errors;
+  for (const auto* r : {&before, &after})
+    for (const auto& f : r->fits) errors.insert(series_of(f));
+  const auto n = std::ranges::count_if(rows, [](const auto& p) { return sampled(p.after); });
+  const double z =
+      boost::math::quantile(boost::math::normal(), 1 - level / 2 / static_cast<double>(std::max<long>(n, 1)));
+  for (const auto& p : rows) {
+    const bool timing = timed(p.after);
+    if (timing && !out.timings_left_out.empty()) continue;
+    ++(timing ? out.timings : out.numbers);
+    auto found = row_change(p);
+    const bool error = errors.contains(series_of(p.after));
+    if (p.before.value && p.after.value) {
+      if (!beyond_noise(p, z)) continue;
+      if (error) found.kind = *p.after.value > *p.before.value ? change_kind::worse : change_kind::better;
+    } else {
+      if (p.before.value.has_value() == p.after.value.has_value()) continue;
+      found.text_before = missing_text(p.before);
+      found.text_after = missing_text(p.after);
+      if (error) found.kind = p.before.value ? change_kind::worse : change_kind::better;
+    }
+    out.changes.push_back(found);
+  }
+}
+
+change_kind kind_of(verdict_kind before, verdict_kind after) {
+  if (after == verdict_kind::refuted) return change_kind::worse;
+  if (before == verdict_kind::refuted || after == verdict_kind::holds) return change_kind::better;
+  return before == verdict_kind::holds ? change_kind::unsure : change_kind::different;
+}
+
+void compare_claims(const results& before, const results& after, comparison& out) {
+  using key = std::tuple<std::string, std::string, std::string>;
+  const auto key_of = [](const report::verdict& v) { return key{v.experiment, v.scheme, v.claim}; };
+  std::map<key, const report::verdict*> now;
+  for (const auto& v : after.verdicts) now.emplace(key_of(v), &v);
+  std::set<std::string> experiments, schemes;
+  for (const auto& e : after.experiments) experiments.insert(e.name);
+  for (const auto& s : after.schemes) schemes.insert(s.name);
+  for (const auto& v : before.verdicts) {
+    const auto found = now.find(key_of(v));
+    change c{change_kind::unsure, v.experiment, v.scheme, v.claim, {}, v.estimate, v.low, v.high, {}, {}, {}, {}, {}};
+    c.text_before = name_of(v.kind);
+    if (found == now.end()) {
+      // What was not asked this time has not changed.
+      if (!experiments.contains(v.experiment) || (!v.scheme.empty() && !schemes.contains(v.scheme))) continue;
+      c.text_after = "not claimed";
+      if (v.kind == verdict_kind::holds) out.changes.push_back(c);
+      continue;
+    }
+    ++out.claims;
+    const auto& w = *found->second;
+    if (w.kind == v.kind) continue;
+    c.kind = kind_of(v.kind, w.kind);
+    c.text_after = name_of(w.kind);
+    c.after = w.estimate;
+    c.after_low = w.low;
+    c.after_high = w.high;
+    out.changes.push_back(c);
+  }
+}
+
+/// What differs between the runs themselves.
+void compare_settings(const results& before, const results& after, comparison& out) {
+  const auto& a = before.provenance;
+  const auto& b = after.provenance;
+  const auto note = [&](const char* what, const auto& x, const auto& y) {
+    if (x != y) out.settings.push_back(fmt::format("{}: {}, now {}", what, x, y));
+  };
+  note("version", a.version, b.version);
+  note("commit", a.commit, b.commit);
+  note("compiler", a.compiler, b.compiler);
+  note("flags", a.flags, b.flags);
+  note("processor", a.cpu, b.cpu);
+  note("instruction set", a.isa, b.isa);
+  note("generator", a.generator, b.generator);
+  note("threads", a.threads, b.threads);
+  note("seed", a.seed, b.seed);
+  note("effort", a.effort, b.effort);
+  if (a.cpu != b.cpu || a.isa != b.isa || a.compiler != b.compiler || a.flags != b.flags)
+    out.timings_left_out = "processor, instruction set, compiler or flags differ";
+}
+
+}  // namespace
+
+void check_same_scene(const report::scene& a, const report::scene& b) {
+  const auto differ = [&](const char* key) {
+    throw input_error(
+        fmt::format("the two results are of different scenes ({} differs: '{}' and '{}'); accepted: two "
+                    "results of one scene",
+                    key, a.name, b.name));
+  };
+  if (a.system != b.system) differ("system");
+  if (a.inertia != b.inertia) differ("inertia");
+  if (a.theta != b.theta) differ("theta");
+  if (a.sigma != b.sigma) differ("sigma");
+  if (a.momentum != b.momentum) differ("momentum");
+  if (a.horizon != b.horizon) differ("horizon");
+}
+
+comparison compare(const results& before, const results& after) {
+  check_same_scene(before.scene, after.scene);
+  comparison out;
+  out.scene = after.scene.name;
+  compare_settings(before, after, out);
+  compare_claims(before, after, out);
+  compare_numbers(before, after, out);
+  std::ranges::stable_sort(out.changes, {}, &change::kind);
+  return out;
+}
+
+}  // namespace polhode

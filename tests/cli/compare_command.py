@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""Drives `polhode compare` and the baselines of `verify` as a user does.   usage: compare_command.py POLHODE"""
+import json, os, subprocess, sys, tempfile, unittest
+
+EXE = sys.argv.pop(1)
+
+
+class Compare(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.env = dict(os.environ, POLHODE_BASELINES=os.path.join(cls.folder.name, 'baselines'), POLHODE_CACHE=os.path.join(cls.folder.name, 'cache'))
+        rc, cls.first, err = cls.run_it('verify', 'paper', '--schemes', 'heun,lie_euler', '--experiments', 'energy', '--effort', 'quick', '--out', cls.path('a'), '--save-baseline', 'old')
+        assert rc == 0, err
+        cls.a = cls.path('a/paper/results.json')
+
+    @classmethod
+    def tearDownClass(cls): cls.folder.cleanup()
+
+    @classmethod
+    def path(cls, name): return os.path.join(cls.folder.name, name)
+
+    @classmethod
+    def run_it(cls, *args):
+        p = subprocess.run([EXE, *args], capture_output=True, text=True, timeout=300, env=cls.env)
+        return p.returncode, p.stdout, p.stderr
+
+    def changed(self, change):
+        with open(self.a) as f: r = json.load(f)
+        change(r)
+        with open(self.path('b.json'), 'w') as f: json.dump(r, f)
+        return self.path('b.json')
+
+    def refused(self, *args, names=()):
+        rc, out, err = self.run_it(*args)
+        with self.subTest(args=args, err=err):
+            self.assertEqual((rc, out), (2, ''))
+            self.assertRegex(err, r'\Apolhode: [^\n]+\n\Z')
+            for name in names: self.assertIn(name, err)
+
+    def test_the_same(self):
+        rc, out, err = self.run_it('compare', self.a, os.path.dirname(self.a))
+        self.assertEqual((rc, err), (0, ''))
+        self.assertIn('nothing has changed beyond noise', out)
+
+    def test_a_refuted_claim_is_a_regression(self):
+        def refute(r): r['verdicts'][0]['verdict'] = 'refuted'
+        b = self.changed(refute)
+        rc, out, _ = self.run_it('compare', self.a, b)
+        self.assertEqual(rc, 1)
+        self.assertRegex(out, r'worse: 1\n  energy \w+: ')
+        self.assertEqual(self.run_it('compare', b, self.a)[0], 0)
+
+    def test_json(self):
+        def grow(r):
+            r['provenance']['cpu'] = 'another'
+            for m in r['measurements']:
+                for k in ('value', 'low', 'high'):
+                    if m[k] is not None and m['fitted']: m[k] *= 3
+        rc, out, _ = self.run_it('compare', self.a, self.changed(grow), '--format', 'json')
+        r = json.loads(out)
+        self.assertEqual((rc, r['scene']), (1, 'paper'))
+        self.assertTrue(any(s.startswith('processor') for s in r['settings']))
+        self.assertTrue(r['timings_left_out'])
+        worse = [c for c in r['changes'] if c['kind'] == 'worse']
+        self.assertTrue(worse)
+        self.assertGreater(worse[0]['after']['value'], worse[0]['before']['value'])
+
+    def test_bad_input_is_one_line(self):
+        with open(self.a) as a, open(self.path('cut.json'), 'w') as f: f.write(a.read()[:500])
+        other = self.changed(lambda r: r['scene'].update(theta=0.25))
+        for args, names in (((), ['OLD', 'NEW']), ((self.a,), ['OLD', 'NEW']), ((self.a, self.path('none.json')), ['none.json', 'accepted']),
+                            ((self.a, self.path('cut.json')), ['cut.json']), ((self.a, other), ['theta']), ((self.a, self.a, '--format', 'xml'), ['xml', 'json'])):
+            self.refused('compare', *args, names=names)
+        verify = ('verify', 'paper', '--schemes', 'heun', '--experiments', 'energy', '--effort', 'quick', '--out', self.path('c'))
+        for args, names in ((('--baseline', 'none'), ['none', 'paper']), (('--baseline', '../x'), ['../x', 'letters']), (('--save-baseline', ''), ['--save-baseline']) , (('--save-baseline', 'a/b'), ['a/b'])):
+            self.refused(*verify, *args, names=names)
+        self.assertFalse(os.path.exists(self.path('c')))
+
+    def test_saving_and_comparing_is_one_run(self):
+        verify = ('verify', 'paper', '--schemes', 'heun,lie_euler', '--experiments', 'energy', '--effort', 'quick', '--out', self.path('d'))
+        rc, out, err = self.run_it(*verify, '--baseline', 'old', '--save-baseline', 'new')
+        self.assertEqual((rc, err), (0, ''))
+        self.assertIn('nothing has changed beyond noise', out)
+        rc, out, err = self.run_it(*verify, '--baseline', 'new', '--format', 'json')
+        self.assertEqual(rc, 0)
+        self.assertEqual(json.loads(out)['scene']['name'], 'paper')
+        self.assertIn('nothing has changed beyond noise', err)
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,137 @@
+// Comparing two results: what is noise, what is not, and what is worse.
+#include "comparison/compare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "reports/model/errors.hpp"
+
+namespace polhode {
+namespace {
+
+using report::change_kind;
+using report::verdict_kind;
+
+report::measurement number(double value, double half, const std::string& method, double dt = 0.5) {
+  return {"strong", "heun", "error", "state", dt, value, value - half, value + half, "|mu|", method, "ok", {}, true};
+}
+
+report::results with(std::vector<report::measurement> numbers, std::vector<report::verdict> verdicts = {}) {
+  report::results r;
+  r.scene = {"s", "rigid_body", {1, 2, 3}, 0.5, {{0.5, 0, 0}}, {1, 0, 0}, 2, {4}};
+  r.schemes.resize(1);
+  r.schemes[0].name = "heun";
+  r.experiments = {{"strong", "?", {}}};
+  r.measurements = std::move(numbers);
+  r.fits = {{"strong", "heun", "error", "state", 0.5, 0.4, 0.6, 1, ""}};
+  r.verdicts = std::move(verdicts);
+  return r;
+}
+
+report::verdict claim(verdict_kind kind) { return {"strong", "heun", "strong order", 0.5, 0.5, 0.4, 0.6, kind, "why"}; }
+
+std::vector<change_kind> kinds(const report::results& a, const report::results& b) {
+  std::vector<change_kind> out;
+  for (const auto& c : compare(a, b).changes) out.push_back(c.kind);
+  return out;
+}
+using none = std::vector<change_kind>;
+
+TEST(Compare, NothingHasChangedInTheSame) {
+  const auto r = with({number(1, 0.1, "sampled")}, {claim(verdict_kind::holds)});
+  const auto c = compare(r, r);
+  EXPECT_TRUE(c.changes.empty() && c.settings.empty());
+  EXPECT_EQ(c.claims, 1u);
+  EXPECT_EQ(c.numbers, 1u);
+}
+
+TEST(Compare, AnErrorThatGrowsBeyondItsIntervalIsWorse) {
+  const auto before = with({number(1, 0.1, "sampled")});
+  EXPECT_EQ(kinds(before, with({number(1.1, 0.1, "sampled")})), none{});
+  EXPECT_EQ(kinds(before, with({number(1.2, 0.1, "sampled")})), none{change_kind::worse});
+  EXPECT_EQ(kinds(before, with({number(0.8, 0.1, "sampled")})), none{change_kind::better});
+}
+
+TEST(Compare, ExactNumbersChangeBeyondTheirUncertainty) {
+  const auto before = with({number(1, 1e-6, "transfer")});
+  EXPECT_EQ(kinds(before, with({number(1 + 1.9e-6, 1e-6, "transfer")})), none{});
+  EXPECT_EQ(kinds(before, with({number(1 + 2.1e-6, 1e-6, "transfer")})), none{change_kind::worse});
+  EXPECT_EQ(kinds(with({number(1, 0, "exact")}), with({number(1 + 1e-12, 0, "exact")})), none{});
+}
+
+TEST(Compare, ANumberThatIsNoErrorIsDifferentNotWorse) {
+  auto before = with({number(1, 0, "exact")}), after = with({number(2, 0, "exact")});
+  before.fits.clear();
+  after.fits.clear();
+  EXPECT_EQ(kinds(before, after), none{change_kind::different});
+}
+
+TEST(Compare, AnErrorThatIsNoLongerFiniteIsWorse) {
+  auto after = with({number(1, 0.1, "sampled")});
+  after.measurements[0].value = after.measurements[0].low = after.measurements[0].high = std::nullopt;
+  after.measurements[0].status = "not finite";
+  const auto found = compare(with({number(1, 0.1, "sampled")}), after).changes;
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, change_kind::worse);
+  EXPECT_EQ(found[0].text_after, "not finite");
+}
+
+TEST(Compare, VerdictsByWhatTheyWere) {
+  const auto of = [](verdict_kind a, verdict_kind b) { return kinds(with({}, {claim(a)}), with({}, {claim(b)})); };
+  EXPECT_EQ(of(verdict_kind::holds, verdict_kind::refuted), none{change_kind::worse});
+  EXPECT_EQ(of(verdict_kind::skipped, verdict_kind::refuted), none{change_kind::worse});
+  EXPECT_EQ(of(verdict_kind::holds, verdict_kind::inconclusive), none{change_kind::unsure});
+  EXPECT_EQ(of(verdict_kind::refuted, verdict_kind::inconclusive), none{change_kind::better});
+  EXPECT_EQ(of(verdict_kind::inconclusive, verdict_kind::holds), none{change_kind::better});
+}
+
+TEST(Compare, AClaimThatIsMadeNoLongerIsNotedUnlessItWasNotAsked) {
+  const auto before = with({}, {claim(verdict_kind::holds)});
+  auto after = with({});
+  EXPECT_EQ(kinds(before, after), none{change_kind::unsure});
+  after.experiments.clear();
+  EXPECT_EQ(kinds(before, after), none{});
+}
+
+TEST(Compare, TimingsOfAnotherMachineAreLeftOutAndThatIsSaid) {
+  auto before = with({number(1, 0.01, "timed")}), after = with({number(2, 0.01, "timed")});
+  EXPECT_EQ(compare(before, after).timings, 1u);
+  after.provenance.cpu = "another";
+  const auto c = compare(before, after);
+  EXPECT_EQ(c.timings, 0u);
+  EXPECT_FALSE(c.timings_left_out.empty());
+  EXPECT_EQ(c.settings.size(), 1u);
+}
+
+/// Two honest runs with other seeds: of all their numbers together none is called changed in 95 of 100 comparisons.
+TEST(Compare, IndependentRunsAgree) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> noise;
+  int alarms = 0;
+  for (int run = 0; run < 400; ++run) {
+    std::vector<report::measurement> a, b;
+    for (int i = 0; i < 300; ++i) {
+      a.push_back(number(10 + noise(random), 1.96, "sampled", i));
+      b.push_back(number(10 + noise(random), 1.96, "sampled", i));
+    }
+    alarms += !compare(with(a), with(b)).changes.empty();
+  }
+  EXPECT_LE(alarms, 35);  // 20 expected, 3.4 standard deviations
+  EXPECT_GE(alarms, 5);   // and the test is not blind
+}
+
+TEST(Compare, OtherScenesAreRefusedByTheKeyThatDiffers) {
+  auto after = with({});
+  after.scene.theta = 0.25;
+  try {
+    compare(with({}), after);
+    FAIL();
+  } catch (const input_error& e) {
+    EXPECT_NE(std::string(e.what()).find("theta"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace polhode
