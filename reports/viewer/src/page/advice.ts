@@ -2,7 +2,7 @@
 // else why it cannot be said.
 import type { Measurement, Results } from '../data';
 import { h, type Child } from '../dom';
-import { shown, shownAccuracy } from '../numbers';
+import { prose, shown, shownAccuracy } from '../numbers';
 import { grouped } from '../order';
 import { targetOf } from '../plots/cost';
 import { schemeChip, table } from './tables';
@@ -59,8 +59,8 @@ function smallest(rows: Measurement[], goal: Goal): { scheme: string; error: num
 }
 
 function unsaid(r: Results, goal: Goal): string {
-  const skipped = r.skipped.find((s) => s.experiment === goal.experiment && s.scheme === '');
-  if (skipped) return `Cannot be said: ${skipped.reason}`;
+  const skips = r.skipped.filter((s) => s.experiment === goal.experiment), skipped = skips.find((s) => s.scheme === '') ?? skips[0];
+  if (skipped) return `Cannot be said: ${prose(skipped.reason)}`;
   const ran = r.measurements.some((m) => m.experiment === goal.experiment);
   return ran ? 'Cannot be said: no error was measured that would tell.' : `Cannot be said: experiment ${goal.experiment} was not run.`;
 }

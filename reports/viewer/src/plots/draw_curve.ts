@@ -122,7 +122,7 @@ function slopeSeries(f: Frame): Series[] {
   return f.plot.slopes.map((slope) => {
     const reach = Math.max(left, right - (0.92 * (f.y.max - f.y.min)) / slope);
     return {
-      type: 'line', name: `slope ${shown(slope)}`, symbol: 'none', silent: true, z: 4,
+      type: 'line', name: `slope ${shown(slope)}`, symbol: 'none', silent: true, z: 6,
       data: [[right, top], [reach, top - slope * (right - reach)]],
       lineStyle: { color: f.s.paper.soft, width: 1.1, type: [5, 4], opacity: 0.8 },
       endLabel: { show: true, formatter: `order ${slope === 0.5 ? '½' : shown(slope)}`, color: f.s.paper.soft, fontSize: 11.5,

@@ -79,7 +79,7 @@ function cellSeries(f: Frame, panel: Panel, index: number): Series {
       const [x0, x1] = f.across.get(one.cell.x) ?? [0, 0], [y0, y1] = f.up.get(one.cell.y) ?? [0, 0];
       const [left = 0, bottom = 0] = api.coord([x0, y0]), [right = 0, top = 0] = api.coord([x1, y1]);
       const style = { fill: one.fill, stroke: f.s.paper.grid, lineWidth: 0.6, opacity: dim ? 0.15 : 1 };
-      const text = one.cell.remark !== '' ? '×' : single && right - left > 44 ? shown(one.cell.value, 2) : '';
+      const text = one.cell.remark !== '' ? '×' : single && right - left > 56 ? shown(one.cell.value, 2) : '';
       return { type: 'group', children: [
         { type: 'rect', shape: { x: left, y: top, width: right - left, height: bottom - top }, style },
         { type: 'text', silent: true, style: { x: (left + right) / 2, y: (top + bottom) / 2, text, fill: inkOn(one.fill), align: 'center',
