@@ -46,9 +46,7 @@ export function densities(experiment = 'attractor') {
     made('Gibbs', null, (x, y, z) => Math.exp(-4 * (x * x + (y * y) / 2 + (z * z) / 3) / 2))];
 }
 
-const executables = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
-
 export async function browser(...more) {
-  const executablePath = process.env.POLHODE_CHROMIUM ?? executables[0];
+  const executablePath = process.env.POLHODE_CHROMIUM ?? '/usr/bin/chromium';
   return chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...more] });
 }

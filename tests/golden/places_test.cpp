@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "reports/writers/field.hpp"
 #include "reports/writers/places.hpp"
 #include "tests/golden/golden_file.hpp"
 #include "tests/golden/sample.hpp"
@@ -46,6 +47,12 @@ TEST(places, map_svg) {
   const auto maps = place_maps_of(border_and_map(), "lyapunov");
   ASSERT_EQ(maps.size(), 1u);
   expect_golden(to_svg(maps.front()), "map.svg");
+}
+
+TEST(places, heat_map_svg) {
+  const auto maps = maps_of(sample(), "stability");
+  ASSERT_EQ(maps.size(), 1u);
+  expect_golden(to_svg(maps.front()), "heat_map.svg");
 }
 
 TEST(places, are_gathered) {

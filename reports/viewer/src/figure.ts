@@ -11,7 +11,7 @@ import { addressOf, goTo, isolate, isolated, on, theme } from './state';
 import { papers } from './style';
 import { watch } from './watch';
 
-const printWidth = 640;
+const printWidth = 560, broadPrintWidth = 1060;
 
 /** Needs the whole width of the page. */
 const isWide = (plot: Plot): boolean =>
@@ -191,7 +191,7 @@ export class Figure {
   }
 
   print(): void {
-    const picture = new DOMParser().parseFromString(this.toSvg(printWidth), 'image/svg+xml').documentElement;
+    const picture = new DOMParser().parseFromString(this.toSvg(isWide(this.plot) ? broadPrintWidth : printWidth), 'image/svg+xml').documentElement;
     picture.removeAttribute('width');
     picture.removeAttribute('height');
     this.printed.replaceChildren(document.importNode(picture, true));
