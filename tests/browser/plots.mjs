@@ -27,6 +27,9 @@ export function groupsIn(results) {
   return groups;
 }
 
+/** All numbers of a text, as doubles. */
+export const numbersIn = (text) => new Set((text.match(/-?\d+(\.\d+)?(e[-+]?\d+)?/gi) ?? []).map(Number));
+
 /** Moves the mouse onto a point, and reads what appears. */
 export async function tooltipAt(page, figure) {
   await until(() => figure.evaluate((f) => f.figure.chart !== null));
@@ -40,12 +43,8 @@ export async function tooltipAt(page, figure) {
   await page.mouse.move(at.x - 3, at.y - 3);
   await page.mouse.move(at.x, at.y);
   const tip = await figure.waitForSelector('.tip', { state: 'visible' });
-  // Points may lie upon each other: whichever answers must tell numbers of this plot.
+  // Points may lie upon each other: whichever answers must tell a number of this plot, to the last digit.
   const text = await tip.textContent();
-  const values = await figure.evaluate((f, said) => {
-    const rows = f.figure.plot.rows.filter((m) => m.value !== null);
-    return rows.filter((m) => said.includes(String(m.value)) && (m.scheme === '' || said.startsWith(m.scheme))).slice(0, 1).map((m) => m.value);
-  }, text);
-  if (values.length === 0) throw new Error(`${await figure.getAttribute('id')}: no number of this plot in “${text}”`);
-  return { text, values };
+  const rows = await figure.evaluate((f) => f.figure.plot.rows);
+  return { text, rows: rows.filter((m) => m.value !== null && text.startsWith(m.scheme) && numbersIn(text).has(m.value)) };
 }

@@ -13,7 +13,10 @@ export function shown(x: number | null | undefined, digits = 4): string {
 }
 
 /** The shortest text that gives the same double again, as in results.json. */
-export const exact = (x: number | null | undefined): string => (x === null || x === undefined ? '–' : String(x));
+export function exact(x: number | null | undefined): string {
+  if (x === null || x === undefined) return '–';
+  return x !== 0 && Math.abs(x) < 1e-4 ? x.toExponential() : String(x);
+}
 
 export const shownInterval = (low: number | null, high: number | null): string =>
   low === null || high === null ? '' : `[${shown(low)}, ${shown(high)}]`;

@@ -33,15 +33,14 @@ function frameOf(plot: CurvePlot, s: Setting): Frame {
 function fitSeries(f: Frame, line: Line, look: Look): Series[] {
   const fitted = line.points.filter((p) => p.filled && p.x > 0), fit = line.fit;
   const from = fitted[0]?.x, to = fitted[fitted.length - 1]?.x;
-  if (!fit || fit.order === null || fit.prefactor === null || from === undefined || to === undefined || !(to > from)) return [];
+  if (!fit || faded(f.s, line.scheme) || fit.order === null || fit.prefactor === null || from === undefined || to === undefined || !(to > from)) return [];
   const { order, prefactor } = fit, middle = Math.sqrt(from * to), pieces = f.x.log && f.y.log ? 8 : 32;
   const along = Array.from({ length: pieces + 1 }, (_, i) => from * (to / from) ** (i / pieces));
   const power = (slope: number) => (x: number): Place => placed(f, x, prefactor * middle ** order * (x / middle) ** slope);
   const visible = (p: Place): boolean => p[1] >= f.y.min && p[1] <= f.y.max;
-  const dim = faded(f.s, line.scheme);
   const series: Series[] = [{
     type: 'line', name: `fit ${line.scheme}`, silent: true, symbol: 'none', z: 2, data: along.map(power(order)).filter(visible),
-    lineStyle: { color: look.colour, width: 6, opacity: dim ? 0.03 : 0.2, type: 'solid' },
+    lineStyle: { color: look.colour, width: 6, opacity: 0.2, type: 'solid' },
   }];
   if (fit.low !== null && fit.high !== null) {
     const wedge = [...along.map(power(fit.low)), ...along.map(power(fit.high)).reverse()];
@@ -49,7 +48,7 @@ function fitSeries(f: Frame, line: Line, look: Look): Series[] {
       type: 'custom', name: `interval ${line.scheme}`, silent: true, z: 1, data: [wedge.flat()], clip: true,
       renderItem: (_params: unknown, api: { coord(p: Place): number[] }) => ({
         type: 'polygon', shape: { points: wedge.map((p) => api.coord(p)) },
-        style: { fill: look.colour, opacity: dim ? 0.02 : 0.18 },
+        style: { fill: look.colour, opacity: 0.18 },
       }),
     } as unknown as Series);
   }
