@@ -1,22 +1,21 @@
-// Pages to look at: the committed template with results in it, and a browser to open them in.
+// Pages to look at: the committed template with results in it.
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
 const here = dirname(fileURLToPath(import.meta.url));
-const viewer = join(here, '../../reports/viewer');
-const require = createRequire(join(viewer, 'package.json'));
-const { chromium } = require('playwright-core');
+const folder = join(here, '../../reports/viewer');
+export const viewer = join(folder, 'package.json');
 
-export const template = readFileSync(join(viewer, 'dist/report.html'), 'utf8');
+export const template = readFileSync(join(folder, 'dist/report.html'), 'utf8');
 export const scratch = mkdtempSync(join(tmpdir(), 'polhode-browser-'));
 
 /** As html.cpp does it. */
 export function fill(json, name) {
   const escaped = name.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
-  return template.replace('@polhode-title@', () => `${escaped} · polhode`)
+  return template
+    .replace('@polhode-title@', () => `${escaped} · polhode`)
     .replace('@polhode-results@', () => json.replace(/</g, '\\u003c'));
 }
 
@@ -31,22 +30,24 @@ export function pageOf(results, label) {
 
 /** Two densities: one smooth, one with a thin fold of high density and empty bins. */
 export function densities(experiment = 'attractor') {
-  const longitudes = 128, heights = 64;
+  const longitudes = 128,
+    heights = 64;
   const made = (name, time, at) => {
     const values = Array.from({ length: longitudes * heights }, (_, i) => {
-      const z = (2 * Math.floor(i / longitudes) + 1) / heights - 1, longitude = (2 * Math.PI * ((i % longitudes) + 0.5)) / longitudes - Math.PI;
+      const z = (2 * Math.floor(i / longitudes) + 1) / heights - 1,
+        longitude = (2 * Math.PI * ((i % longitudes) + 0.5)) / longitudes - Math.PI;
       return at(Math.sqrt(1 - z * z) * Math.cos(longitude), Math.sqrt(1 - z * z) * Math.sin(longitude), z);
     });
     const mean = values.reduce((a, b) => a + b) / values.length;
     return { experiment, scheme: 'strang', name, time, longitudes, heights, values: values.map((v) => v / mean) };
   };
   const fold = (x, y, z) => Math.exp(-60 * (y - 0.5 * Math.sin(3 * z) - 0.3 * x * x) ** 2);
-  return [made('common noise, t = 0', 0, () => 1), made('common noise, t = 12.5', 12.5, (x, y, z) => 0.05 + fold(x, y, z)),
-    made('common noise, t = 50', 50, (x, y, z) => (fold(x, y, z) < 0.02 ? 0 : fold(x, y, z) ** 3 + 0.5 * fold(y, z, x) ** 4)),
-    made('Gibbs', null, (x, y, z) => Math.exp(-4 * (x * x + (y * y) / 2 + (z * z) / 3) / 2))];
-}
-
-export async function browser(...more) {
-  const executablePath = process.env.POLHODE_CHROMIUM ?? '/usr/bin/chromium';
-  return chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...more] });
+  return [
+    made('common noise, t = 0', 0, () => 1),
+    made('common noise, t = 12.5', 12.5, (x, y, z) => 0.05 + fold(x, y, z)),
+    made('common noise, t = 50', 50, (x, y, z) =>
+      fold(x, y, z) < 0.02 ? 0 : fold(x, y, z) ** 3 + 0.5 * fold(y, z, x) ** 4,
+    ),
+    made('Gibbs', null, (x, y, z) => Math.exp((-4 * (x * x + (y * y) / 2 + (z * z) / 3)) / 2)),
+  ];
 }

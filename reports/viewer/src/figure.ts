@@ -1,17 +1,21 @@
 // A plot on the page: drawn when it comes near the screen, with its key, its switches, its files and its table.
-import { h, save, svg, type Child } from './dom';
 import { csvOf } from './csv';
+import { h, save, type Child } from './dom';
+import { keySample } from './key';
 import { slug } from './numbers';
 import { measurementTable } from './page/tables';
 import { echarts, type Chart } from './plots/charts';
 import { heightOf, optionOf } from './plots/draw';
 import { pointsIn, schemesIn, type Plot } from './plots/model';
+import { pictureWidth, pngPicture, svgPicture } from './plots/picture';
 import { lookIn, manyPoints, type Setting } from './plots/setting';
+import { walker } from './plots/walker';
 import { addressOf, goTo, isolate, isolated, on, theme } from './state';
 import { papers } from './style';
 import { watch } from './watch';
 
-const printWidth = 560, broadPrintWidth = 1060;
+const printWidth = 560,
+  broadPrintWidth = 1060;
 
 /** Needs the whole width of the page. */
 const isWide = (plot: Plot): boolean =>
@@ -28,31 +32,58 @@ export class Figure {
   private logY: boolean;
   private stale = true;
   private near = false;
-  private spot: [number, number] | null = null;  // series and point that the arrow keys have reached
 
-  constructor(readonly plot: Plot, private readonly schemes: readonly string[]) {
+  constructor(
+    readonly plot: Plot,
+    private readonly schemes: readonly string[],
+  ) {
     this.logX = plot.kind === 'matrix' ? false : plot.logX;
     this.logY = plot.kind === 'curve' || plot.kind === 'map' ? plot.logY : false;
     this.canvas.setAttribute('aria-label', this.spoken());
-    this.canvas.addEventListener('keydown', (event) => this.step(event));
-    this.element = h('figure', { id: plot.id, class: `plot ${plot.kind}${isWide(plot) ? ' broad' : ''}`, 'data-points': pointsIn(plot) },
-      h('figcaption', {}, plot.title, this.permalink()), this.canvas, this.printed, this.legend(), this.remarks(), this.tools(), this.table());
+    this.canvas.addEventListener(
+      'keydown',
+      walker(() => this.chart),
+    );
+    this.element = h(
+      'figure',
+      { id: plot.id, class: `plot ${plot.kind}${isWide(plot) ? ' broad' : ''}`, 'data-points': pointsIn(plot) },
+      h('figcaption', {}, plot.title, this.permalink()),
+      this.canvas,
+      this.printed,
+      this.legend(),
+      this.remarks(),
+      this.tools(),
+      this.table(),
+    );
     Object.defineProperty(this.element, 'figure', { value: this });
     this.reserve();
-    watch(this.element, (near) => this.come(near), () => this.resize());
+    watch(
+      this.element,
+      (near) => this.come(near),
+      () => this.resize(),
+    );
     on('scheme', () => this.refresh());
     on('theme', () => this.refresh());
   }
 
   private spoken(): string {
     const schemes = schemesIn(this.plot).length;
-    return `${this.plot.title}: ${pointsIn(this.plot)} values${schemes > 0 ? ` of ${schemes} schemes` : ''}. ` +
-      'Arrow keys go from point to point; the table below holds every number.';
+    return (
+      `${this.plot.title}: ${pointsIn(this.plot)} values${schemes > 0 ? ` of ${schemes} schemes` : ''}. ` +
+      'Arrow keys go from point to point; the table below holds every number.'
+    );
   }
 
   setting(standalone: boolean, width: number): Setting {
-    return { paper: papers[standalone ? 'light' : theme()], width, schemes: this.schemes, isolated: isolated(),
-      logX: this.logX, logY: this.logY, standalone };
+    return {
+      paper: papers[standalone ? 'light' : theme()],
+      width,
+      schemes: this.schemes,
+      isolated: isolated(),
+      logX: this.logX,
+      logY: this.logY,
+      standalone,
+    };
   }
 
   private reserve(): void {
@@ -69,7 +100,7 @@ export class Figure {
     for (const [scheme, key] of this.keys) {
       key.setAttribute('aria-pressed', String(scheme === isolated()));
       key.classList.toggle('faded', isolated() !== null && scheme !== isolated());
-      key.replaceChildren(...this.sample(scheme));
+      key.replaceChildren(...keySample(lookIn(this.setting(false, 0), scheme), scheme));
     }
     if (this.near) this.draw();
   }
@@ -84,114 +115,137 @@ export class Figure {
   draw(): void {
     const width = this.canvas.clientWidth;
     if (width === 0) return;
-    const setting = this.setting(false, width), height = heightOf(this.plot, setting);
+    const setting = this.setting(false, width),
+      height = heightOf(this.plot, setting);
     this.canvas.style.height = `${height}px`;
-    this.chart ??= echarts.init(this.canvas, null, { renderer: pointsIn(this.plot) > manyPoints ? 'canvas' : 'svg', width, height });
+    this.chart ??= echarts.init(this.canvas, null, {
+      renderer: pointsIn(this.plot) > manyPoints ? 'canvas' : 'svg',
+      width,
+      height,
+    });
     this.chart.resize({ width, height });
     this.chart.setOption(optionOf(this.plot, setting), { notMerge: true });
     this.stale = false;
   }
 
-  /** Arrow keys: along a line, and from one line to the next. */
-  private step(event: KeyboardEvent): void {
-    const along = { ArrowRight: 1, ArrowLeft: -1 }[event.key], across = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-    if (event.key === 'Escape') this.chart?.dispatchAction({ type: 'hideTip' });
-    if ((along === undefined && across === undefined) || !this.chart) return;
-    event.preventDefault();
-    const option = this.chart.getOption() as { series: { data: { item?: unknown }[]; silent?: boolean }[] };
-    const reachable = option.series.map((s, i) => ({ i, size: s.silent ? 0 : s.data.filter((d) => d.item).length })).filter((s) => s.size > 0);
-    if (reachable.length === 0) return;
-    const current = Math.max(0, reachable.findIndex((s) => s.i === this.spot?.[0]));
-    const row = reachable[(current + (this.spot ? across ?? 0 : 0) + reachable.length) % reachable.length] as { i: number; size: number };
-    const point = this.spot ? this.spot[1] + (along ?? 0) : 0;
-    this.spot = [row.i, (point + row.size) % row.size];
-    this.chart.dispatchAction({ type: 'showTip', seriesIndex: this.spot[0], dataIndex: this.spot[1] });
-  }
-
   private permalink(): Child {
-    return h('a', { class: 'permalink', href: addressOf(this.plot.id), title: 'Link to this plot', 'aria-label': `Link to ${this.plot.title}`,
-      click: (event) => {
-        event.preventDefault();
-        goTo(this.plot.id);
-      } }, '#');
-  }
-
-  private sample(scheme: string): (Node | string)[] {
-    const look = lookIn(this.setting(false, 0), scheme);
-    const line = look.dash === 'solid' ? null : look.dash.join(' ');
-    return [svg('svg', { width: 30, height: 12, viewBox: '0 0 30 12', 'aria-hidden': 'true' },
-      svg('path', { d: 'M0 6H30', stroke: look.colour, 'stroke-width': 1.5, 'stroke-dasharray': line, fill: 'none' }),
-      svg('path', { d: look.outline, fill: look.colour, transform: 'translate(10 1)' })), scheme];
+    return h(
+      'a',
+      {
+        class: 'permalink',
+        href: addressOf(this.plot.id),
+        title: 'Link to this plot',
+        'aria-label': `Link to ${this.plot.title}`,
+        click: (event) => {
+          event.preventDefault();
+          goTo(this.plot.id);
+        },
+      },
+      '#',
+    );
   }
 
   private legend(): Child {
     if (this.plot.kind !== 'curve') return false;
     for (const scheme of schemesIn(this.plot)) {
-      const key = h('button', { type: 'button', class: 'key-entry', 'aria-pressed': 'false', title: `Only ${scheme}, in every plot`,
-        click: () => isolate(scheme) }, ...this.sample(scheme));
+      const key = h(
+        'button',
+        {
+          type: 'button',
+          class: 'key-entry',
+          'aria-pressed': 'false',
+          title: `Only ${scheme}, in every plot`,
+          click: () => isolate(scheme),
+        },
+        ...keySample(lookIn(this.setting(false, 0), scheme), scheme),
+      );
       this.keys.push([scheme, key]);
     }
-    return this.keys.length > 0 && h('div', { class: 'legend', role: 'group', 'aria-label': 'Schemes' }, ...this.keys.map(([, key]) => key));
+    return (
+      this.keys.length > 0 &&
+      h('div', { class: 'legend', role: 'group', 'aria-label': 'Schemes' }, ...this.keys.map(([, key]) => key))
+    );
   }
 
   private remarks(): Child {
-    const parts: Child[] = [], { plot } = this;
+    const parts: Child[] = [],
+      { plot } = this;
     if (plot.kind === 'curve' && plot.hollow !== '') parts.push(`Hollow: ${plot.hollow}. `);
-    if (plot.kind === 'curve' && plot.lines.some((l) => l.fit)) parts.push('Wide line: the fitted power law; its wedge is the interval of the order. ');
-    if (plot.kind === 'curve' && pointsIn(plot) > manyPoints) parts.push(`${pointsIn(plot)} points: drawn without bars. `);
+    if (plot.kind === 'curve' && plot.lines.some((l) => l.fit))
+      parts.push('Wide line: the fitted power law; its wedge is the interval of the order. ');
+    if (plot.kind === 'curve' && pointsIn(plot) > manyPoints)
+      parts.push(`${pointsIn(plot)} points: drawn without bars. `);
     parts.push(plot.note);
     return parts.join('') !== '' && h('p', { class: 'note' }, ...parts);
   }
 
   private toggle(name: string, get: () => boolean, set: (next: boolean) => void): Child {
-    const button = h('button', { type: 'button', 'aria-pressed': String(get()), click: () => {
-      set(!get());
-      button.setAttribute('aria-pressed', String(get()));
-      this.stale = true;
-      this.draw();
-    } }, name);
+    const button = h(
+      'button',
+      {
+        type: 'button',
+        'aria-pressed': String(get()),
+        click: () => {
+          set(!get());
+          button.setAttribute('aria-pressed', String(get()));
+          this.stale = true;
+          this.draw();
+        },
+      },
+      name,
+    );
     return button;
   }
 
   private tools(): Child {
-    const { plot } = this, name = slug(plot.id);
+    const { plot } = this,
+      name = slug(plot.id);
     const tool = (label: string, action: () => void): Child => h('button', { type: 'button', click: action }, label);
-    return h('div', { class: 'tools' },
-      plot.kind !== 'matrix' && this.toggle('log x', () => this.logX, (next) => (this.logX = next)),
-      (plot.kind === 'curve' || plot.kind === 'map') && this.toggle('log y', () => this.logY, (next) => (this.logY = next)),
+    return h(
+      'div',
+      { class: 'tools' },
+      plot.kind !== 'matrix' &&
+        this.toggle(
+          'log x',
+          () => this.logX,
+          (next) => (this.logX = next),
+        ),
+      (plot.kind === 'curve' || plot.kind === 'map') &&
+        this.toggle(
+          'log y',
+          () => this.logY,
+          (next) => (this.logY = next),
+        ),
       h('span', { class: 'gap' }),
       tool('SVG', () => save(`${name}.svg`, this.toSvg(), 'image/svg+xml')),
-      tool('PNG', () => this.savePng(`${name}.png`)),
-      tool('CSV', () => save(`${name}.csv`, csvOf(plot.rows), 'text/csv')));
+      tool('PNG', () => pngPicture(plot, this.setting(true, pictureWidth), (picture) => save(`${name}.png`, picture))),
+      tool('CSV', () => save(`${name}.csv`, csvOf(plot.rows), 'text/csv')),
+    );
   }
 
-  /** The picture alone, as light as paper, with title and key. */
-  toSvg(width = 820): string {
-    const setting = this.setting(true, width);
-    const chart = echarts.init(null, null, { renderer: 'svg', ssr: true, width, height: heightOf(this.plot, setting) });
-    chart.setOption(optionOf(this.plot, setting));
-    const picture = chart.renderToSVGString();
-    chart.dispose();
-    return picture;
-  }
-
-  private savePng(name: string): void {
-    const setting = this.setting(true, 820), box = h('div', {});
-    const chart = echarts.init(box, null, { renderer: 'canvas', width: 820, height: heightOf(this.plot, setting), devicePixelRatio: 2 });
-    chart.setOption(optionOf(this.plot, setting));
-    chart.renderToCanvas({ pixelRatio: 2, backgroundColor: setting.paper.card }).toBlob((blob) => blob && save(name, blob));
-    chart.dispose();
+  toSvg(width = pictureWidth): string {
+    return svgPicture(this.plot, this.setting(true, width));
   }
 
   private table(): Child {
-    const details = h('details', { class: 'behind', toggle: () => {
-      if (details.open && details.children.length === 1) details.append(measurementTable(this.plot.rows));
-    } }, h('summary', {}, `The ${this.plot.rows.length} numbers behind this plot`));
+    const details = h(
+      'details',
+      {
+        class: 'behind',
+        toggle: () => {
+          if (details.open && details.children.length === 1) details.append(measurementTable(this.plot.rows));
+        },
+      },
+      h('summary', {}, `The ${this.plot.rows.length} numbers behind this plot`),
+    );
     return details;
   }
 
   print(): void {
-    const picture = new DOMParser().parseFromString(this.toSvg(isWide(this.plot) ? broadPrintWidth : printWidth), 'image/svg+xml').documentElement;
+    const picture = new DOMParser().parseFromString(
+      this.toSvg(isWide(this.plot) ? broadPrintWidth : printWidth),
+      'image/svg+xml',
+    ).documentElement;
     picture.removeAttribute('width');
     picture.removeAttribute('height');
     this.printed.replaceChildren(document.importNode(picture, true));
@@ -201,4 +255,3 @@ export class Figure {
     this.printed.replaceChildren();
   }
 }
-

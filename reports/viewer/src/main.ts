@@ -1,5 +1,5 @@
 // The report: reads the results that the program put into the page, and builds the page from them.
-import { readResults, type Results } from './data';
+import type { Results } from './data';
 import { h } from './dom';
 import { asWritten } from './numbers';
 import { byExperiment, experimentNames, schemeNames } from './order';
@@ -9,18 +9,35 @@ import { bar } from './page/bar';
 import { board } from './page/board';
 import { header } from './page/header';
 import { section, type Context, type Printable } from './page/section';
+import { readResults } from './read';
 import { followAddress } from './state';
 import './style.css';
 
 function build(r: Results): { page: Node[]; printables: Printable[]; schemes: string[] } {
-  const schemes = schemeNames(r), experiments = experimentNames(r), printables: Printable[] = [];
-  const context: Context = { results: r, schemes, printables, measurements: byExperiment(r.measurements), verdicts: byExperiment(r.verdicts) };
+  const schemes = schemeNames(r),
+    experiments = experimentNames(r),
+    printables: Printable[] = [];
+  const context: Context = {
+    results: r,
+    schemes,
+    printables,
+    measurements: byExperiment(r.measurements),
+    verdicts: byExperiment(r.verdicts),
+  };
   const densities = byExperiment(r.densities);
   const sections = experiments.map((name) => section(name, densities.get(name) ?? [], context));
-  const places: [string, string][] = [...(r.verdicts.length > 0 ? [['board', 'Claims'] as [string, string]] : []), ['advice', 'Which one?'],
-    ...experiments.map((name): [string, string] => [`experiment.${name}`, asWritten(name)]), ['left-out', 'Left out'], ['provenance', 'Provenance']];
-  const first = board(r, schemes, experiments), claims = schemeTable(r);
-  const parts = [header(r), first, advice(r), ...sections, claims, leftOut(r), provenance(r)].filter((part): part is HTMLElement => part instanceof Node);
+  const places: [string, string][] = [
+    ...(r.verdicts.length > 0 ? [['board', 'Claims'] as [string, string]] : []),
+    ['advice', 'Which one?'],
+    ...experiments.map((name): [string, string] => [`experiment.${name}`, asWritten(name)]),
+    ['left-out', 'Left out'],
+    ['provenance', 'Provenance'],
+  ];
+  const first = board(r, schemes, experiments),
+    claims = schemeTable(r);
+  const parts = [header(r), first, advice(r), ...sections, claims, leftOut(r), provenance(r)].filter(
+    (part): part is HTMLElement => part instanceof Node,
+  );
   return { page: [bar(places, schemes), h('main', {}, ...parts)], printables, schemes };
 }
 
@@ -43,7 +60,9 @@ function start(): void {
   try {
     results = readResults(source);
   } catch (error) {
-    document.body.append(h('main', {}, h('p', { class: 'fault', role: 'alert' }, error instanceof Error ? error.message : String(error))));
+    document.body.append(
+      h('main', {}, h('p', { class: 'fault', role: 'alert' }, error instanceof Error ? error.message : String(error))),
+    );
     return;
   }
   const { page, printables, schemes } = build(results);

@@ -45,8 +45,16 @@ export function shownDuration(seconds: number | null): string {
 
 export const shownCount = (n: number): string => (n < 1e4 ? String(n) : n < 1e6 ? n.toLocaleString('en') : shown(n));
 
-const letters: [RegExp, string][] = [[/lambda_1/g, 'λ₁'], [/lambda_2/g, 'λ₂'], [/\bsigma\b/g, 'σ'], [/\btheta\b/g, 'θ'],
-  [/\bpi([123])\b/g, 'Π$1'], [/\bPi_0\b/g, 'Π₀'], [/\bh_0\b/g, 'h₀'], [/\bmu\b/g, 'μ']];
+const letters: [RegExp, string][] = [
+  [/lambda_1/g, 'λ₁'],
+  [/lambda_2/g, 'λ₂'],
+  [/\bsigma\b/g, 'σ'],
+  [/\btheta\b/g, 'θ'],
+  [/\bpi([123])\b/g, 'Π$1'],
+  [/\bPi_0\b/g, 'Π₀'],
+  [/\bh_0\b/g, 'h₀'],
+  [/\bmu\b/g, 'μ'],
+];
 const greek: Record<string, string> = { theta: 'θ', sigma: 'σ', lambda: 'λ', Omega: 'Ω', Pi: 'Π' };
 const subscripts: Record<string, string> = { Π1: 'Π₁', Π2: 'Π₂', Π3: 'Π₃' };
 
@@ -54,16 +62,32 @@ const subscripts: Record<string, string> = { Π1: 'Π₁', Π2: 'Π₂', Π3: '�
 export function asWritten(name: string): string {
   let text = name;
   for (const [from, to] of letters) text = text.replace(from, to);
-  return text.replace(/\u03a0[123]/g, (m) => subscripts[m] ?? m).replace(/\^2/g, '²').replace(/_/g, ' ');
+  return text
+    .replace(/\u03a0[123]/g, (m) => subscripts[m] ?? m)
+    .replace(/\^2/g, '²')
+    .replace(/_/g, ' ');
 }
 
 /** A sentence with the letters that its author could not type. */
-export const prose = (text: string): string => text.replace(/\b(theta|sigma|lambda|Omega|Pi)\b/g, (word) => greek[word] ?? word)
-  .replace(/ x (?=[\u03a9\u03a0])/g, ' × ').replace(/\blambda_([12])/g, (_, i: string) => (i === '1' ? 'λ₁' : 'λ₂')).replace(/\^2/g, '²').replace(/= -/g, '= −');
+export const prose = (text: string): string =>
+  text
+    .replace(/\b(theta|sigma|lambda|Omega|Pi)\b/g, (word) => greek[word] ?? word)
+    .replace(/ x (?=[\u03a9\u03a0])/g, ' × ')
+    .replace(/\blambda_([12])/g, (_, i: string) => (i === '1' ? 'λ₁' : 'λ₂'))
+    .replace(/\^2/g, '²')
+    .replace(/= -/g, '= −');
 
 /** A name that can stand in an address. */
 export const slug = (...parts: string[]): string =>
-  parts.filter((p) => p !== '').map((p) => p.toLowerCase().replace(/[^a-z0-9.]+/g, '-').replace(/^-+|-+$/g, '') || 'x')
+  parts
+    .filter((p) => p !== '')
+    .map(
+      (p) =>
+        p
+          .toLowerCase()
+          .replace(/[^a-z0-9.]+/g, '-')
+          .replace(/^-+|-+$/g, '') || 'x',
+    )
     .join('.');
 
 const raised = '⁰¹²³⁴⁵⁶⁷⁸⁹';

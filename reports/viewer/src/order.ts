@@ -22,8 +22,10 @@ export function headline(t: Tally): string {
 export function sentence(t: Tally): string {
   const total = t.holds + t.refuted + t.inconclusive + t.skipped;
   const counted = (n: number, what: string): string => `${n} ${n === 1 ? 'is' : 'are'} ${what}`;
-  return `${claims(total)}: ${t.holds} hold${t.holds === 1 ? 's' : ''}, ${counted(t.refuted, 'refuted')}, ` +
-    `${counted(t.inconclusive, 'inconclusive')}, ${counted(t.skipped, 'skipped')}.`;
+  return (
+    `${claims(total)}: ${t.holds} hold${t.holds === 1 ? 's' : ''}, ${counted(t.refuted, 'refuted')}, ` +
+    `${counted(t.inconclusive, 'inconclusive')}, ${counted(t.skipped, 'skipped')}.`
+  );
 }
 
 export const symbols: Record<Kind, string> = { holds: '✓', refuted: '✗', inconclusive: '?', skipped: '–' };
@@ -35,13 +37,15 @@ const unique = (names: Iterable<string>): string[] => [...new Set(names)].filter
 /** Declared ones first, then whatever else the results mention. */
 export function experimentNames(r: Results): string[] {
   const mentioned = [r.verdicts, r.fits, r.measurements, r.skipped, r.densities].flatMap((rows) =>
-    unique((rows as { experiment: string }[]).map((row) => row.experiment)));
+    unique((rows as { experiment: string }[]).map((row) => row.experiment)),
+  );
   return unique([...r.experiments.map((e) => e.name), ...mentioned]);
 }
 
 export function schemeNames(r: Results): string[] {
   const mentioned = [r.verdicts, r.fits, r.measurements, r.skipped].flatMap((rows) =>
-    unique((rows as { scheme: string }[]).map((row) => row.scheme)));
+    unique((rows as { scheme: string }[]).map((row) => row.scheme)),
+  );
   return unique([...r.schemes.map((s) => s.name), ...mentioned]);
 }
 
@@ -53,7 +57,8 @@ export function byExperiment<Row extends { experiment: string }>(rows: Row[]): M
 export function grouped<Row>(rows: Iterable<Row>, key: (row: Row) => string): Map<string, Row[]> {
   const groups = new Map<string, Row[]>();
   for (const row of rows) {
-    const name = key(row), group = groups.get(name);
+    const name = key(row),
+      group = groups.get(name);
     if (group) group.push(row);
     else groups.set(name, [row]);
   }

@@ -45,7 +45,9 @@ dark.addEventListener('change', () => {
 
 /** "#weak.error.energy&scheme=strang": a plot or a section, and the isolated scheme. */
 export function addressOf(id: string): string {
-  return `#${encodeURIComponent(id)}` + (isolatedScheme === null ? '' : `&scheme=${encodeURIComponent(isolatedScheme)}`);
+  return (
+    `#${encodeURIComponent(id)}` + (isolatedScheme === null ? '' : `&scheme=${encodeURIComponent(isolatedScheme)}`)
+  );
 }
 
 function writeAddress(): void {

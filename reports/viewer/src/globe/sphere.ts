@@ -2,19 +2,27 @@
 import type { Density } from '../data';
 
 export type Vector = [number, number, number];
-export interface View { longitude: number; latitude: number }
+export interface View {
+  longitude: number;
+  latitude: number;
+}
 
 /** Right, up and towards the viewer, as directions in the body. */
 export function frameOf({ longitude, latitude }: View): [Vector, Vector, Vector] {
   const [c, s, C, S] = [Math.cos(longitude), Math.sin(longitude), Math.cos(latitude), Math.sin(latitude)];
-  return [[-s, c, 0], [-S * c, -S * s, C], [C * c, C * s, S]];
+  return [
+    [-s, c, 0],
+    [-S * c, -S * s, C],
+    [C * c, C * s, S],
+  ];
 }
 
 /** The direction that is seen at (u, v) on the disc of radius one; null beside it. */
 export function directionAt(view: View, u: number, v: number): Vector | null {
   const rest = 1 - u * u - v * v;
   if (rest < 0) return null;
-  const [right, up, towards] = frameOf(view), w = Math.sqrt(rest);
+  const [right, up, towards] = frameOf(view),
+    w = Math.sqrt(rest);
   return [0, 1, 2].map((i) => u * (right[i] ?? 0) + v * (up[i] ?? 0) + w * (towards[i] ?? 0)) as Vector;
 }
 
@@ -35,9 +43,11 @@ export function binOf(d: Density, [x, y, z]: Vector): number {
 
 /** Mollweide's map of equal area: x and y within ±1 onto a direction; null outside of the ellipse. */
 export function mollweideAt(x: number, y: number): Vector | null {
-  const angle = Math.asin(Math.min(1, Math.max(-1, y))), reach = Math.cos(angle);
+  const angle = Math.asin(Math.min(1, Math.max(-1, y))),
+    reach = Math.cos(angle);
   if (Math.abs(x) > reach) return null;
-  const z = (2 * angle + Math.sin(2 * angle)) / Math.PI, longitude = reach > 0 ? (Math.PI * x) / reach : 0;
+  const z = (2 * angle + Math.sin(2 * angle)) / Math.PI,
+    longitude = reach > 0 ? (Math.PI * x) / reach : 0;
   const flat = Math.sqrt(Math.max(0, 1 - z * z));
   return [flat * Math.cos(longitude), flat * Math.sin(longitude), z];
 }

@@ -42,14 +42,25 @@ void main() {
 }`;
 
 export class Globe {
-  private constructor(private readonly gl: WebGL2RenderingContext, private readonly program: WebGLProgram) {}
+  private constructor(
+    private readonly gl: WebGL2RenderingContext,
+    private readonly program: WebGLProgram,
+  ) {}
 
   /** Null where there is no WebGL2. */
   static on(canvas: HTMLCanvasElement): Globe | null {
-    const gl = canvas.getContext('webgl2', { alpha: true, antialias: true, premultipliedAlpha: true, preserveDrawingBuffer: true });
+    const gl = canvas.getContext('webgl2', {
+      alpha: true,
+      antialias: true,
+      premultipliedAlpha: true,
+      preserveDrawingBuffer: true,
+    });
     const program = gl?.createProgram();
     if (!gl || !program) return null;
-    for (const [kind, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]] as const) {
+    for (const [kind, source] of [
+      [gl.VERTEX_SHADER, vertex],
+      [gl.FRAGMENT_SHADER, fragment],
+    ] as const) {
       const shader = gl.createShader(kind);
       if (!shader) return null;
       gl.shaderSource(shader, source);
@@ -68,12 +79,14 @@ export class Globe {
   }
 
   load(d: Density, scale: Scale): void {
-    const { gl } = this, pixels = new Uint8Array(coloured(d, scale).buffer);
+    const { gl } = this,
+      pixels = new Uint8Array(coloured(d, scale).buffer);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, d.longitudes, d.heights, 0, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
   }
 
   draw(view: View): void {
-    const { gl, program } = this, { width, height } = gl.canvas;
+    const { gl, program } = this,
+      { width, height } = gl.canvas;
     gl.viewport(0, 0, width, height);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT);

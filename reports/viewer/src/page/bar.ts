@@ -3,15 +3,35 @@ import { h } from '../dom';
 import { choose, goTo, isolate, isolated, on, theme } from '../state';
 
 export function bar(places: [string, string][], schemes: readonly string[]): HTMLElement {
-  const go = h('select', { 'aria-label': 'Go to a section', change: () => {
-    goTo(go.value);
-    go.selectedIndex = 0;
-  } }, h('option', { value: '' }, 'Go to …'), ...places.map(([id, name]) => h('option', { value: id }, name)));
-  const pick = h('select', { 'aria-label': 'Isolate a scheme in every plot', change: () => {
-    if ((isolated() ?? '') !== pick.value) isolate(pick.value || null);
-  } }, h('option', { value: '' }, 'All schemes'), ...schemes.map((name) => h('option', { value: name }, name)));
+  const go = h(
+    'select',
+    {
+      'aria-label': 'Go to a section',
+      change: () => {
+        goTo(go.value);
+        go.selectedIndex = 0;
+      },
+    },
+    h('option', { value: '' }, 'Go to …'),
+    ...places.map(([id, name]) => h('option', { value: id }, name)),
+  );
+  const pick = h(
+    'select',
+    {
+      'aria-label': 'Isolate a scheme in every plot',
+      change: () => {
+        if ((isolated() ?? '') !== pick.value) isolate(pick.value || null);
+      },
+    },
+    h('option', { value: '' }, 'All schemes'),
+    ...schemes.map((name) => h('option', { value: name }, name)),
+  );
   const name = (): string => (theme() === 'dark' ? 'Light' : 'Dark');
-  const light = h('button', { type: 'button', class: 'theme', click: () => choose(theme() === 'dark' ? 'light' : 'dark') }, name());
+  const light = h(
+    'button',
+    { type: 'button', class: 'theme', click: () => choose(theme() === 'dark' ? 'light' : 'dark') },
+    name(),
+  );
   on('theme', () => (light.textContent = name()));
   on('scheme', () => {
     pick.value = isolated() ?? '';
@@ -19,9 +39,18 @@ export function bar(places: [string, string][], schemes: readonly string[]): HTM
     for (const one of document.querySelectorAll<HTMLElement>('[data-scheme]'))
       one.setAttribute('aria-pressed', String(one.dataset.scheme === isolated()));
   });
-  const links = places.map(([id, text]) => h('a', { href: `#${id}`, click: (event) => {
-    event.preventDefault();
-    goTo(id);
-  } }, text));
+  const links = places.map(([id, text]) =>
+    h(
+      'a',
+      {
+        href: `#${id}`,
+        click: (event) => {
+          event.preventDefault();
+          goTo(id);
+        },
+      },
+      text,
+    ),
+  );
   return h('nav', { class: 'bar', 'aria-label': 'Report' }, h('div', { class: 'links' }, ...links), go, pick, light);
 }

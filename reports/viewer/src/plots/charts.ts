@@ -5,8 +5,17 @@ import * as echarts from 'echarts/core';
 import { CanvasRenderer, SVGRenderer } from 'echarts/renderers';
 import type { EChartsOption, SeriesOption } from 'echarts';
 
-echarts.use([CustomChart, LineChart, ScatterChart, GridComponent, LegendComponent, TitleComponent,
-  TooltipComponent, CanvasRenderer, SVGRenderer]);
+echarts.use([
+  CustomChart,
+  LineChart,
+  ScatterChart,
+  GridComponent,
+  LegendComponent,
+  TitleComponent,
+  TooltipComponent,
+  CanvasRenderer,
+  SVGRenderer,
+]);
 
 export { echarts };
 export type Option = EChartsOption;

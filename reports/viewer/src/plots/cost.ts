@@ -35,20 +35,40 @@ const plain = { kind: 'curve' as const, logX: true, logY: true, slopes: [], leve
 function frontPlots(found: Findings): CurvePlot[] {
   const costs = new Map(found.rows.filter((m) => m.quantity === 'cost' && m.value !== null).map((m) => [at(m), m]));
   const errors = found.rows.filter((m) => m.quantity === 'error_at_cost' && m.value !== null && costs.has(at(m)));
-  const counted = grouped(found.rows.filter((m) => counts.includes(m.quantity)), at);
+  const counted = grouped(
+    found.rows.filter((m) => counts.includes(m.quantity)),
+    at,
+  );
   return [...grouped(errors, (m) => m.observable).entries()].map(([goal, rows]) => {
-    const pointsOf = (own: Measurement[]): Point[] => own.map((error) => {
-      const cost = costs.get(at(error)) as Measurement;
-      return { x: error.value as number, y: cost.value ?? 0, low: cost.low, high: cost.high, xLow: error.low,
-        xHigh: error.high, filled: cost.fitted, rows: [error, cost, ...(counted.get(at(error)) ?? [])] };
-    });
-    const lines = linesBy(found, rows, pointsOf), first = rows[0] as Measurement;
+    const pointsOf = (own: Measurement[]): Point[] =>
+      own.map((error) => {
+        const cost = costs.get(at(error)) as Measurement;
+        return {
+          x: error.value as number,
+          y: cost.value ?? 0,
+          low: cost.low,
+          high: cost.high,
+          xLow: error.low,
+          xHigh: error.high,
+          filled: cost.fitted,
+          rows: [error, cost, ...(counted.get(at(error)) ?? [])],
+        };
+      });
+    const lines = linesBy(found, rows, pointsOf),
+      first = rows[0] as Measurement;
     const cost = costs.get(at(first)) as Measurement;
     return {
-      ...plain, id: slug(found.experiment, 'cost', goal), experiment: found.experiment, lines, front: true,
-      title: `Cost against error: ${asWritten(goal)}`, xTitle: `${asWritten(goal)} error [${asWritten(first.unit)}]`,
-      yTitle: `cost [${cost.unit}]`, hollow: 'not on the Pareto front',
-      note: 'Lower left is better.', rows: lines.flatMap((l) => l.points.flatMap((p) => p.rows)),
+      ...plain,
+      id: slug(found.experiment, 'cost', goal),
+      experiment: found.experiment,
+      lines,
+      front: true,
+      title: `Cost against error: ${asWritten(goal)}`,
+      xTitle: `${asWritten(goal)} error [${asWritten(first.unit)}]`,
+      yTitle: `cost [${cost.unit}]`,
+      hollow: 'not on the Pareto front',
+      note: 'Lower left is better.',
+      rows: lines.flatMap((l) => l.points.flatMap((p) => p.rows)),
     };
   });
 }
@@ -58,19 +78,35 @@ function reachPlots(found: Findings): CurvePlot[] {
   return [...grouped(rows, (m) => targetOf(m)?.goal ?? '').entries()].flatMap(([goal, all]) => {
     const reached = all.filter((m) => m.quantity === 'cost_to_reach' && m.value !== null);
     const next = new Map(all.filter((m) => m.quantity === 'cost_of_next').map((m) => [m.scheme + m.observable, m]));
-    const pointsOf = (own: Measurement[]): Point[] => own.map((m) => {
-      const other = next.get(m.scheme + m.observable);
-      return { x: targetOf(m)?.accuracy ?? 0, y: m.value as number, low: m.low, high: m.high, filled: m.fitted,
-        rows: other ? [m, other] : [m] };
-    });
+    const pointsOf = (own: Measurement[]): Point[] =>
+      own.map((m) => {
+        const other = next.get(m.scheme + m.observable);
+        return {
+          x: targetOf(m)?.accuracy ?? 0,
+          y: m.value as number,
+          low: m.low,
+          high: m.high,
+          filled: m.fitted,
+          rows: other ? [m, other] : [m],
+        };
+      });
     const first = reached[0];
     if (!first) return [];
     const failed = all.filter((m) => m.quantity === 'cost_to_reach' && m.value === null).length;
-    return [{
-      ...plain, id: slug(found.experiment, 'reach', goal), experiment: found.experiment, rows: all,
-      lines: linesBy(found, reached, pointsOf), front: false, title: `Cost to reach an accuracy: ${asWritten(goal)}`,
-      xTitle: `${asWritten(goal)} error to be reached`, yTitle: `cost [${first.unit}]`,
-      hollow: 'not the cheapest', note: failed ? `${failed} targets are not reached at the steps that were measured.` : '',
-    }];
+    return [
+      {
+        ...plain,
+        id: slug(found.experiment, 'reach', goal),
+        experiment: found.experiment,
+        rows: all,
+        lines: linesBy(found, reached, pointsOf),
+        front: false,
+        title: `Cost to reach an accuracy: ${asWritten(goal)}`,
+        xTitle: `${asWritten(goal)} error to be reached`,
+        yTitle: `cost [${first.unit}]`,
+        hollow: 'not the cheapest',
+        note: failed ? `${failed} targets are not reached at the steps that were measured.` : '',
+      },
+    ];
   });
 }

@@ -11,7 +11,12 @@ const key = (m: Measurement): string => JSON.stringify([m.quantity, m.observable
 
 export function titleOf(m: Measurement, absolute = false): string {
   const quantity = asWritten(m.quantity);
-  const of = m.observable === '' ? '' : / (from|to|at|over)$/.test(quantity) ? ` (${asWritten(m.observable)})` : ` of ${asWritten(m.observable)}`;
+  const of =
+    m.observable === ''
+      ? ''
+      : / (from|to|at|over)$/.test(quantity)
+        ? ` (${asWritten(m.observable)})`
+        : ` of ${asWritten(m.observable)}`;
   const unit = m.unit === '' || m.unit === '1' ? '' : ` [${asWritten(m.unit)}]`;
   return (absolute ? `|${quantity}${of}|` : quantity + of) + unit;
 }
@@ -26,8 +31,12 @@ export function missingIn(rows: Measurement[]): string {
 
 export function curvePlots(found: Findings): Plot[] {
   const over = grouped(found.rows.filter(hasAbscissa), (m) => key(m) + (m.steps !== null));
-  const standing = grouped(found.rows.filter((m) => !hasAbscissa(m) && m.value !== null), key);
-  const plots: Plot[] = [], taken = new Set<Measurement>();
+  const standing = grouped(
+    found.rows.filter((m) => !hasAbscissa(m) && m.value !== null),
+    key,
+  );
+  const plots: Plot[] = [],
+    taken = new Set<Measurement>();
   for (const rows of over.values()) {
     const first = rows[0] as Measurement;
     const levels = standing.get(key(first)) ?? [];
@@ -46,17 +55,36 @@ function oneEach(rows: Measurement[]): boolean {
   return schemes.size > 1 && schemes.size === rows.length;
 }
 
-const pointOf = (m: Measurement): Point =>
-  ({ x: abscissa(m), y: m.value as number, low: m.low, high: m.high, filled: m.fitted, rows: [m] });
+const pointOf = (m: Measurement): Point => ({
+  x: abscissa(m),
+  y: m.value as number,
+  low: m.low,
+  high: m.high,
+  filled: m.fitted,
+  rows: [m],
+});
 
 function linesOf(found: Findings, rows: Measurement[]): Line[] {
-  const first = rows[0] as Measurement, byScheme = grouped(rows.filter((m) => m.value !== null), (m) => m.scheme);
+  const first = rows[0] as Measurement,
+    byScheme = grouped(
+      rows.filter((m) => m.value !== null),
+      (m) => m.scheme,
+    );
   const lines: Line[] = [];
   for (const scheme of [...found.schemes, '']) {
-    const points = byScheme.get(scheme)?.map(pointOf).sort((a, b) => a.x - b.x);
+    const points = byScheme
+      .get(scheme)
+      ?.map(pointOf)
+      .sort((a, b) => a.x - b.x);
     if (!points) continue;
-    const fit = found.fits.find((f) => f.scheme === scheme && f.quantity === first.quantity &&
-      f.observable === first.observable && f.order !== null && (f.prefactor ?? 0) > 0);
+    const fit = found.fits.find(
+      (f) =>
+        f.scheme === scheme &&
+        f.quantity === first.quantity &&
+        f.observable === first.observable &&
+        f.order !== null &&
+        (f.prefactor ?? 0) > 0,
+    );
     lines.push({ scheme, points, fit: fit ?? null });
   }
   return lines;
@@ -73,17 +101,30 @@ function slopesOf(found: Findings, lines: Line[]): number[] {
 }
 
 function curveOf(found: Findings, rows: Measurement[], levels: Measurement[]): CurvePlot {
-  const first = rows[0] as Measurement, lines = linesOf(found, rows), fitted = lines.some((l) => l.fit);
+  const first = rows[0] as Measurement,
+    lines = linesOf(found, rows),
+    fitted = lines.some((l) => l.fit);
   const values = rows.flatMap((m) => (m.value === null ? [] : [m.value]));
-  const logY = fitted || spansFactor(values, 30), overSteps = first.steps !== null;
+  const logY = fitted || spansFactor(values, 30),
+    overSteps = first.steps !== null;
   const absolute = values.some((v) => v < 0);
   const logX = spansFactor(rows.map(abscissa), 3) && (logY || overSteps || !fitted);
   const yTitle = titleOf(first);
   const filled = lines.some((l) => l.points.some((p) => p.filled));
   return {
-    kind: 'curve', id: slug(found.experiment, first.quantity, first.observable), experiment: found.experiment,
-    title: yTitle, xTitle: overSteps ? 'number of steps' : 'step size dt', yTitle, logX, logY, lines,
-    slopes: slopesOf(found, lines), front: false, absolute, rows: [...rows, ...levels],
+    kind: 'curve',
+    id: slug(found.experiment, first.quantity, first.observable),
+    experiment: found.experiment,
+    title: yTitle,
+    xTitle: overSteps ? 'number of steps' : 'step size dt',
+    yTitle,
+    logX,
+    logY,
+    lines,
+    slopes: slopesOf(found, lines),
+    front: false,
+    absolute,
+    rows: [...rows, ...levels],
     levels: levels.map((m) => ({ name: m.scheme || m.method, value: m.value as number })),
     hollow: filled ? 'dropped by the rule of the fit' : '',
     note: missingIn(rows),
@@ -99,8 +140,14 @@ export function comparisonOf(found: Findings, rows: Measurement[]): ComparisonPl
   const at = dts.size === 1 && first.dt !== null ? ` at dt = ${first.dt}` : '';
   const reaching = rows.flatMap((m) => (m.value === null ? [] : [m.value, ...(m.low === null ? [] : [m.low])]));
   return {
-    kind: 'comparison', id: slug(found.experiment, first.quantity, first.observable), experiment: found.experiment,
-    title: titleOf(first) + at, xTitle: titleOf(first), logX: spansFactor(reaching, 30), entries, rows,
+    kind: 'comparison',
+    id: slug(found.experiment, first.quantity, first.observable),
+    experiment: found.experiment,
+    title: titleOf(first) + at,
+    xTitle: titleOf(first),
+    logX: spansFactor(reaching, 30),
+    entries,
+    rows,
     reference: claimed.size === 1 && value !== null ? { value, name: 'claimed' } : null,
     note: missingIn(rows),
   };
@@ -109,14 +156,21 @@ export function comparisonOf(found: Findings, rows: Measurement[]): ComparisonPl
 export function matrixOf(found: Findings, rows: Measurement[]): MatrixPlot {
   const first = rows[0] as Measurement;
   const values = rows.flatMap((m) => (m.value === null ? [] : [m.value]));
-  const quantity = asWritten(first.quantity), unit = first.unit === '' || first.unit === '1' ? '' : ` [${first.unit}]`;
+  const quantity = asWritten(first.quantity),
+    unit = first.unit === '' || first.unit === '1' ? '' : ` [${first.unit}]`;
   return {
-    kind: 'matrix', id: slug(found.experiment, first.quantity), experiment: found.experiment,
-    title: `${quantity}${unit}`, valueTitle: quantity + unit,
+    kind: 'matrix',
+    id: slug(found.experiment, first.quantity),
+    experiment: found.experiment,
+    title: `${quantity}${unit}`,
+    valueTitle: quantity + unit,
     schemes: found.schemes.filter((name) => rows.some((m) => m.scheme === name)),
-    columns: [...new Set(rows.map((m) => m.observable))], log: spansFactor(values, 3),
-    entries: rows.filter((m) => m.value !== null || m.low !== null || m.high !== null)
+    columns: [...new Set(rows.map((m) => m.observable))],
+    log: spansFactor(values, 3),
+    entries: rows
+      .filter((m) => m.value !== null || m.low !== null || m.high !== null)
       .map((row) => ({ scheme: row.scheme, column: row.observable, row })),
-    rows, note: '≥: nothing that was tried lies beyond. <: smaller than all that was tried.',
+    rows,
+    note: '≥: nothing that was tried lies beyond. <: smaller than all that was tried.',
   };
 }

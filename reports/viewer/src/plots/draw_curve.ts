@@ -1,61 +1,38 @@
-// Curves: markers with their intervals, the fitted power law with the wedge of its interval, claimed slopes, fronts.
-import type { Option, Series } from './charts';
-import { axisOption, faded, keyRows, lookIn, type Item, type Setting } from './setting';
-import type { CurvePlot, Line, Point } from './model';
-import { axisOver, type Axis } from './scale';
+// Curves: markers with their intervals, and what guides.ts draws around them.
 import type { Look } from '../style';
-import { shown } from '../numbers';
-
-interface Frame { plot: CurvePlot; s: Setting; x: Axis; y: Axis }
-type Place = [number, number];
+import type { Option, Series } from './charts';
+import { fitSeries, frontSeries, levelSeries, placed, slopeSeries, zeroSeries, type Frame, type Place } from './guides';
+import type { CurvePlot, Line, Point } from './model';
+import { axisOver } from './scale';
+import { axisOption, faded, keyRows, lookIn, type Item, type Setting } from './setting';
 
 const finite = (values: (number | null | undefined)[]): number[] =>
   values.filter((v): v is number => v !== null && v !== undefined && Number.isFinite(v));
 
-/** Values that a logarithm cannot show stand on the floor of the plot. */
-function placed(f: Frame, x: number, y: number): Place {
-  return [f.x.at(x) ?? f.x.min, f.y.at(f.plot.absolute && f.y.log ? Math.abs(y) : y) ?? f.y.min];
-}
-
 function frameOf(plot: CurvePlot, s: Setting): Frame {
-  const points = plot.lines.flatMap((l) => l.points), size = (v: number): number => (plot.absolute && s.logY ? Math.abs(v) : v);
+  const points = plot.lines.flatMap((l) => l.points),
+    size = (v: number): number => (plot.absolute && s.logY ? Math.abs(v) : v);
   const values = points.map((p) => size(p.y));
   const floor = Math.min(...finite(values.length < 1e5 ? values.filter((v) => v > 0) : []), Infinity);
   // A bar that reaches to zero, or far below its point, must not stretch the axis.
-  const bars = points.length > 3000 ? [] : points.flatMap((p) => finite([p.low, p.high]).map(size)
-    .filter((v) => !s.logY || v > floor / 30));
-  const across = points.length > 3000 ? [] : points.flatMap((p) => finite([p.xLow, p.xHigh]).filter((v) => !s.logX || v > p.x / 30));
+  const bars =
+    points.length > 3000
+      ? []
+      : points.flatMap((p) =>
+          finite([p.low, p.high])
+            .map(size)
+            .filter((v) => !s.logY || v > floor / 30),
+        );
+  const across =
+    points.length > 3000 ? [] : points.flatMap((p) => finite([p.xLow, p.xHigh]).filter((v) => !s.logX || v > p.x / 30));
   const y = axisOver([...values, ...bars, ...plot.levels.map((l) => l.value)], s.logY);
   return { plot, s, x: axisOver([...points.map((p) => p.x), ...across], s.logX, 0.06, s.width < 420 ? 5 : 8), y };
 }
 
-/** The line through the fitted points; the wedge opens from their middle by the interval of the order. */
-function fitSeries(f: Frame, line: Line, look: Look): Series[] {
-  const fitted = line.points.filter((p) => p.filled && p.x > 0), fit = line.fit;
-  const from = fitted[0]?.x, to = fitted[fitted.length - 1]?.x;
-  if (!fit || faded(f.s, line.scheme) || fit.order === null || fit.prefactor === null || from === undefined || to === undefined || !(to > from)) return [];
-  const { order, prefactor } = fit, middle = Math.sqrt(from * to), pieces = f.x.log && f.y.log ? 8 : 32;
-  const along = Array.from({ length: pieces + 1 }, (_, i) => from * (to / from) ** (i / pieces));
-  const power = (slope: number) => (x: number): Place => placed(f, x, prefactor * middle ** order * (x / middle) ** slope);
-  const visible = (p: Place): boolean => p[1] >= f.y.min && p[1] <= f.y.max;
-  const series: Series[] = [{
-    type: 'line', name: `fit ${line.scheme}`, silent: true, symbol: 'none', z: 2, data: along.map(power(order)).filter(visible),
-    lineStyle: { color: look.colour, width: 6, opacity: 0.2, type: 'solid' },
-  }];
-  if (fit.low !== null && fit.high !== null) {
-    const wedge = [...along.map(power(fit.low)), ...along.map(power(fit.high)).reverse()];
-    series.push({
-      type: 'custom', name: `interval ${line.scheme}`, silent: true, z: 1, data: [wedge.flat()], clip: true,
-      renderItem: (_params: unknown, api: { coord(p: Place): number[] }) => ({
-        type: 'polygon', shape: { points: wedge.map((p) => api.coord(p)) },
-        style: { fill: look.colour, opacity: 0.18 },
-      }),
-    } as unknown as Series);
-  }
-  return series;
+interface Draw {
+  coord(p: Place): number[];
+  value(i: number): number;
 }
-
-interface Draw { coord(p: Place): number[]; value(i: number): number }
 
 function segment(a: number[], b: number[], style: object): object {
   return { type: 'line', shape: { x1: a[0], y1: a[1], x2: b[0], y2: b[1] }, style };
@@ -66,40 +43,80 @@ function barSeries(f: Frame, line: Line, look: Look): Series[] {
   const own = line.points.filter((p) => p.low !== null || p.high !== null || p.xLow != null || p.xHigh != null);
   if (own.length === 0) return [];
   const style = { stroke: look.colour, lineWidth: 1.1, opacity: faded(f.s, line.scheme) ? 0.06 : 0.75 };
-  const ends = (p: Point): number[] => [...placed(f, p.x, p.y), ...placed(f, p.x, p.low ?? p.y), ...placed(f, p.x, p.high ?? p.y),
-    ...placed(f, p.xLow ?? p.x, p.y), ...placed(f, p.xHigh ?? p.x, p.y)];
+  const ends = (p: Point): number[] => [
+    ...placed(f, p.x, p.y),
+    ...placed(f, p.x, p.low ?? p.y),
+    ...placed(f, p.x, p.high ?? p.y),
+    ...placed(f, p.xLow ?? p.x, p.y),
+    ...placed(f, p.xHigh ?? p.x, p.y),
+  ];
   // An interval around zero has no lower end that a logarithm of |y| could show.
   const crossing = (p: Point): boolean => f.plot.absolute && f.y.log && (p.low ?? 0) * (p.high ?? 0) < 0;
-  return [{
-    type: 'custom', name: `bars ${line.scheme}`, silent: true, z: 3, clip: true,
-    data: own.map((p) => {
-      const at = ends(p);
-      if (crossing(p)) [at[3], at[5]] = [f.y.min, Math.max(at[3] ?? 0, at[5] ?? 0)];
-      return at;
-    }),
-    renderItem: (_params: unknown, api: Draw) => {
-      const at = (i: number): number[] => api.coord([api.value(i), api.value(i + 1)]);
-      const low = at(2), high = at(4), left = at(6), right = at(8), children: object[] = [];
-      const cap = (p: number[], dx: number, dy: number): object =>
-        segment([(p[0] ?? 0) - dx, (p[1] ?? 0) - dy], [(p[0] ?? 0) + dx, (p[1] ?? 0) + dy], style);
-      if (Math.abs((low[1] ?? 0) - (high[1] ?? 0)) > 0.5) children.push(segment(low, high, style), cap(low, 3, 0), cap(high, 3, 0));
-      if (Math.abs((left[0] ?? 0) - (right[0] ?? 0)) > 0.5) children.push(segment(left, right, style), cap(left, 0, 3), cap(right, 0, 3));
-      return { type: 'group', children };
-    },
-  } as unknown as Series];
+  return [
+    {
+      type: 'custom',
+      name: `bars ${line.scheme}`,
+      silent: true,
+      z: 3,
+      clip: true,
+      data: own.map((p) => {
+        const at = ends(p);
+        if (crossing(p)) [at[3], at[5]] = [f.y.min, Math.max(at[3] ?? 0, at[5] ?? 0)];
+        return at;
+      }),
+      renderItem: (_params: unknown, api: Draw) => {
+        const at = (i: number): number[] => api.coord([api.value(i), api.value(i + 1)]);
+        const low = at(2),
+          high = at(4),
+          left = at(6),
+          right = at(8),
+          children: object[] = [];
+        const cap = (p: number[], dx: number, dy: number): object =>
+          segment([(p[0] ?? 0) - dx, (p[1] ?? 0) - dy], [(p[0] ?? 0) + dx, (p[1] ?? 0) + dy], style);
+        if (Math.abs((low[1] ?? 0) - (high[1] ?? 0)) > 0.5)
+          children.push(segment(low, high, style), cap(low, 3, 0), cap(high, 3, 0));
+        if (Math.abs((left[0] ?? 0) - (right[0] ?? 0)) > 0.5)
+          children.push(segment(left, right, style), cap(left, 0, 3), cap(right, 0, 3));
+        return { type: 'group', children };
+      },
+    } as unknown as Series,
+  ];
 }
 
 function pointSeries(f: Frame, line: Line, look: Look, many: boolean): Series {
-  const dim = faded(f.s, line.scheme), hollow = f.plot.hollow !== '';
+  const dim = faded(f.s, line.scheme),
+    hollow = f.plot.hollow !== '';
   const data = line.points.map((p) => ({
-    value: placed(f, p.x, p.y), item: { rows: p.rows, remark: remarkOn(f, p) } as Item,
-    ...(hollow && !p.filled ? { itemStyle: { color: f.s.paper.card, borderColor: look.colour, borderWidth: 1.5, opacity: dim ? 0.1 : 1 } } : {}),
+    value: placed(f, p.x, p.y),
+    item: { rows: p.rows, remark: remarkOn(f, p) } as Item,
+    ...(hollow && !p.filled
+      ? { itemStyle: { color: f.s.paper.card, borderColor: look.colour, borderWidth: 1.5, opacity: dim ? 0.1 : 1 } }
+      : {}),
   }));
   const style = { color: look.colour, opacity: dim ? 0.1 : 1, borderColor: look.colour, borderWidth: 0 };
-  const shared = { name: line.scheme || 'no scheme', symbol: look.symbol, silent: dim, z: dim ? 3 : 5, data, itemStyle: style };
-  if (many) return { ...shared, type: 'scatter', symbolSize: 3, large: true, largeThreshold: 2000, progressive: 20_000 } as unknown as Series;
+  const shared = {
+    name: line.scheme || 'no scheme',
+    symbol: look.symbol,
+    silent: dim,
+    z: dim ? 3 : 5,
+    data,
+    itemStyle: style,
+  };
+  if (many)
+    return {
+      ...shared,
+      type: 'scatter',
+      symbolSize: 3,
+      large: true,
+      largeThreshold: 2000,
+      progressive: 20_000,
+    } as unknown as Series;
   return {
-    ...shared, type: 'line', symbolSize: 9, showAllSymbol: true, triggerLineEvent: false,
+    ...shared,
+    type: 'line',
+    symbolSize: 9,
+    showAllSymbol: true,
+    triggerLineEvent: false,
     lineStyle: { color: look.colour, width: 1.3, opacity: dim ? 0.08 : 0.85, type: f.plot.front ? [3, 4] : look.dash },
     emphasis: { scale: 1.35, lineStyle: { width: 1.3 } },
   } as unknown as Series;
@@ -113,58 +130,9 @@ function remarkOn(f: Frame, p: Point): string {
   return parts.join('; ');
 }
 
-/** Dashed lines of the claimed orders, in a fan from above the points at the coarsest level. */
-function slopeSeries(f: Frame): Series[] {
-  if (!f.x.log || !f.y.log || f.plot.slopes.length === 0) return [];
-  const xs = f.plot.lines.flatMap((l) => l.points.map((p) => p.x)).filter((x) => x > 0);
-  const right = Math.log10(Math.max(...xs)), left = Math.log10(Math.min(...xs)), top = f.y.max - 0.03 * (f.y.max - f.y.min);
-  return f.plot.slopes.map((slope) => {
-    const reach = Math.max(left, right - (0.92 * (f.y.max - f.y.min)) / slope);
-    return {
-      type: 'line', name: `slope ${shown(slope)}`, symbol: 'none', silent: true, z: 6,
-      data: [[right, top], [reach, top - slope * (right - reach)]],
-      lineStyle: { color: f.s.paper.soft, width: 1.1, type: [5, 4], opacity: 0.8 },
-      endLabel: { show: true, formatter: `order ${slope === 0.5 ? '½' : shown(slope)}`, color: f.s.paper.soft, fontSize: 11.5,
-        offset: [6, -9], align: 'left', backgroundColor: f.s.paper.card, padding: [1, 3] },
-    } as Series;
-  });
-}
-
-function frontSeries(f: Frame): Series[] {
-  if (!f.plot.front) return [];
-  const on = f.plot.lines.flatMap((l) => l.points).filter((p) => p.filled).sort((a, b) => a.x - b.x);
-  const steps: Place[] = [];
-  for (const p of on) {
-    const at = placed(f, p.x, p.y), before = steps[steps.length - 1];
-    steps.push(before ? [at[0], before[1]] : [at[0], f.y.max], at);
-  }
-  const last = steps[steps.length - 1];
-  if (last) steps.push([f.x.max, last[1]]);
-  return [{
-    type: 'line', name: 'Pareto front', symbol: 'none', silent: true, z: 2, data: steps,
-    lineStyle: { color: f.s.paper.ink, width: 1.4, type: 'solid', opacity: 0.7 },
-  }];
-}
-
-function levelSeries(f: Frame): Series[] {
-  return f.plot.levels.flatMap(({ name, value }) => {
-    const at = f.y.at(value);
-    if (at === null) return [];
-    return [{ type: 'line', name, symbol: 'none', silent: true, z: 1, data: [[f.x.min, at], [f.x.max, at]],
-      lineStyle: { color: f.s.paper.ink, width: 1.2, type: [2, 3] },
-      endLabel: { show: true, formatter: `${name} ${shown(value)}`, color: f.s.paper.soft, fontSize: 11.5, offset: [-8, -9], align: 'right' },
-    } as Series];
-  });
-}
-
-function zeroSeries(f: Frame): Series[] {
-  if (f.y.log || f.y.min >= 0 || f.y.max <= 0) return [];
-  return [{ type: 'line', name: 'zero', symbol: 'none', silent: true, z: 1, data: [[f.x.min, 0], [f.x.max, 0]],
-    lineStyle: { color: f.s.paper.line, width: 1, type: 'solid' } }];
-}
-
 export function curveOption(plot: CurvePlot, s: Setting, many: boolean): Option {
-  const f = frameOf(plot, s), series: Series[] = [...zeroSeries(f), ...levelSeries(f), ...slopeSeries(f), ...frontSeries(f)];
+  const f = frameOf(plot, s),
+    series: Series[] = [...zeroSeries(f), ...levelSeries(f), ...slopeSeries(f), ...frontSeries(f)];
   for (const line of plot.lines) {
     const look = lookIn(s, line.scheme);
     series.push(...fitSeries(f, line, look));
@@ -175,8 +143,20 @@ export function curveOption(plot: CurvePlot, s: Setting, many: boolean): Option 
   const yTitle = plot.absolute && s.logY ? plot.yTitle.replace(/^([^[]*[^[ ])/, '|$1|') : plot.yTitle;
   return {
     grid: { left: s.width < 420 ? 62 : 72, right: 20, top: s.standalone ? 50 : 14, bottom: 48 + 22 * rows },
-    xAxis: axisOption(f.x, plot.xTitle, s, 'x'), yAxis: axisOption(f.y, yTitle, s, 'y'), series,
-    ...(s.standalone ? { legend: { bottom: 6, data: plot.lines.map((l) => l.scheme || 'no scheme'), itemGap: 14,
-      itemWidth: 26, itemHeight: 9, textStyle: { color: s.paper.ink, fontSize: 12 } } } : {}),
+    xAxis: axisOption(f.x, plot.xTitle, s, 'x'),
+    yAxis: axisOption(f.y, yTitle, s, 'y'),
+    series,
+    ...(s.standalone
+      ? {
+          legend: {
+            bottom: 6,
+            data: plot.lines.map((l) => l.scheme || 'no scheme'),
+            itemGap: 14,
+            itemWidth: 26,
+            itemHeight: 9,
+            textStyle: { color: s.paper.ink, fontSize: 12 },
+          },
+        }
+      : {}),
   } as Option;
 }

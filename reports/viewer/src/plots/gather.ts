@@ -11,14 +11,16 @@ import { placePlots } from './places';
 
 export interface Gathered {
   plots: Plot[];
-  facts: Measurement[];     // known of the scene itself
-  settings: Measurement[];  // known of a condition, without a scheme
-  rest: Measurement[];      // in the table only
+  facts: Measurement[]; // known of the scene itself
+  settings: Measurement[]; // known of a condition, without a scheme
+  rest: Measurement[]; // in the table only
 }
 
 export function gather(r: Results, experiment: string, schemes: readonly string[], rows: Measurement[]): Gathered {
   const found: Findings = {
-    experiment, schemes, rows,
+    experiment,
+    schemes,
+    rows,
     fits: r.fits.filter((f) => f.experiment === experiment),
     verdicts: r.verdicts.filter((v) => v.experiment === experiment),
   };
@@ -33,7 +35,8 @@ export function gather(r: Results, experiment: string, schemes: readonly string[
 
 /** Numbers of a scheme that belong to no step size: beside each other, or schemes × conditions. */
 function alone(found: Findings): Plot[] {
-  const plots: Plot[] = [], taken = new Set<Measurement>();
+  const plots: Plot[] = [],
+    taken = new Set<Measurement>();
   const own = found.rows.filter((m) => m.scheme !== '' && !hasAbscissa(m));
   for (const rows of grouped(own, (m) => m.quantity).values()) {
     if (!rows.some((m) => m.value !== null || m.high !== null || m.low !== null)) continue;

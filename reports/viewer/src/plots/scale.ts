@@ -2,15 +2,18 @@
 import { power, shown } from '../numbers';
 
 export interface Axis {
-  log: boolean; min: number; max: number;  // in axis coordinates
-  ticks: number[];                         // likewise
+  log: boolean;
+  min: number;
+  max: number; // in axis coordinates
+  ticks: number[]; // likewise
   label(at: number): string;
   /** The axis coordinate of a value; null where a logarithm has none. */
   at(value: number): number | null;
 }
 
 export const spansFactor = (values: number[], factor: number): boolean => {
-  let least = Infinity, most = -Infinity;
+  let least = Infinity,
+    most = -Infinity;
   for (const v of values) {
     if (v < least) least = v;
     if (v > most) most = v;
@@ -20,12 +23,14 @@ export const spansFactor = (values: number[], factor: number): boolean => {
 
 /** 1, 2 or 5 times a power of ten, at least `least`. */
 function niceStep(least: number): number {
-  const scale = 10 ** Math.floor(Math.log10(least)), share = least / scale;
+  const scale = 10 ** Math.floor(Math.log10(least)),
+    share = least / scale;
   return scale * (share <= 1 ? 1 : share <= 2 ? 2 : share <= 5 ? 5 : 10);
 }
 
 function linearTicks(min: number, max: number, wanted: number): number[] {
-  const step = niceStep((max - min) / wanted), ticks: number[] = [];
+  const step = niceStep((max - min) / wanted),
+    ticks: number[] = [];
   if (!(step > 0) || !Number.isFinite(step)) return [min, max];
   for (let k = Math.ceil(min / step - 1e-9); k * step <= max * (1 + 1e-12) + 1e-12 * step && ticks.length < 50; ++k)
     ticks.push(Number((k * step).toPrecision(12)));
@@ -47,7 +52,11 @@ function logTicks(min: number, max: number, wanted: number): number[] {
       const at = k + Math.log10(part);
       if (at >= min - 1e-9 && at <= max + 1e-9) ticks.push(at);
     }
-  return ticks.length >= 2 ? ticks : linearTicks(10 ** min, 10 ** max, wanted).filter((t) => t > 0).map(Math.log10);
+  return ticks.length >= 2
+    ? ticks
+    : linearTicks(10 ** min, 10 ** max, wanted)
+        .filter((t) => t > 0)
+        .map(Math.log10);
 }
 
 /** Plain numbers as long as all of them are short. */
@@ -57,7 +66,8 @@ function logLabels(ticks: number[]): (at: number) => string {
 }
 
 function logLabel(at: number, plain: boolean): string {
-  const value = 10 ** at, exponent = Math.round(at);
+  const value = 10 ** at,
+    exponent = Math.round(at);
   if (Math.abs(at - exponent) < 1e-9) return plain || exponent === 0 ? shown(value) : power('10', exponent);
   const below = Math.floor(at);
   return below >= -4 && below <= 4 ? shown(value, 3) : `${shown(10 ** (at - below), 2)}·${power('10', below)}`;
@@ -66,7 +76,8 @@ function logLabel(at: number, plain: boolean): string {
 /** Over values that are finite, of which a logarithm can show the positive ones only. */
 export function axisOver(values: number[], log: boolean, room = 0.06, wanted = 7): Axis {
   const at = log ? (v: number) => (v > 0 ? Math.log10(v) : null) : (v: number) => v;
-  let min = Infinity, max = -Infinity;
+  let min = Infinity,
+    max = -Infinity;
   for (const v of values) {
     const x = at(v);
     if (x === null || !Number.isFinite(x)) continue;
@@ -76,10 +87,12 @@ export function axisOver(values: number[], log: boolean, room = 0.06, wanted = 7
   if (min > max) [min, max] = log ? [-1, 0] : [0, 1];
   let pad = room * (max - min);
   if (!(pad > 0)) pad = log ? 0.5 : Math.abs(max) * 0.1 || 1;
-  if (!Number.isFinite(max - min)) {  // beyond what a linear axis can carry
-    min /= 4;
-    max /= 4;
+  if (!Number.isFinite(max + pad - (min - pad))) {
+    // near the end of the doubles
     pad = 0;
+    if (min === max) min = max / 2;
+    if (min > max) [min, max] = [max, min];
+    if (!Number.isFinite(max - min)) [min, max] = [min / 4, max / 4];
   }
   min -= pad;
   max += pad;

@@ -5,10 +5,12 @@ import { schemesIn, type Plot } from './model';
 import type { Axis } from './scale';
 
 export interface Setting {
-  paper: Paper; width: number;
+  paper: Paper;
+  width: number;
   schemes: readonly string[];
   isolated: string | null;
-  logX: boolean; logY: boolean;
+  logX: boolean;
+  logY: boolean;
   /** A picture that stands alone: with title and key, without motion. */
   standalone: boolean;
 }
@@ -23,20 +25,35 @@ export function lookIn(s: Setting, scheme: string): Look {
   return index < 0 ? { ...look, colour: s.paper.ink } : look;
 }
 
-export const faded = (s: Setting, scheme: string): boolean => s.isolated !== null && scheme !== '' && scheme !== s.isolated;
+export const faded = (s: Setting, scheme: string): boolean =>
+  s.isolated !== null && scheme !== '' && scheme !== s.isolated;
 
 /** What a drawn item carries, so that a tooltip can name its numbers. */
-export interface Item { rows: Measurement[]; remark?: string }
+export interface Item {
+  rows: Measurement[];
+  remark?: string;
+}
 
 export function axisOption(axis: Axis, title: string, s: Setting, side: 'x' | 'y') {
   const { paper } = s;
   return {
-    type: 'value' as const, min: axis.min, max: axis.max, name: title, nameLocation: 'middle' as const,
-    nameGap: side === 'x' ? 30 : 52, nameTextStyle: { color: paper.soft, fontSize: 12.5, fontFamily: font },
+    type: 'value' as const,
+    min: axis.min,
+    max: axis.max,
+    name: title,
+    nameLocation: 'middle' as const,
+    nameGap: side === 'x' ? 30 : 52,
+    nameTextStyle: { color: paper.soft, fontSize: 12.5, fontFamily: font },
     axisLine: { show: true, onZero: false, lineStyle: { color: paper.line } },
     axisTick: { show: true, customValues: axis.ticks, lineStyle: { color: paper.line } },
-    axisLabel: { customValues: axis.ticks, formatter: (at: number) => axis.label(at), color: paper.ink, fontSize: 12,
-      fontFamily: font, hideOverlap: true },
+    axisLabel: {
+      customValues: axis.ticks,
+      formatter: (at: number) => axis.label(at),
+      color: paper.ink,
+      fontSize: 12,
+      fontFamily: font,
+      hideOverlap: true,
+    },
     splitLine: { show: true, lineStyle: { color: paper.grid } },
   };
 }
