@@ -5,6 +5,7 @@ import { h, type Child } from '../dom';
 import { prose, shown, shownAccuracy } from '../numbers';
 import { grouped } from '../order';
 import { targetOf } from '../plots/cost';
+import { extent } from '../plots/scale';
 import { schemeChip, table } from './tables';
 
 interface Goal {
@@ -112,8 +113,8 @@ function smallest(rows: Measurement[], goal: Goal): { scheme: string; error: num
   );
   return [...grouped(errors, (m) => m.scheme).entries()]
     .map(([scheme, own]) => {
-      const dt = Math.min(...own.map((m) => m.dt as number));
-      const error = Math.max(...own.filter((m) => m.dt === dt).map((m) => Math.abs(m.value as number)));
+      const [dt] = extent(own.map((m) => m.dt as number));
+      const [, error] = extent(own.filter((m) => m.dt === dt).map((m) => Math.abs(m.value as number)));
       return { scheme, error, dt };
     })
     .sort((a, b) => a.error - b.error);

@@ -3,7 +3,7 @@ import type { Look } from '../style';
 import type { Option, Series } from './charts';
 import { fitSeries, frontSeries, levelSeries, placed, slopeSeries, zeroSeries, type Frame, type Place } from './guides';
 import type { CurvePlot, Line, Point } from './model';
-import { axisOver } from './scale';
+import { axisOver, extent } from './scale';
 import { axisOption, faded, keyRows, lookIn, type Item, type Setting } from './setting';
 
 const finite = (values: (number | null | undefined)[]): number[] =>
@@ -13,7 +13,7 @@ function frameOf(plot: CurvePlot, s: Setting): Frame {
   const points = plot.lines.flatMap((l) => l.points),
     size = (v: number): number => (plot.absolute && s.logY ? Math.abs(v) : v);
   const values = points.map((p) => size(p.y));
-  const floor = Math.min(...finite(values.length < 1e5 ? values.filter((v) => v > 0) : []), Infinity);
+  const [floor] = extent(values.filter((v) => v > 0));
   // A bar that reaches to zero, or far below its point, must not stretch the axis.
   const bars =
     points.length > 3000

@@ -4,7 +4,7 @@ import { inkOn, mixed } from '../style';
 import type { Option, Series } from './charts';
 import { axisOption, faded, font, type Setting } from './setting';
 import type { BorderPoint, Cell, MapPlot, Panel } from './model';
-import { axisOver, type Axis } from './scale';
+import { axisOver, extent, type Axis } from './scale';
 
 const gap = 26;
 
@@ -16,7 +16,7 @@ interface Layout {
 }
 
 function layoutOf(plot: MapPlot, s: Setting): Layout {
-  const left = 58,
+  const left = 68,
     single = plot.panels.length === 1;
   const columns = single ? 1 : Math.max(1, Math.min(plot.panels.length, Math.floor((s.width - left) / 210)));
   const width = (s.width - left - 14 - (columns - 1) * gap) / columns;
@@ -61,24 +61,29 @@ function frameOf(plot: MapPlot, s: Setting): Frame {
   const cells = plot.panels.flatMap((p) => p.cells),
     xs = cells.map((c) => c.x),
     ys = cells.map((c) => c.y);
-  const along = (values: number[], log: boolean, few: boolean): [Axis, Map<number, [number, number]>] => {
+  const along = (
+    values: number[],
+    log: boolean,
+    few: boolean,
+    named: boolean,
+  ): [Axis, Map<number, [number, number]>] => {
     const axis = axisOver(values, log, 0, few ? 4 : 8),
       all = edges(values, axis.at),
       ends = [...all.values()].flat();
-    const [min, max] = [Math.min(...ends), Math.max(...ends)];
+    const [min, max] = extent(ends);
     const raw = axis.log ? [10 ** min, 10 ** max] : [min, max];
     const ticked = axisOver(raw, log, 0, few ? 4 : 8),
       rows = [...all.keys()];
     const own =
-      rows.length <= 8
+      named && rows.length <= 8
         ? { ticks: rows.map((v) => axis.at(v) ?? 0), label: (at: number) => shown(axis.log ? 10 ** at : at, 3) }
         : {};
     return [{ ...ticked, ...own, min, max }, all];
   };
   const small = plot.panels.length > 1;
-  const [x, across] = along(xs, s.logX, small),
-    [y, up] = along(ys, s.logY, small);
-  const most = Math.max(...cells.map((c) => Math.abs(c.value ?? 0)), 1e-300);
+  const [x, across] = along(xs, s.logX, small, !small),
+    [y, up] = along(ys, s.logY, small, true);
+  const most = Math.max(extent(cells.map((c) => Math.abs(c.value ?? 0)))[1], 1e-300);
   return { plot, s, x, y, across, up, most };
 }
 

@@ -4,7 +4,7 @@ import { inkOn, mixed } from '../style';
 import type { Option, Series } from './charts';
 import { axisOption, faded, font, lookIn, type Setting } from './setting';
 import type { ComparisonPlot, MatrixPlot } from './model';
-import { axisOver, type Axis } from './scale';
+import { axisOver, extent, type Axis } from './scale';
 import type { Measurement } from '../data';
 
 const nameRoom = (names: string[], s: Setting): number =>
@@ -150,8 +150,7 @@ export function matrixOption(plot: MatrixPlot, s: Setting): Option {
   };
   const few = plot.columns.length <= 6;
   const sizes = plot.entries.map((e) => size(e.row)).filter((v): v is number => v !== null);
-  const least = Math.min(...sizes),
-    most = Math.max(...sizes);
+  const [least, most] = extent(sizes);
   const data = plot.entries.map(({ scheme, column, row }) => {
     const v = size(row),
       share = v === null || most <= least ? 0 : (v - least) / (most - least);

@@ -3,7 +3,7 @@ import { shown } from '../numbers';
 import type { Look } from '../style';
 import type { Series } from './charts';
 import type { CurvePlot, Line } from './model';
-import type { Axis } from './scale';
+import { extent, type Axis } from './scale';
 import { faded, type Setting } from './setting';
 
 export interface Frame {
@@ -78,8 +78,7 @@ export function fitSeries(f: Frame, line: Line, look: Look): Series[] {
 export function slopeSeries(f: Frame): Series[] {
   if (!f.x.log || !f.y.log || f.plot.slopes.length === 0) return [];
   const xs = f.plot.lines.flatMap((l) => l.points.map((p) => p.x)).filter((x) => x > 0);
-  const right = Math.log10(Math.max(...xs)),
-    left = Math.log10(Math.min(...xs)),
+  const [left, right] = extent(xs.map(Math.log10)),
     top = f.y.max - 0.03 * (f.y.max - f.y.min);
   return f.plot.slopes.map((slope) => {
     const reach = Math.max(left, right - (0.92 * (f.y.max - f.y.min)) / slope);

@@ -11,15 +11,21 @@ export interface Axis {
   at(value: number): number | null;
 }
 
-export const spansFactor = (values: number[], factor: number): boolean => {
+/** The least and the greatest; infinities where there is none. However many: Math.min takes only so many arguments. */
+export function extent(values: Iterable<number>): [number, number] {
   let least = Infinity,
     most = -Infinity;
   for (const v of values) {
     if (v < least) least = v;
     if (v > most) most = v;
   }
+  return [least, most];
+}
+
+export function spansFactor(values: number[], factor: number): boolean {
+  const [least, most] = extent(values);
   return least > 0 && most >= factor * least;
-};
+}
 
 /** 1, 2 or 5 times a power of ten, at least `least`. */
 function niceStep(least: number): number {
@@ -76,14 +82,7 @@ function logLabel(at: number, plain: boolean): string {
 /** Over values that are finite, of which a logarithm can show the positive ones only. */
 export function axisOver(values: number[], log: boolean, room = 0.06, wanted = 7): Axis {
   const at = log ? (v: number) => (v > 0 ? Math.log10(v) : null) : (v: number) => v;
-  let min = Infinity,
-    max = -Infinity;
-  for (const v of values) {
-    const x = at(v);
-    if (x === null || !Number.isFinite(x)) continue;
-    if (x < min) min = x;
-    if (x > max) max = x;
-  }
+  let [min, max] = extent(values.flatMap((v) => at(v) ?? []).filter(Number.isFinite));
   if (min > max) [min, max] = log ? [-1, 0] : [0, 1];
   let pad = room * (max - min);
   if (!(pad > 0)) pad = log ? 0.5 : Math.abs(max) * 0.1 || 1;
