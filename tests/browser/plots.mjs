@@ -55,7 +55,7 @@ export async function tooltipAt(page, figure) {
   await page.mouse.move(at.x, at.y);
   const tip = await figure.waitForSelector('.tip', { state: 'visible' });
   // Points may lie upon each other: whichever answers must tell a number of this plot, to the last digit.
-  const text = await tip.textContent();
+  const text = await tip.innerText();
   const rows = await figure.evaluate((f) => f.figure.plot.rows);
   return {
     text,

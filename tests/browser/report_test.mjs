@@ -106,6 +106,26 @@ describe('one report', () => {
     assert.equal(await least(), before);
   });
 
+  test('cost in what no machine changes', async () => {
+    const figure = page.locator('[id="work-precision.cost.strong"]');
+    await figure.scrollIntoViewIfNeeded();
+    await until(() => figure.evaluate((f) => f.figure.chart !== null));
+    await figure.getByRole('button', { name: 'steps' }).click();
+    const drawn = await figure.evaluate((f) =>
+      f.figure.chart
+        .getOption()
+        .series.flatMap((s) => s.data)
+        .filter((d) => d?.item)
+        .map((d) => [10 ** d.value[1], d.item.rows]),
+    );
+    assert.ok(drawn.length > 0);
+    for (const [y, rows] of drawn) {
+      const { value } = rows.find((m) => m.quantity === 'steps_per_time');
+      assert.ok(Math.abs(y - value) < 1e-9 * value, `${y} is not ${value}`);
+    }
+    await figure.getByRole('button', { name: 'time' }).click();
+  });
+
   test('SVG, PNG and CSV are saved', async () => {
     const figure = page.locator('figure.curve').first(),
       tool = (name) => () => figure.getByRole('button', { name, exact: true }).click();

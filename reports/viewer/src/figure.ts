@@ -28,6 +28,7 @@ export class Figure {
   private readonly canvas = h('div', { class: 'chart', tabindex: 0, role: 'img' });
   private readonly printed = h('div', { class: 'printed', 'aria-hidden': 'true' });
   private readonly keys: [string, HTMLButtonElement][] = [];
+  private current: Plot; // the plot itself, or the same points over another ordinate
   private logX: boolean;
   private logY: boolean;
   private stale = true;
@@ -37,6 +38,7 @@ export class Figure {
     readonly plot: Plot,
     private readonly schemes: readonly string[],
   ) {
+    this.current = plot;
     this.logX = plot.kind === 'matrix' ? false : plot.logX;
     this.logY = plot.kind === 'curve' || plot.kind === 'map' ? plot.logY : false;
     this.canvas.setAttribute('aria-label', this.spoken());
@@ -124,7 +126,7 @@ export class Figure {
       height,
     });
     this.chart.resize({ width, height });
-    this.chart.setOption(optionOf(this.plot, setting), { notMerge: true });
+    this.chart.setOption(optionOf(this.current, setting), { notMerge: true });
     this.stale = false;
   }
 
@@ -197,6 +199,23 @@ export class Figure {
     return button;
   }
 
+  /** CPU time, or what is counted. */
+  private ordinates(): Child[] {
+    const { plot } = this;
+    if (plot.kind !== 'curve' || !plot.others || plot.others.length === 0) return [];
+    const choices: [string, Plot][] = [['time', plot], ...plot.others.map((o): [string, Plot] => [o.name, o.plot])];
+    const buttons = choices.map(([name, choice]) => {
+      const pressed = String(choice === plot);
+      return h('button', { type: 'button', 'aria-pressed': pressed, click: () => choose(choice) }, name);
+    });
+    const choose = (choice: Plot): void => {
+      this.current = choice;
+      buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(choices[i]?.[1] === choice)));
+      this.draw();
+    };
+    return [h('span', { class: 'soft small' }, 'cost in'), ...buttons];
+  }
+
   private tools(): Child {
     const { plot } = this,
       name = slug(plot.id);
@@ -216,15 +235,18 @@ export class Figure {
           () => this.logY,
           (next) => (this.logY = next),
         ),
+      ...this.ordinates(),
       h('span', { class: 'gap' }),
       tool('SVG', () => save(`${name}.svg`, this.toSvg(), 'image/svg+xml')),
-      tool('PNG', () => pngPicture(plot, this.setting(true, pictureWidth), (picture) => save(`${name}.png`, picture))),
+      tool('PNG', () =>
+        pngPicture(this.current, this.setting(true, pictureWidth), (picture) => save(`${name}.png`, picture)),
+      ),
       tool('CSV', () => save(`${name}.csv`, csvOf(plot.rows), 'text/csv')),
     );
   }
 
   toSvg(width = pictureWidth): string {
-    return svgPicture(this.plot, this.setting(true, width));
+    return svgPicture(this.current, this.setting(true, width));
   }
 
   private table(): Child {

@@ -57,7 +57,7 @@ function frontPlots(found: Findings): CurvePlot[] {
     const lines = linesBy(found, rows, pointsOf),
       first = rows[0] as Measurement;
     const cost = costs.get(at(first)) as Measurement;
-    return {
+    const byTime: CurvePlot = {
       ...plain,
       id: slug(found.experiment, 'cost', goal),
       experiment: found.experiment,
@@ -70,7 +70,31 @@ function frontPlots(found: Findings): CurvePlot[] {
       note: 'Lower left is better.',
       rows: lines.flatMap((l) => l.points.flatMap((p) => p.rows)),
     };
+    return { ...byTime, others: counts.flatMap((quantity) => countedPlot(byTime, quantity)) };
   });
+}
+
+/** What no machine changes; the program knows the front of the times only, so there is none here. */
+function countedPlot(byTime: CurvePlot, quantity: string): { name: string; plot: CurvePlot }[] {
+  const pointsOf = (points: Point[]): Point[] =>
+    points.flatMap((p) => {
+      const counted = p.rows.find((m) => m.quantity === quantity && m.value !== null);
+      if (!counted) return [];
+      return [{ ...p, y: counted.value as number, low: counted.low, high: counted.high, filled: true }];
+    });
+  const lines = byTime.lines
+    .map((l) => ({ ...l, points: pointsOf(l.points) }))
+    .filter((l) => l.points.some((p) => p.y > 0));
+  const unit = lines[0]?.points[0]?.rows.find((m) => m.quantity === quantity)?.unit ?? '';
+  const plot = {
+    ...byTime,
+    lines,
+    front: false,
+    hollow: '',
+    title: `${byTime.title}, in ${unit}`,
+    yTitle: `cost [${unit}]`,
+  };
+  return lines.length === 0 ? [] : [{ name: quantity.split('_')[0] ?? quantity, plot }];
 }
 
 function reachPlots(found: Findings): CurvePlot[] {

@@ -40,6 +40,8 @@ export interface CurvePlot extends Common {
   front: boolean; // filled points are a Pareto front: lower left is better
   hollow: string; // what a hollow marker says
   absolute: boolean; // drawn is |y|
+  /** The same points over other ordinates, to choose from. */
+  others?: { name: string; plot: CurvePlot }[];
 }
 
 /** One value a scheme, with its interval. */
