@@ -126,7 +126,8 @@ export class Figure {
       height,
     });
     this.chart.resize({ width, height });
-    this.chart.setOption(optionOf(this.current, setting), { notMerge: true });
+    this.chart.clear(); // parts of what was drawn before would stay
+    this.chart.setOption(optionOf(this.current, setting));
     this.stale = false;
   }
 

@@ -66,7 +66,7 @@ function frontPlots(found: Findings): CurvePlot[] {
       title: `Cost against error: ${asWritten(goal)}`,
       xTitle: `${asWritten(goal)} error [${asWritten(first.unit)}]`,
       yTitle: `cost [${cost.unit}]`,
-      hollow: 'not on the Pareto front',
+      hollow: 'not on the Pareto front of times',
       note: 'Lower left is better.',
       rows: lines.flatMap((l) => l.points.flatMap((p) => p.rows)),
     };
