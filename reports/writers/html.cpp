@@ -1,30 +1,45 @@
 #include "reports/writers/html.hpp"
 
-#include "reports/writers/heat_map.hpp"
-#include "reports/writers/html_parts.hpp"
-#include "reports/writers/svg_plot.hpp"
+#include <stdexcept>
+#include <string_view>
+
+#include "reports/writers/json.hpp"
+#include "reports/writers/page_template.hpp"
 #include "reports/writers/text.hpp"
 
 namespace polhode::report {
+namespace {
+
+// Inside a script element nothing but "<" can end it or begin a comment; JSON has another name for it.
+std::string inert(std::string_view json) {
+  std::string out;
+  out.reserve(json.size());
+  for (const char c : json)
+    if (c == '<')
+      out += "\\u003c";
+    else
+      out += c;
+  return out;
+}
+
+// A place stands once in the template; what is put there is not searched.
+std::size_t place_in(std::string_view page, std::string_view place) {
+  const auto at = page.find(place);
+  if (at == page.npos || page.find(place, at + 1) != page.npos)
+    throw std::logic_error("the template of the report page does not name " + std::string(place) + " once");
+  return at;
+}
+
+}  // namespace
 
 std::string to_html(const results& r) {
-  std::string out;
-  const auto name = escape_html(r.scene.name);
-  html::put(out,
-            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-            "<meta name=\"color-scheme\" content=\"light dark\">\n"
-            "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n"
-            "<title>{} · polhode</title>\n<style>\n{}{}{}</style>\n</head>\n<body>\n<main>\n",
-            name, html::page_style(), plot_style(), heat_map_style());
-  html::put_header(out, r);
-  html::put_board(out, r);
-  const auto experiments = experiment_names(r);
-  for (std::size_t i = 0; i < experiments.size(); ++i) html::put_experiment(out, r, experiments[i], i);
-  html::put_schemes(out, r);
-  html::put_left_out(out, r);
-  html::put_provenance(out, r.provenance);
-  return out + "</main>\n</body>\n</html>\n";
+  std::string page;
+  for (const auto piece : page_template()) page += piece;
+  const auto title = place_in(page, title_place), data = place_in(page, results_place);
+  if (title > data) throw std::logic_error("the template of the report page has its title below its results");
+  page.replace(data, results_place.size(), inert(to_json(r)));
+  page.replace(title, title_place.size(), escape_html(r.scene.name) + " · polhode");
+  return page;
 }
 
 }  // namespace polhode::report

@@ -1,4 +1,4 @@
-// The report as one page that needs nothing else: no network, no script, readable without colour and on paper.
+// The report as one page that needs nothing else: no network, no other file. The page is built by reports/viewer.
 #pragma once
 
 #include <string>
@@ -7,6 +7,7 @@
 
 namespace polhode::report {
 
+/// The template with results.json and the scene's name in it. Texts of the results stay text: "<" is written \u003c.
 std::string to_html(const results&);
 
 }  // namespace polhode::report

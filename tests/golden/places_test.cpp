@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "reports/writers/html.hpp"
+#include "reports/writers/field.hpp"
 #include "reports/writers/places.hpp"
 #include "tests/golden/golden_file.hpp"
 #include "tests/golden/sample.hpp"
@@ -43,16 +43,16 @@ results border_and_map() {
   return r;
 }
 
-std::size_t count_of(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (auto at = text.find(part); at != text.npos; at = text.find(part, at + part.size())) ++n;
-  return n;
-}
-
 TEST(places, map_svg) {
   const auto maps = place_maps_of(border_and_map(), "lyapunov");
   ASSERT_EQ(maps.size(), 1u);
   expect_golden(to_svg(maps.front()), "map.svg");
+}
+
+TEST(places, heat_map_svg) {
+  const auto maps = maps_of(sample(), "stability");
+  ASSERT_EQ(maps.size(), 1u);
+  expect_golden(to_svg(maps.front()), "heat_map.svg");
 }
 
 TEST(places, are_gathered) {
@@ -82,15 +82,10 @@ TEST(places, other_observables_are_none) {
   EXPECT_EQ(facts_of(r, "lyapunov").size(), 1u);
 }
 
-TEST(places, the_page_shows_them_where_they_are) {
-  const auto page = to_html(border_and_map());
-  EXPECT_EQ(count_of(page, "<figure>"), 2u);
-  EXPECT_EQ(count_of(page, "<circle class=\"mark\""), 4u);  // three and the key's
-  EXPECT_NE(page.find("<dt>λ₁</dt><dd>0.25 ± 0.1 per time</dd>"), std::string::npos);
-  EXPECT_NE(page.find("not converged &lt;here&gt;"), std::string::npos);
-  const auto other = sample();  // its places belong to schemes
-  for (const auto& e : other.experiments)
-    EXPECT_TRUE(place_curves_of(other, e.name).empty() && place_maps_of(other, e.name).empty()) << e.name;
+TEST(places, belong_to_no_scheme) {
+  const auto r = sample();
+  for (const auto& e : r.experiments)
+    EXPECT_TRUE(place_curves_of(r, e.name).empty() && place_maps_of(r, e.name).empty()) << e.name;
 }
 
 // White where the value is zero, one colour a sign, deepest at the ends; a cell without a value is neither.

@@ -1,0 +1,35 @@
+// Measurements as CSV (RFC 4180): every number with all its digits.
+import type { Measurement } from './data';
+
+const columns: (keyof Measurement)[] = [
+  'experiment',
+  'scheme',
+  'quantity',
+  'observable',
+  'dt',
+  'steps',
+  'value',
+  'low',
+  'high',
+  'unit',
+  'method',
+  'status',
+  'fitted',
+];
+
+/** Text that a spreadsheet would take for a formula is kept from being one. */
+function field(value: string | number | boolean | null): string {
+  if (value === null) return '';
+  if (typeof value !== 'string') return String(value);
+  const text = /^[=+\-@\t\r]/.test(value) ? `'${value}` : value;
+  return /[",\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
+}
+
+export const rowsToCsv = (head: string[], rows: (string | number | boolean | null)[][]): string =>
+  [head, ...rows].map((row) => row.map(field).join(',')).join('\r\n') + '\r\n';
+
+export const csvOf = (rows: Measurement[]): string =>
+  rowsToCsv(
+    columns,
+    rows.map((m) => columns.map((name) => m[name])),
+  );

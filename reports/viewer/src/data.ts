@@ -1,0 +1,115 @@
+// results.json as plain values.
+
+export type Kind = 'holds' | 'refuted' | 'inconclusive' | 'skipped';
+export const kindsByWeight: readonly Kind[] = ['refuted', 'inconclusive', 'holds', 'skipped'];
+
+export interface Measurement {
+  experiment: string;
+  scheme: string;
+  quantity: string;
+  observable: string;
+  dt: number | null;
+  steps: number | null;
+  value: number | null;
+  low: number | null;
+  high: number | null;
+  unit: string;
+  method: string;
+  status: string;
+  fitted: boolean;
+}
+export interface Fit {
+  experiment: string;
+  scheme: string;
+  quantity: string;
+  observable: string;
+  order: number | null;
+  low: number | null;
+  high: number | null;
+  prefactor: number | null;
+  status: string;
+  rule: string;
+}
+export interface Verdict {
+  experiment: string;
+  scheme: string;
+  claim: string;
+  expected: number | null;
+  estimate: number | null;
+  low: number | null;
+  high: number | null;
+  verdict: Kind;
+  reason: string;
+}
+export interface Experiment {
+  name: string;
+  question: string;
+  notes: string[];
+}
+export interface Scheme {
+  name: string;
+  title: string;
+  source: string;
+  calculus: string;
+  implicit: boolean;
+  areas: boolean;
+  claims: Record<string, number | boolean | null>;
+}
+export interface Saved {
+  normals_drawn: number;
+  path_steps: number;
+  kernels_run: number;
+  cpu_seconds: number;
+}
+export interface Skip {
+  experiment: string;
+  scheme: string;
+  reason: string;
+  saved: Saved;
+}
+export interface Saving extends Skip {
+  what: string;
+}
+export interface Reuse {
+  experiment: string;
+  scheme: string;
+  computed: string;
+  saved: Saved;
+}
+/** Density relative to the uniform one on bins of equal area: rows of equal z from -1 up, longitudes from -pi. */
+export interface Density {
+  experiment: string;
+  scheme: string;
+  name: string;
+  time: number | null;
+  longitudes: number;
+  heights: number;
+  values: (number | null)[];
+}
+export interface Scene {
+  name: string;
+  system: string;
+  inertia: number[];
+  theta: number | null;
+  sigma: number[][];
+  momentum: number[];
+  horizon: number | null;
+  steps: number[];
+}
+export interface Results {
+  schema: { name: string; version: number | null };
+  provenance: Record<string, string>;
+  scene: Scene;
+  schemes: Scheme[];
+  experiments: Experiment[];
+  measurements: Measurement[];
+  fits: Fit[];
+  verdicts: Verdict[];
+  skipped: Skip[];
+  savings: Saving[];
+  reused: Reuse[];
+  densities: Density[];
+  counters: Record<string, number>;
+  /** What the file lacks, in words. */
+  missing: string[];
+}

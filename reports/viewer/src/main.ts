@@ -1,0 +1,75 @@
+// The report: reads the results that the program put into the page, and builds the page from them.
+import type { Results } from './data';
+import { h } from './dom';
+import { asWritten } from './numbers';
+import { byExperiment, experimentNames, schemeNames } from './order';
+import { advice } from './page/advice';
+import { leftOut, provenance, schemeTable } from './page/back';
+import { bar } from './page/bar';
+import { board } from './page/board';
+import { header } from './page/header';
+import { section, type Context, type Printable } from './page/section';
+import { readResults } from './read';
+import { followAddress } from './state';
+import './style.css';
+
+function build(r: Results): { page: Node[]; printables: Printable[]; schemes: string[] } {
+  const schemes = schemeNames(r),
+    experiments = experimentNames(r),
+    printables: Printable[] = [];
+  const context: Context = {
+    results: r,
+    schemes,
+    printables,
+    measurements: byExperiment(r.measurements),
+    verdicts: byExperiment(r.verdicts),
+  };
+  const densities = byExperiment(r.densities);
+  const sections = experiments.map((name) => section(name, densities.get(name) ?? [], context));
+  const places: [string, string][] = [
+    ...(r.verdicts.length > 0 ? [['board', 'Claims'] as [string, string]] : []),
+    ['advice', 'Which one?'],
+    ...experiments.map((name): [string, string] => [`experiment.${name}`, asWritten(name)]),
+    ['left-out', 'Left out'],
+    ['provenance', 'Provenance'],
+  ];
+  const first = board(r, schemes, experiments),
+    claims = schemeTable(r);
+  const parts = [header(r), first, advice(r), ...sections, claims, leftOut(r), provenance(r)].filter(
+    (part): part is HTMLElement => part instanceof Node,
+  );
+  return { page: [bar(places, schemes), h('main', {}, ...parts)], printables, schemes };
+}
+
+/** On paper every plot is there, light, as a picture of its own. */
+function preparePaper(printables: Printable[]): void {
+  let onPaper = false;
+  const turn = (paper: boolean): void => {
+    if (paper === onPaper) return;
+    onPaper = paper;
+    for (const one of printables) paper ? one.print() : one.unprint();
+  };
+  addEventListener('beforeprint', () => turn(true));
+  addEventListener('afterprint', () => turn(false));
+  matchMedia('print').addEventListener('change', (event) => turn(event.matches));
+}
+
+function start(): void {
+  const source = document.getElementById('results')?.textContent ?? '';
+  let results: Results;
+  try {
+    results = readResults(source);
+  } catch (error) {
+    document.body.append(
+      h('main', {}, h('p', { class: 'fault', role: 'alert' }, error instanceof Error ? error.message : String(error))),
+    );
+    return;
+  }
+  const { page, printables, schemes } = build(results);
+  document.body.append(...page);
+  preparePaper(printables);
+  followAddress(schemes);
+  addEventListener('hashchange', () => followAddress(schemes));
+}
+
+start();

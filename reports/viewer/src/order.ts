@@ -1,0 +1,78 @@
+// In which order things stand, what belongs together, and how the verdicts count up.
+import { kindsByWeight, type Fit, type Kind, type Measurement, type Results, type Verdict } from './data';
+
+export type Tally = Record<Kind, number>;
+
+export function tally(rows: Verdict[]): Tally {
+  const counts: Tally = { holds: 0, refuted: 0, inconclusive: 0, skipped: 0 };
+  for (const row of rows) ++counts[row.verdict];
+  return counts;
+}
+
+const claims = (n: number): string => `${n} claim${n === 1 ? '' : 's'}`;
+
+/** What matters most, in one short sentence. */
+export function headline(t: Tally): string {
+  if (t.refuted > 0) return `${claims(t.refuted)} ${t.refuted === 1 ? 'is' : 'are'} refuted.`;
+  if (t.inconclusive > 0)
+    return `Nothing is refuted, but ${claims(t.inconclusive)} remain${t.inconclusive === 1 ? 's' : ''} open.`;
+  return t.holds > 0 ? 'Every claim that was tried holds.' : 'No claim was tried.';
+}
+
+export function sentence(t: Tally): string {
+  const total = t.holds + t.refuted + t.inconclusive + t.skipped;
+  const counted = (n: number, what: string): string => `${n} ${n === 1 ? 'is' : 'are'} ${what}`;
+  return (
+    `${claims(total)}: ${t.holds} hold${t.holds === 1 ? 's' : ''}, ${counted(t.refuted, 'refuted')}, ` +
+    `${counted(t.inconclusive, 'inconclusive')}, ${counted(t.skipped, 'skipped')}.`
+  );
+}
+
+export const symbols: Record<Kind, string> = { holds: '✓', refuted: '✗', inconclusive: '?', skipped: '–' };
+
+export const worst = (t: Tally): Kind => kindsByWeight.find((kind) => t[kind] > 0) ?? 'skipped';
+
+const unique = (names: Iterable<string>): string[] => [...new Set(names)].filter((name) => name !== '');
+
+/** Declared ones first, then whatever else the results mention. */
+export function experimentNames(r: Results): string[] {
+  const mentioned = [r.verdicts, r.fits, r.measurements, r.skipped, r.densities].flatMap((rows) =>
+    unique((rows as { experiment: string }[]).map((row) => row.experiment)),
+  );
+  return unique([...r.experiments.map((e) => e.name), ...mentioned]);
+}
+
+export function schemeNames(r: Results): string[] {
+  const mentioned = [r.verdicts, r.fits, r.measurements, r.skipped].flatMap((rows) =>
+    unique((rows as { scheme: string }[]).map((row) => row.scheme)),
+  );
+  return unique([...r.schemes.map((s) => s.name), ...mentioned]);
+}
+
+/** Rows by experiment, in their order. */
+export function byExperiment<Row extends { experiment: string }>(rows: Row[]): Map<string, Row[]> {
+  return grouped(rows, (row) => row.experiment);
+}
+
+export function grouped<Row>(rows: Iterable<Row>, key: (row: Row) => string): Map<string, Row[]> {
+  const groups = new Map<string, Row[]>();
+  for (const row of rows) {
+    const name = key(row),
+      group = groups.get(name);
+    if (group) group.push(row);
+    else groups.set(name, [row]);
+  }
+  return groups;
+}
+
+/** The verdict that was reached from this fit: it carries the same numbers. */
+export function verdictOn(verdicts: Verdict[], f: Fit): Verdict | undefined {
+  if (f.order === null) return undefined;
+  return verdicts.find((v) => v.scheme === f.scheme && v.estimate === f.order && v.low === f.low && v.high === f.high);
+}
+
+/** What a measurement was held against, where a verdict carries its number. */
+export function expectedOf(verdicts: Verdict[], m: Measurement): number | null {
+  if (m.value === null) return null;
+  return verdicts.find((v) => v.scheme === m.scheme && v.estimate === m.value)?.expected ?? null;
+}

@@ -1,0 +1,167 @@
+// The top of the first screen: the verdict, the scene and its equation.
+import type { Results, Scene } from '../data';
+import { h, type Child } from '../dom';
+import { shown } from '../numbers';
+import { headline, sentence, symbols, tally, worst } from '../order';
+
+const mathNamespace = 'http://www.w3.org/1998/Math/MathML';
+function m(tag: string, ...children: (Node | string)[]): Element {
+  const element = document.createElementNS(mathNamespace, tag);
+  element.append(...children);
+  return element;
+}
+const id = (name: string): Element => m('mi', name);
+const upright = (name: string): Element => {
+  const element = m('mi', name);
+  element.setAttribute('mathvariant', 'normal');
+  return element;
+};
+const op = (sign: string): Element => m('mo', sign);
+const sub = (a: Element, b: Element): Element => m('msub', a, b);
+const row = (...parts: Element[]): Element => m('mrow', ...parts);
+const fenced = (...parts: Element[]): Element => m('mrow', op('('), ...parts, op(')'));
+
+/** One formula; several wrap where the screen is narrow. */
+function math(label: string, ...parts: Element[]): HTMLElement {
+  return h('p', { class: 'formula', role: 'math', 'aria-label': label }, ...parts.map((part) => m('math', part)));
+}
+
+function noiseTerm(before: Element[]): Element[] {
+  return [
+    op('+'),
+    m('munder', op('∑'), id('i')),
+    ...before,
+    sub(id('σ'), id('i')),
+    op('∘'),
+    id('d'),
+    m('msup', id('W'), id('i')),
+  ];
+}
+
+/** On the rotations; the sign with which the energy falls and the Gibbs law is stationary. */
+function rigidBody(s: Scene): HTMLElement {
+  const pi = (): Element => upright('Π'),
+    omega = (): Element => upright('Ω');
+  const quiet = s.sigma.every((v) => v.every((x) => x === 0));
+  const drift = s.theta === 0 ? [omega()] : [fenced(omega(), op('+'), id('θ'), pi(), op('×'), omega())];
+  return math(
+    'd Pi equals Pi cross (Omega plus theta Pi cross Omega) dt plus the sum over i of Pi cross sigma i, Stratonovich, d W i',
+    row(
+      id('d'),
+      pi(),
+      op('='),
+      pi(),
+      op('×'),
+      ...drift,
+      id('d'),
+      id('t'),
+      ...(quiet ? [] : noiseTerm([pi(), op('×')])),
+      op(','),
+    ),
+    row(omega(), op('='), m('msup', id('I'), row(op('−'), m('mn', '1'))), pi()),
+  );
+}
+
+function coadjoint(): HTMLElement {
+  const ad = (of: Element): Element => m('msubsup', m('mi', 'ad'), of, op('∗'));
+  const mu = (): Element => id('μ'),
+    xi = (): Element => id('ξ'),
+    v = (): Element => id('v');
+  return math(
+    'd mu equals ad star xi mu; xi equals (v plus theta (ad star v mu) sharp) dt plus the sum of sigma i, Stratonovich, d W i',
+    row(id('d'), mu(), op('='), ad(xi()), mu(), op(',')),
+    row(
+      xi(),
+      op('='),
+      fenced(v(), op('+'), id('θ'), m('msup', fenced(ad(v()), mu()), op('♯'))),
+      id('d'),
+      id('t'),
+      ...noiseTerm([]),
+      op(','),
+    ),
+    row(v(), op('='), op('∂'), id('h'), op('/'), op('∂'), mu()),
+  );
+}
+
+const tuple = (values: number[], most = 12): string =>
+  `(${values
+    .slice(0, most)
+    .map((v) => shown(v))
+    .join(', ')}${values.length > most ? ', …' : ''})`;
+
+function noiseOf(s: Scene): string {
+  const acting = s.sigma.filter((v) => v.some((x) => x !== 0));
+  if (acting.length === 0) return 'none';
+  const [first] = acting.map((v, i) => v[i] ?? 0);
+  const axes = acting.length === 3 && acting.every((v, i) => v.every((x, j) => x === (i === j ? first : 0)));
+  if (axes) return `${shown(first)} on each axis`;
+  return (
+    acting
+      .slice(0, 6)
+      .map((v) => tuple(v))
+      .join(' ') + (acting.length > 6 ? ` and ${acting.length - 6} more` : '')
+  );
+}
+
+const fact = (term: Child[], value: string): Child => h('div', {}, h('dt', {}, ...term), h('dd', {}, value || '–'));
+const letter = (name: string, index = ''): Child =>
+  h('span', {}, h('i', {}, name), index !== '' && h('sub', {}, index));
+
+function sceneFacts(s: Scene): HTMLElement {
+  return h(
+    'dl',
+    { class: 'facts' },
+    fact(['system'], s.system.replace(/_/g, ' ')),
+    fact(['inertia ', letter('I')], tuple(s.inertia)),
+    fact(['dissipation ', letter('θ')], shown(s.theta)),
+    fact(['noise ', letter('σ', 'i')], noiseOf(s)),
+    fact([s.system === 'rigid_body' ? 'momentum Π' : 'momentum μ', h('sub', {}, '0')], tuple(s.momentum)),
+    fact(['horizon ', letter('T')], shown(s.horizon)),
+    s.steps.length > 0 &&
+      fact(['steps to ', letter('T')], s.steps.slice(0, 12).join(', ') + (s.steps.length > 12 ? ', …' : '')),
+  );
+}
+
+export function header(r: Results): HTMLElement {
+  const counts = tally(r.verdicts),
+    mood = worst(counts),
+    p = r.provenance;
+  const made = [
+    p.effort && `effort ${p.effort}`,
+    p.started?.slice(0, 10),
+    p.commit && `commit ${p.commit.slice(0, 12)}`,
+  ];
+  return h(
+    'header',
+    {},
+    h('p', { class: 'over' }, ['polhode · verification report', ...made].filter(Boolean).join(' · ')),
+    h(
+      'div',
+      { class: 'top' },
+      h('h1', {}, r.scene.name || 'no name'),
+      h(
+        'div',
+        { class: `verdict ${mood}` },
+        h('p', { class: 'headline' }, h('b', { 'aria-hidden': 'true' }, symbols[mood]), ' ', headline(counts)),
+        h('p', {}, sentence(counts)),
+      ),
+    ),
+    r.missing.length > 0 &&
+      h(
+        'div',
+        { class: 'lacking', role: 'note' },
+        h(
+          'p',
+          {},
+          'This file is not of the kind that this page was made for; it is shown with what it has. What is missing:',
+        ),
+        h('ul', {}, ...r.missing.slice(0, 30).map((what) => h('li', {}, what))),
+      ),
+    h(
+      'div',
+      { class: 'scene' },
+      r.scene.system === 'rigid_body' || r.scene.system === '' ? rigidBody(r.scene) : coadjoint(),
+      sceneFacts(r.scene),
+    ),
+  );
+}

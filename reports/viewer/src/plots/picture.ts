@@ -1,0 +1,26 @@
+// A plot as a picture that stands alone: as light as paper, with title and key.
+import { h } from '../dom';
+import { echarts } from './charts';
+import { heightOf, optionOf } from './draw';
+import type { Plot } from './model';
+import type { Setting } from './setting';
+
+export const pictureWidth = 820;
+
+export function svgPicture(plot: Plot, setting: Setting): string {
+  const size = { width: setting.width, height: heightOf(plot, setting) };
+  const chart = echarts.init(null, null, { renderer: 'svg', ssr: true, ...size });
+  chart.setOption(optionOf(plot, setting));
+  const picture = chart.renderToSVGString();
+  chart.dispose();
+  return picture;
+}
+
+export function pngPicture(plot: Plot, setting: Setting, take: (picture: Blob) => void): void {
+  const size = { width: setting.width, height: heightOf(plot, setting) };
+  const chart = echarts.init(h('div'), null, { renderer: 'canvas', devicePixelRatio: 2, ...size });
+  chart.setOption(optionOf(plot, setting));
+  const canvas = chart.renderToCanvas({ pixelRatio: 2, backgroundColor: setting.paper.card });
+  canvas.toBlob((blob) => blob && take(blob));
+  chart.dispose();
+}

@@ -1,0 +1,223 @@
+// Reads results.json tolerantly, so that an older or a partial file is shown with what it has.
+import {
+  kindsByWeight,
+  type Kind,
+  type Measurement,
+  type Fit,
+  type Verdict,
+  type Experiment,
+  type Scheme,
+  type Saved,
+  type Skip,
+  type Saving,
+  type Reuse,
+  type Density,
+  type Scene,
+  type Results,
+} from './data';
+
+export const knownVersion = 1;
+type Json = Record<string, unknown>;
+
+const isObject = (x: unknown): x is Json => typeof x === 'object' && x !== null && !Array.isArray(x);
+const text = (x: unknown): string => (typeof x === 'string' ? x : x === undefined || x === null ? '' : String(x));
+const number = (x: unknown): number | null => (typeof x === 'number' && Number.isFinite(x) ? x : null);
+const numbers = (x: unknown): number[] =>
+  Array.isArray(x) ? x.map(number).filter((n): n is number => n !== null) : [];
+const kind = (x: unknown): Kind => (kindsByWeight.includes(x as Kind) ? (x as Kind) : 'inconclusive');
+
+function saved(x: unknown): Saved {
+  const o = isObject(x) ? x : {};
+  const count = (name: string): number => number(o[name]) ?? 0;
+  return {
+    normals_drawn: count('normals_drawn'),
+    path_steps: count('path_steps'),
+    kernels_run: count('kernels_run'),
+    cpu_seconds: count('cpu_seconds'),
+  };
+}
+
+const place = (o: Json) => ({ experiment: text(o.experiment), scheme: text(o.scheme) });
+const subject = (o: Json) => ({ ...place(o), quantity: text(o.quantity), observable: text(o.observable) });
+const interval = (o: Json) => ({ low: number(o.low), high: number(o.high) });
+
+/** A number that is missing is never "ok". */
+function statusOf(o: Json): string {
+  const given = o.status === undefined ? 'ok' : text(o.status);
+  return given === 'ok' && number(o.value) === null ? 'missing' : given;
+}
+
+const readers = {
+  schemes: (o: Json): Scheme => ({
+    name: text(o.name),
+    title: text(o.title),
+    source: text(o.source),
+    calculus: text(o.calculus),
+    implicit: o.implicit === true,
+    areas: o.areas === true,
+    claims: isObject(o.claims) ? (o.claims as Scheme['claims']) : {},
+  }),
+  experiments: (o: Json): Experiment => ({
+    name: text(o.name),
+    question: text(o.question),
+    notes: Array.isArray(o.notes) ? o.notes.map(text) : [],
+  }),
+  measurements: (o: Json): Measurement => ({
+    ...subject(o),
+    dt: number(o.dt),
+    steps: number(o.steps),
+    value: number(o.value),
+    ...interval(o),
+    unit: text(o.unit),
+    method: text(o.method),
+    status: statusOf(o),
+    fitted: o.fitted === true,
+  }),
+  fits: (o: Json): Fit => ({
+    ...subject(o),
+    order: number(o.order),
+    ...interval(o),
+    prefactor: number(o.prefactor),
+    status: text(o.status),
+    rule: text(o.rule),
+  }),
+  verdicts: (o: Json): Verdict => ({
+    ...place(o),
+    claim: text(o.claim),
+    expected: number(o.expected),
+    estimate: number(o.estimate),
+    ...interval(o),
+    verdict: kind(o.verdict),
+    reason: text(o.reason),
+  }),
+  skipped: (o: Json): Skip => ({ ...place(o), reason: text(o.reason), saved: saved(o.saved) }),
+  savings: (o: Json): Saving => ({ ...place(o), what: text(o.what), reason: text(o.reason), saved: saved(o.saved) }),
+  reused: (o: Json): Reuse => ({ ...place(o), computed: text(o.computed), saved: saved(o.saved) }),
+  densities: (o: Json): Density => ({
+    ...place(o),
+    name: text(o.name),
+    time: number(o.time),
+    longitudes: number(o.longitudes) ?? 0,
+    heights: number(o.heights) ?? 0,
+    values: Array.isArray(o.values) ? o.values.map(number) : [],
+  }),
+};
+
+const required: { [List in keyof typeof readers]?: string[] } = {
+  schemes: ['name', 'title', 'source', 'calculus', 'claims'],
+  experiments: ['name', 'question'],
+  measurements: [
+    'experiment',
+    'scheme',
+    'quantity',
+    'observable',
+    'dt',
+    'steps',
+    'value',
+    'low',
+    'high',
+    'unit',
+    'method',
+    'status',
+    'fitted',
+  ],
+  fits: ['experiment', 'scheme', 'quantity', 'order', 'low', 'high', 'prefactor', 'rule'],
+  verdicts: ['experiment', 'scheme', 'claim', 'expected', 'estimate', 'verdict', 'reason'],
+  skipped: ['experiment', 'scheme', 'reason'],
+  densities: ['experiment', 'scheme', 'name', 'longitudes', 'heights', 'values'],
+};
+const optional = new Set(['savings', 'reused', 'counters', 'densities']);
+
+type Row<Name extends keyof typeof readers> = ReturnType<(typeof readers)[Name]>;
+
+function list<Name extends keyof typeof readers>(document: Json, name: Name, missing: string[]): Row<Name>[] {
+  const given = document[name];
+  if (given === undefined && optional.has(name)) return [];
+  if (!Array.isArray(given)) {
+    missing.push(given === undefined ? `no list “${name}”` : `“${name}” is not a list`);
+    return [];
+  }
+  const objects = given.filter(isObject);
+  if (objects.length < given.length) missing.push(`“${name}”: ${given.length - objects.length} entries are no records`);
+  for (const field of required[name] ?? []) {
+    const lacking = objects.reduce((count, o) => count + (o[field] === undefined ? 1 : 0), 0);
+    if (lacking > 0) missing.push(`“${name}”: no “${field}” in ${lacking} of ${objects.length}`);
+  }
+  const read = readers[name] as (o: Json) => Row<Name>;
+  return objects.map(read);
+}
+
+function sceneOf(x: unknown, missing: string[]): Scene {
+  if (!isObject(x)) missing.push('no “scene”');
+  const o = isObject(x) ? x : {};
+  return {
+    name: text(o.name),
+    system: text(o.system),
+    inertia: numbers(o.inertia),
+    theta: number(o.theta),
+    sigma: Array.isArray(o.sigma) ? o.sigma.map(numbers) : [],
+    momentum: numbers(o.momentum),
+    horizon: number(o.horizon),
+    steps: numbers(o.steps),
+  };
+}
+
+/** Whole numbers of 64 bits do not survive a double: the seed is taken from the text. */
+function provenanceOf(x: unknown, source: string, missing: string[]): Record<string, string> {
+  if (!isObject(x)) missing.push('no “provenance”');
+  const facts = Object.fromEntries(Object.entries(isObject(x) ? x : {}).map(([key, value]) => [key, text(value)]));
+  const seed = /"provenance"\s*:\s*\{[^{}]*"seed"\s*:\s*(\d+)/.exec(source)?.[1];
+  if (seed !== undefined) facts.seed = seed;
+  return facts;
+}
+
+function parsed(source: string): Json {
+  let document: unknown;
+  try {
+    document = JSON.parse(source);
+  } catch (error) {
+    const what = error instanceof Error ? error.message.replace(/\s+/g, ' ').slice(0, 160) : '';
+    throw new Error(`These results cannot be read: not JSON, or cut short (${source.length} characters; ${what}).`);
+  }
+  if (!isObject(document)) throw new Error('These results cannot be read: JSON, but not an object.');
+  return document;
+}
+
+/** Throws an Error of one line where there is nothing to show. */
+export function readResults(source: string): Results {
+  const document = parsed(source);
+  const missing: string[] = [];
+  const schema = isObject(document.schema) ? document.schema : {};
+  const version = number(schema.version);
+  if (version !== knownVersion)
+    missing.push(
+      version === null
+        ? 'no “schema” with a version'
+        : `schema version ${version}, where this page knows ${knownVersion}`,
+    );
+  const counters = isObject(document.counters) ? document.counters : {};
+  const counted = Object.entries(counters).map(([key, value]) => [key, number(value) ?? 0]);
+  return {
+    schema: { name: text(schema.name), version },
+    provenance: provenanceOf(document.provenance, source, missing),
+    scene: sceneOf(document.scene, missing),
+    schemes: list(document, 'schemes', missing),
+    experiments: list(document, 'experiments', missing),
+    measurements: list(document, 'measurements', missing),
+    fits: list(document, 'fits', missing),
+    verdicts: list(document, 'verdicts', missing),
+    skipped: list(document, 'skipped', missing),
+    savings: list(document, 'savings', missing),
+    reused: list(document, 'reused', missing),
+    densities: list(document, 'densities', missing).filter((d) => whole(d, missing)),
+    counters: Object.fromEntries(counted) as Record<string, number>,
+    missing,
+  };
+}
+
+function whole(d: Density, missing: string[]): boolean {
+  const bins = d.longitudes * d.heights;
+  const good = Number.isInteger(bins) && bins > 0 && d.values.length === bins;
+  if (!good) missing.push(`density “${d.name}”: ${d.values.length} values for ${d.longitudes} × ${d.heights} bins`);
+  return good;
+}

@@ -1,0 +1,13 @@
+// The page that reports/viewer builds, in pieces, with the places that html.cpp fills.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace polhode::report {
+
+inline constexpr std::string_view title_place = "@polhode-title@", results_place = "@polhode-results@";
+
+std::span<const std::string_view> page_template();
+
+}  // namespace polhode::report

@@ -1,0 +1,118 @@
+// What a report must bear: files cut short, of another schema, empty, of unknown kinds, of a hundred thousand numbers.
+//
+//   node faults_test.mjs
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { densities, pageOf } from './pages.mjs';
+import { until } from './plots.mjs';
+import { atEnd, downloaded, open } from './visit.mjs';
+
+const sample = readFileSync(new URL('../golden/data/results.json', import.meta.url));
+const rich = { ...JSON.parse(sample), densities: densities() };
+
+test('what cannot be read is said in one line', async () => {
+  for (const [label, text] of [
+    ['truncated', JSON.stringify(rich).slice(0, 5000)],
+    ['empty', ''],
+    ['array', '[1,2]'],
+    ['word', 'results'],
+  ]) {
+    const page = await open(pageOf(text, label));
+    const said = await page.textContent('main');
+    assert.match(said, /^These results cannot be read/);
+    assert.ok(!said.includes('\n') && said.length < 300);
+    await atEnd(page);
+  }
+});
+
+test('an older schema is shown with what it has', async () => {
+  const old = structuredClone(rich);
+  old.schema.version = 0;
+  for (const name of ['fits', 'savings', 'reused', 'counters', 'densities', 'experiments']) delete old[name];
+  for (const m of old.measurements) {
+    delete m.fitted;
+    delete m.status;
+  }
+  const page = await open(pageOf(old, 'old')),
+    note = await page.textContent('.lacking');
+  for (const part of ['schema version 0', 'fits', 'experiments', 'fitted', 'status'])
+    assert.ok(note.includes(part), part);
+  assert.ok((await page.locator('figure.plot').count()) > 3);
+  await atEnd(page);
+});
+
+test('nothing measured, nothing at all', async () => {
+  for (const [label, results] of [
+    ['none', { ...rich, measurements: [], fits: [], verdicts: [], skipped: [], densities: [] }],
+    ['bare', {}],
+  ]) {
+    const page = await open(pageOf(results, label));
+    assert.match(await page.textContent('.headline'), /No claim was tried/);
+    assert.match(await page.textContent('#advice'), /Cannot be said/);
+    assert.equal(await page.locator('figure.plot').count(), 0);
+    await atEnd(page);
+  }
+});
+
+test('what nobody has heard of is drawn, too', async () => {
+  const row = {
+    experiment: 'new <b>one</b>',
+    quantity: 'mood',
+    observable: 'x',
+    steps: null,
+    low: null,
+    high: null,
+    unit: 'sighs',
+    method: 'asked',
+    status: 'ok',
+    fitted: false,
+  };
+  const measurements = ['a', 'b'].flatMap((scheme) => [1, 2, 4].map((dt) => ({ ...row, scheme, dt, value: dt ** 2 })));
+  measurements.push(
+    { ...row, scheme: 'a', dt: null, value: 3, quantity: 'size' },
+    { ...row, scheme: '', dt: null, value: 7, quantity: 'weight', observable: '' },
+  );
+  const page = await open(
+    pageOf({ ...rich, measurements, fits: [], densities: [], verdicts: [], skipped: [] }, 'unknown'),
+  );
+  assert.equal(await page.locator('figure.curve[data-points="6"]').count(), 1);
+  assert.match(await page.locator('section.experiment').last().textContent(), /weight.*7/s);
+  await atEnd(page);
+});
+
+test('a hundred thousand measurements stay usable', async () => {
+  const row = {
+    experiment: 'strong',
+    quantity: 'error',
+    steps: null,
+    low: null,
+    high: null,
+    unit: '1',
+    method: 'sampled',
+    status: 'ok',
+    fitted: false,
+  };
+  const measurements = Array.from({ length: 100_000 }, (_, i) => ({
+    ...row,
+    scheme: i % 2 ? 'heun' : 'magnus',
+    observable: i < 99_000 ? 'state' : `o ${i}`,
+    dt: 0.001 + i * 1e-6,
+    value: 1e-3 * (1 + (i % 97)),
+  }));
+  const start = Date.now(),
+    page = await open(pageOf({ ...rich, measurements, fits: [], densities: [] }, 'many'));
+  assert.ok(Date.now() - start < 20_000);
+  const figure = page.locator('figure[data-points="99000"]');
+  await figure.scrollIntoViewIfNeeded();
+  await until(() => figure.evaluate((f) => f.figure.chart !== null));
+  await figure.locator('.behind summary').click();
+  await figure.locator('.behind tbody tr').first().waitFor();
+  assert.match(await figure.textContent(), /The first 500 of 99000/);
+  const csv = (
+    await downloaded(page, () => figure.getByRole('button', { name: 'CSV', exact: true }).click())
+  ).toString();
+  assert.equal(csv.split('\r\n').length, 99_002);
+  assert.match(await page.textContent('[id="experiment.strong"]'), /more plots are left out/);
+  await atEnd(page);
+});

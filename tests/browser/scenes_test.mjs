@@ -1,0 +1,105 @@
+// Reports as the program writes them: every built-in scene, and the golden sample with its hostile names.
+//
+//   node scenes_test.mjs SAMPLE_PROGRAM POLHODE
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync, statSync } from 'node:fs';
+import { join } from 'node:path';
+import { before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { scratch } from './pages.mjs';
+import { drawn, groupsIn, key } from './plots.mjs';
+import { atEnd, drawAll, open } from './visit.mjs';
+
+const [sampleProgram, polhode] = process.argv.slice(2);
+const hostile = '</script><img src=x onerror=alert(1)>';
+const reports = {};
+
+before(() => {
+  execFileSync(sampleProgram, [join(scratch, 'sample')]);
+  const names = JSON.parse(execFileSync(polhode, ['list', 'scenes', '--format', 'json'])).map((s) => s.name);
+  const options = ['--effort', 'quick', '--experiments', 'strong,energy,lyapunov', '--schemes', 'heun,magnus'];
+  execFileSync(polhode, ['verify', ...names, ...options, '--no-cache', '--quiet', '--out', join(scratch, 'scenes')]);
+  for (const name of names) reports[name] = join(scratch, 'scenes', name);
+});
+
+test('every built-in scene opens: no complaint, no request, under 4 MB', async () => {
+  for (const folder of Object.values(reports)) {
+    const file = join(folder, 'report.html');
+    assert.ok(statSync(file).size < 4_000_000);
+    const page = await open(pathToFileURL(file).href),
+      results = JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8'));
+    assert.equal(await page.textContent('h1'), results.scene.name);
+    assert.equal(
+      await page.locator('section.experiment').count(),
+      new Set(results.experiments.map((e) => e.name)).size,
+    );
+    await drawAll(page);
+    await holdsEveryNumber(page, results);
+    await atEnd(page);
+  }
+});
+
+/** Each number of the data is drawn once where it has an abscissa, and stands in the page in any case. */
+async function holdsEveryNumber(page, results) {
+  const items = await drawn(page),
+    groups = groupsIn(results);
+  const seen = new Map();
+  for (const { row } of items) seen.set(key(row), (seen.get(key(row)) ?? 0) + 1);
+  for (const [name, rows] of groups)
+    for (const row of rows) assert.ok(seen.has(key(row)), `${name}: ${JSON.stringify(row)} is in no plot`);
+  for (const [name, rows] of groups) {
+    const plots = new Map();
+    for (const { row, figure } of items)
+      if (rows.some((r) => key(r) === key(row))) plots.set(figure, (plots.get(figure) ?? 0) + 1);
+    assert.ok(
+      [...plots.values()].includes(rows.length),
+      `${name}: ${rows.length} points, drawn ${JSON.stringify([...plots])}`,
+    );
+  }
+}
+
+test('the sample: hostile names stay text, everything is in the page', async () => {
+  const folder = join(scratch, 'sample', 'plain'),
+    results = JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8'));
+  for (const file of ['script_img_src=x_onerror=alert_1-02e60bcd', 'plain'].map((f) =>
+    join(scratch, 'sample', f, 'report.html'),
+  )) {
+    const page = await open(pathToFileURL(file).href);
+    const text = await page.evaluate(() => {
+      document.querySelectorAll('details').forEach((d) => (d.open = true));
+      return new Promise((done) => setTimeout(() => done(document.body.textContent), 200));
+    });
+    if (!file.includes('plain')) {
+      assert.equal(await page.textContent('h1'), hostile);
+      assert.equal(await page.title(), `${hostile} · polhode`);
+    }
+    assert.ok(text.includes(hostile), 'the scheme of that name');
+    assert.equal(await page.locator('img, iframe, main script').count(), 0);
+    const count = (selector) => page.locator(selector).count();
+    assert.equal(await count('.verdict-row'), results.verdicts.length);
+    for (const kind of ['holds', 'refuted', 'inconclusive', 'skipped'])
+      assert.equal(
+        await count(`.verdict-row[data-verdict=${kind}]`),
+        results.verdicts.filter((v) => v.verdict === kind).length,
+      );
+    assert.equal(await count('tr.fit'), results.fits.length);
+    assert.equal(await count('tr.scheme'), results.schemes.length);
+    assert.equal(await count('tr.skip'), results.skipped.length);
+    assert.equal(await count('tr.saving'), results.savings.length);
+    assert.equal(await count('tr.reuse'), new Set(results.reused.map((r) => r.experiment + r.computed)).size);
+    for (const v of results.verdicts) assert.ok(text.includes(v.reason), v.reason);
+    assert.ok(text.includes('18446744073709551615'), 'a seed of 64 bits keeps its digits');
+    await drawAll(page);
+    for (const figure of await page.$$('figure.plot')) {
+      const [svg, error] = await figure.evaluate((f) => {
+        const text = f.figure.toSvg();
+        return [text, new DOMParser().parseFromString(text, 'image/svg+xml').querySelector('parsererror')?.textContent];
+      });
+      assert.equal(error, undefined);
+      assert.ok(!svg.includes('<img'));
+      assert.ok(!/NaN|Infinity/.test(svg), 'a coordinate that is no number');
+    }
+    await atEnd(page);
+  }
+});
