@@ -65,9 +65,11 @@ void report_densities(const context& c, const attractor_frame& f, report::result
   for (const double time : shown_at) p.snapshots.push_back(f.steps_in(time * unit, p.dt));
   p.steps = p.snapshots.back();
   const auto run = simulate_ensemble(*c.subject.model, *c.subject.model->reference(), p, c.progress);
-  for (std::size_t i = 0; i < p.snapshots.size(); ++i)
-    out.densities.push_back(relative("one noise path", static_cast<double>(p.snapshots[i]) * p.dt,
+  for (std::size_t i = 0; i < p.snapshots.size(); ++i) {
+    const double time = static_cast<double>(p.snapshots[i]) * p.dt;
+    out.densities.push_back(relative(fmt::format("one noise path, t = {:.4g}", time), time,
                                      merged(run.snapshots[i].counts, static_cast<double>(p.bodies))));
+  }
   out.densities.push_back(relative("stationary law", {}, law_in_bins(*f.law.density)));
 }
 
