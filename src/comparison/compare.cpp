@@ -26,10 +26,11 @@ constexpr double level = 0.05, exact_agreement = 1e-9, timing_margin = 0.1;
 using series_key = std::tuple<std::string, std::string, std::string, std::string>;
 series_key series_of(const auto& m) { return {m.experiment, m.scheme, m.quantity, m.observable}; }
 
-/// Step sizes as printed, so that the last bit of a quotient makes no new row.
-using row_key = std::tuple<series_key, std::string, std::string>;
+/// Step sizes as printed, so that the last bit of a quotient makes no new row. A growth law has many numbers at one dt.
+using row_key = std::tuple<series_key, std::string, std::string, std::string>;
 row_key row_of(const measurement& m) {
-  return {series_of(m), m.dt ? fmt::format("{:.12g}", *m.dt) : m.steps ? fmt::format("{:g}", *m.steps) : "", m.method};
+  const auto printed = [](const std::optional<double>& x) { return x ? fmt::format("{:.12g}", *x) : ""; };
+  return {series_of(m), printed(m.dt), printed(m.steps), m.method};
 }
 
 bool sampled(const measurement& m) { return m.method == "sampled"; }
@@ -48,7 +49,12 @@ std::vector<pair_of_rows> pairs(const results& before, const results& after) {
   return out;
 }
 
-double half_width(const measurement& m) { return m.low && m.high ? (*m.high - *m.low) / 2 : 0; }
+/// Of an interval with one end its reach beyond the value.
+double half_width(const measurement& m) {
+  if (m.low && m.high) return (*m.high - *m.low) / 2;
+  if (!m.value) return 0;
+  return m.high ? std::max(0.0, *m.high - *m.value) : m.low ? std::max(0.0, *m.value - *m.low) : 0;
+}
 
 bool beyond_noise(const pair_of_rows& p, double z) {
   const double a = *p.before.value, b = *p.after.value;
@@ -63,6 +69,8 @@ change row_change(const pair_of_rows& p) {
   const auto& [before, after] = p;
   std::string what = after.quantity;
   if (!after.observable.empty()) what += " of " + after.observable;
+  if (after.steps)
+    what += fmt::format(", {} = {:.12g}", after.abscissa.empty() ? "steps" : after.abscissa, *after.steps);
   return {change_kind::different,
           after.experiment,
           after.scheme,

@@ -6,7 +6,7 @@
 
 namespace polhode {
 
-/// Claims: by verdict. Numbers, of the same experiment, scheme, quantity, observable, dt and method:
+/// Claims: by verdict. Numbers, of the same experiment, scheme, quantity, observable, dt, number of steps and method:
 ///   sampled    changed if |after - before| > z sqrt(s^2 + s'^2), s = (width of the 95 % interval) / 3.92, z the
 ///              two-sided quantile at level 0.05 / N (Bonferroni): of all N sampled numbers together none is called
 ///              changed by chance in 95 of 100 comparisons of independent runs
