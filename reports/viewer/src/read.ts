@@ -73,6 +73,7 @@ const readers = {
     method: text(o.method),
     status: statusOf(o),
     fitted: o.fitted === true,
+    abscissa: text(o.abscissa),
   }),
   fits: (o: Json): Fit => ({
     ...subject(o),

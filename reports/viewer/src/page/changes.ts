@@ -27,10 +27,16 @@ const moods: Record<ChangeKind, Kind> = {
 
 const title = (kind: ChangeKind, n: number): string => `${kind[0]?.toUpperCase()}${kind.slice(1)}: ${n}`;
 
-function valueOf(side: Side): Child {
-  if (side.text === '') return shown(side.value);
-  const kind = kindsByWeight.find((one) => one === side.text);
-  return h('span', {}, kind ? chip(kind) : side.text, side.value === null ? '' : ` ${shown(side.value)}`);
+/** A verdict or a reason, the number, its interval. */
+function cellOf({ text, value, low, high }: Side): Child {
+  const kind = kindsByWeight.find((one) => one === text);
+  return h(
+    'span',
+    {},
+    kind ? chip(kind) : text,
+    value === null && text !== '' ? '' : ` ${shown(value)}`,
+    value !== null && h('small', {}, ` ${shownInterval(low, high)}`),
+  );
 }
 
 /** "× 3": of two numbers of one sign. The estimates behind two verdicts need none. */
@@ -42,14 +48,12 @@ function ratioOf({ before, after }: Change): string {
 
 const columns: Column[] = [
   { name: 'scheme' },
-  { name: 'experiment' },
   { name: 'what' },
   { name: 'dt', kind: 'n' },
   { name: 'before', kind: 'n' },
-  { name: 'interval', kind: 'i' },
   { name: 'now', kind: 'n' },
-  { name: 'interval', kind: 'i' },
   { name: 'ratio', kind: 'n' },
+  { name: 'experiment' },
 ];
 
 const experimentLink = (name: string): Child =>
@@ -67,14 +71,12 @@ function changeTable(kind: ChangeKind, rows: Change[]): HTMLElement {
         attributes: { class: 'change', 'data-kind': c.kind },
         cells: [
           schemeChip(c.scheme),
-          experimentLink(c.experiment),
           asWritten(c.what),
           shown(c.dt),
-          valueOf(c.before),
-          shownInterval(c.before.low, c.before.high),
-          valueOf(c.after),
-          shownInterval(c.after.low, c.after.high),
+          cellOf(c.before),
+          cellOf(c.after),
           ratioOf(c),
+          experimentLink(c.experiment),
         ],
       })),
     ),

@@ -120,7 +120,7 @@ function curveOf(found: Findings, rows: Measurement[], levels: Measurement[], be
     id: slug(found.experiment, first.quantity, first.observable),
     experiment: found.experiment,
     title: yTitle,
-    xTitle: overSteps ? 'number of steps' : 'step size dt',
+    xTitle: overSteps ? asWritten(first.abscissa) || 'number of steps' : 'step size dt',
     yTitle,
     logX,
     logY,

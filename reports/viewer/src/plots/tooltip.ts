@@ -22,7 +22,7 @@ export function tooltipOf(rows: Measurement[], remark = '', run = ''): HTMLEleme
   const first = rows[0] as Measurement;
   const where = [
     first.dt === null ? '' : `dt = ${exact(first.dt)}`,
-    first.steps === null ? '' : `n = ${exact(first.steps)}`,
+    first.steps === null ? '' : `${asWritten(first.abscissa) || 'n'} = ${exact(first.steps)}`,
   ]
     .filter((part) => part !== '')
     .join(', ');
