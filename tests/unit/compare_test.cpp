@@ -75,6 +75,26 @@ TEST(Compare, AnIntervalWithOneEndIsNoise) {
   EXPECT_EQ(kinds(with({first}), with({second})), none{change_kind::worse});
 }
 
+TEST(Compare, WhatIsOfUnknownNoiseIsCountedApart) {
+  auto first = number(1, 0.1, "sampled"), second = number(2, 0.1, "sampled");
+  first.low = first.high = std::nullopt;
+  const auto c = compare(with({first}), with({second}));
+  EXPECT_TRUE(c.changes.empty());
+  EXPECT_EQ(c.numbers, 0u);
+  EXPECT_EQ(c.without_interval, 1u);
+  second.value = std::nullopt, second.status = "not finite";
+  EXPECT_EQ(kinds(with({first}), with({second})), none{change_kind::worse});
+}
+
+TEST(Compare, CopiesAreJudgedWhereTheyWereMeasured) {
+  const auto copy = [](double value) {
+    auto m = number(value, 0.1, "strong");
+    m.experiment = "work_precision";
+    return m;
+  };
+  EXPECT_EQ(kinds(with({copy(1)}), with({copy(2)})), none{});
+}
+
 TEST(Compare, ExactNumbersChangeBeyondTheirUncertainty) {
   const auto before = with({number(1, 1e-6, "transfer")});
   EXPECT_EQ(kinds(before, with({number(1 + 1.9e-6, 1e-6, "transfer")})), none{});

@@ -24,6 +24,7 @@ export interface Comparison {
   claims: number;
   numbers: number;
   timings: number;
+  withoutInterval: number; // sampled numbers whose noise is unknown: not compared
   timingsLeftOut: string; // why; empty: they were compared
   changes: Change[];
 }
@@ -52,6 +53,7 @@ export function readComparison(source: string): Comparison {
     claims: number(o.claims) ?? 0,
     numbers: number(o.numbers) ?? 0,
     timings: number(o.timings) ?? 0,
+    withoutInterval: number(o.without_interval) ?? 0,
     timingsLeftOut: text(o.timings_left_out),
     changes: list(o.changes).filter(isObject).map(changeOf),
   };
@@ -79,5 +81,9 @@ export function changesSentence(changes: Change[]): string {
 export function comparedSentence(c: Comparison): string {
   const parts = [counted(c.claims, 'claim', 'claims'), counted(c.numbers, 'number', 'numbers')];
   if (c.timings > 0) parts.push(counted(c.timings, 'timing', 'timings'));
-  return `Compared: ${parts.join(', ')}.`;
+  const unknown =
+    c.withoutInterval > 0
+      ? ` Not compared: ${counted(c.withoutInterval, 'sampled number', 'sampled numbers')} without an interval.`
+      : '';
+  return `Compared: ${parts.join(', ')}.${unknown}`;
 }
