@@ -25,6 +25,13 @@ const moods: Record<ChangeKind, Kind> = {
   different: 'skipped',
 };
 
+const signs: Record<ChangeKind, string> = {
+  worse: symbols.refuted,
+  'no longer shown to hold': symbols.inconclusive,
+  better: symbols.holds,
+  different: '≠',
+};
+
 const title = (kind: ChangeKind, n: number): string => `${kind[0]?.toUpperCase()}${kind.slice(1)}: ${n}`;
 
 /** A verdict or a reason, the number, its interval. */
@@ -88,7 +95,7 @@ function changeTable(kind: ChangeKind, rows: Change[]): HTMLElement {
 /** What is worse or open is never folded away. */
 function part(kind: ChangeKind, rows: Change[]): Child {
   if (rows.length === 0) return false;
-  const name = [h('b', { 'aria-hidden': 'true' }, symbols[moods[kind]]), ` ${title(kind, rows.length)}`];
+  const name = [h('b', { 'aria-hidden': 'true' }, signs[kind]), ` ${title(kind, rows.length)}`];
   const attributes = { class: `changed ${moods[kind]}` };
   if (kind === 'worse' || kind === 'no longer shown to hold')
     return h('div', attributes, h('h3', {}, ...name), changeTable(kind, rows));
@@ -144,7 +151,8 @@ export function changesCsv(changes: Change[]): string {
 }
 
 export function changes(c: Comparison, before: Results, after: Results): HTMLElement {
-  const mood = moods[changeKinds.find((kind) => c.changes.some((one) => one.kind === kind)) ?? 'better'];
+  const worst = changeKinds.find((kind) => c.changes.some((one) => one.kind === kind)) ?? 'better',
+    mood = moods[worst];
   return h(
     'section',
     { id: 'changes' },
@@ -152,7 +160,7 @@ export function changes(c: Comparison, before: Results, after: Results): HTMLEle
     h(
       'div',
       { class: `verdict ${mood}` },
-      h('p', { class: 'headline' }, h('b', { 'aria-hidden': 'true' }, symbols[mood]), ' ', changesSentence(c.changes)),
+      h('p', { class: 'headline' }, h('b', { 'aria-hidden': 'true' }, signs[worst]), ' ', changesSentence(c.changes)),
       h('p', {}, comparedSentence(c)),
     ),
     runs(c, before, after),
