@@ -29,6 +29,7 @@ struct comparison {
   std::vector<std::string> settings;  ///< what differs in machine, build or settings: "seed: 1, now 2"
   std::vector<change> changes;
   std::size_t claims = 0, numbers = 0, timings = 0;  ///< compared
+  std::size_t without_interval = 0;                  ///< sampled numbers whose noise is unknown: not compared
   std::string timings_left_out;                      ///< why timings were not compared; empty: they were
 };
 

@@ -48,6 +48,8 @@ std::string to_text(const comparison& c, std::size_t most) {
   if (c.timings > 0) out += fmt::format(", {} timings", c.timings);
   out += '\n';
   for (const auto& s : c.settings) out += fmt::format("  {}\n", one_line(s));
+  if (c.without_interval > 0)
+    out += fmt::format("{} sampled numbers without an interval are not compared\n", c.without_interval);
   if (!c.timings_left_out.empty()) out += fmt::format("timings are not compared: {}\n", c.timings_left_out);
   for (const auto kind : kinds) {
     const auto all = std::ranges::count(c.changes, kind, &change::kind);

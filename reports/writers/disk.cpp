@@ -137,4 +137,15 @@ void remove_stale(const fs::path& folder, std::string_view name) {
   for (const auto& one : found) fs::remove_all(one, ignored);
 }
 
+void replace_file(const fs::path& file, std::string_view content, const fs::path& known_as) {
+  constexpr std::string_view name = "file";
+  const auto folder = file.parent_path();
+  remove_stale(folder, name);
+  const staging beside(folder / staging_name(name), known_as);
+  const auto whole = beside.path() / name;
+  write_file(whole, content, known_as);
+  if (::rename(whole.c_str(), file.c_str()) != 0) fail(known_as, errno);
+  sync_directory(folder, known_as);
+}
+
 }  // namespace polhode::report::disk

@@ -22,6 +22,9 @@ void sync_directory(const fs::path&, const fs::path& known_as);
 /// `from` becomes `to` in one step. What stood at `to` stands at `from` afterwards.
 void put_in_place(const fs::path& from, const fs::path& to);
 
+/// The whole content or none: written beside it, then put in its place, whatever file stood there.
+void replace_file(const fs::path&, std::string_view content, const fs::path& known_as);
+
 /// False where something stands at `to` already; nothing has changed then.
 bool move_if_free(const fs::path& from, const fs::path& to, const fs::path& known_as);
 

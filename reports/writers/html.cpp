@@ -1,8 +1,14 @@
 #include "reports/writers/html.hpp"
 
+#include <algorithm>
+#include <array>
+#include <span>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "reports/writers/comparison_json.hpp"
 #include "reports/writers/json.hpp"
 #include "reports/writers/page_template.hpp"
 #include "reports/writers/text.hpp"
@@ -30,16 +36,35 @@ std::size_t place_in(std::string_view page, std::string_view place) {
   return at;
 }
 
-}  // namespace
+struct filling {
+  std::string_view place;
+  std::string text;
+};
 
-std::string to_html(const results& r) {
+// In the order of the template: from the last place to the first, so that none moves before it is filled.
+std::string filled(std::span<const filling> all) {
   std::string page;
   for (const auto piece : page_template()) page += piece;
-  const auto title = place_in(page, title_place), data = place_in(page, results_place);
-  if (title > data) throw std::logic_error("the template of the report page has its title below its results");
-  page.replace(data, results_place.size(), inert(to_json(r)));
-  page.replace(title, title_place.size(), escape_html(r.scene.name) + " · polhode");
+  std::vector<std::size_t> at;
+  for (const auto& one : all) at.push_back(place_in(page, one.place));
+  if (!std::ranges::is_sorted(at)) throw std::logic_error("the template of the report page has its places in disorder");
+  for (auto i = all.size(); i-- > 0;) page.replace(at[i], all[i].place.size(), all[i].text);
   return page;
+}
+
+std::string page_of(const results& r, std::string before, std::string changes) {
+  return filled(std::array<filling, 4>{{{title_place, escape_html(r.scene.name) + " · polhode"},
+                                        {results_place, inert(to_json(r))},
+                                        {before_place, std::move(before)},
+                                        {comparison_place, std::move(changes)}}});
+}
+
+}  // namespace
+
+std::string to_html(const results& r) { return page_of(r, {}, {}); }
+
+std::string to_html(const results& before, const results& after, const comparison& changes) {
+  return page_of(after, inert(to_json(before)), inert(to_json(std::span(&changes, 1))));
 }
 
 }  // namespace polhode::report

@@ -3,11 +3,15 @@
 
 #include <string>
 
+#include "reports/model/comparison.hpp"
 #include "reports/model/results.hpp"
 
 namespace polhode::report {
 
 /// The template with results.json and the scene's name in it. Texts of the results stay text: "<" is written \u003c.
 std::string to_html(const results&);
+
+/// The same page of `after`, with `before` behind its plots and what has changed in front of all else.
+std::string to_html(const results& before, const results& after, const comparison&);
 
 }  // namespace polhode::report

@@ -6,7 +6,8 @@
 
 namespace polhode::report {
 
-inline constexpr std::string_view title_place = "@polhode-title@", results_place = "@polhode-results@";
+inline constexpr std::string_view title_place = "@polhode-title@", results_place = "@polhode-results@",
+                                  before_place = "@polhode-before@", comparison_place = "@polhode-comparison@";
 
 std::span<const std::string_view> page_template();
 

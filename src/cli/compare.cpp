@@ -6,7 +6,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "cli/arguments.hpp"
 #include "cli/comparing.hpp"
@@ -15,19 +18,40 @@
 #include "reports/model/errors.hpp"
 #include "reports/writers/comparison_json.hpp"
 #include "reports/writers/comparison_text.hpp"
+#include "reports/writers/disk.hpp"
+#include "reports/writers/html.hpp"
+#include "reports/writers/output_file.hpp"
+#include "reports/writers/output_folder.hpp"
 
 namespace polhode::cli {
 namespace {
 
 struct arguments {
   std::string before, after, format = "text";
+  std::optional<std::string> html;
 };
+
+/// Where the page is to be written, if anywhere: refused before any work, and never over what is compared.
+std::optional<std::filesystem::path> page_option(const arguments& given) {
+  if (!given.html) return std::nullopt;
+  const auto page = report::settled_file(*given.html);
+  for (const auto& one : {given.before, given.after}) {
+    std::error_code none;
+    if (std::filesystem::equivalent(page, results_file(one), none))
+      throw input_error(
+          fmt::format("compare: --html {} is one of the two results; accepted: another file", report::quoted(page)));
+  }
+  return page;
+}
 
 int run(const arguments& given) {
   const auto output = format_option(given.format);
   if (given.before.empty() || given.after.empty())
     throw input_error("compare: two results are needed; accepted: compare OLD NEW, each a results.json or its folder");
-  const std::array found{compare(read_results(given.before), read_results(given.after))};
+  const auto page = page_option(given);
+  const auto before = read_results(given.before), after = read_results(given.after);
+  const std::array found{compare(before, after)};
+  if (page) report::disk::replace_file(*page, report::to_html(before, after, found.front()), *given.html);
   print(output == format::json ? report::to_json(found) : report::to_text(found.front()));
   return exit_code(found);
 }
@@ -48,6 +72,8 @@ command add_compare(CLI::App& app) {
   auto* parser = app.add_subcommand("compare", "Two results of one scene: what has changed, beyond noise");
   parser->add_option("OLD", given->before, "A results.json, or the folder of a scene")->type_name("");
   parser->add_option("NEW", given->after, "The same, later")->type_name("");
+  parser->add_option("--html", given->html, "Write the report of NEW, with OLD beside it, as one page")
+      ->type_name("FILE");
   parser->add_option("--format", given->format, "text, json [text]")->type_name("F");
   return {parser, [given] { return run(*given); }};
 }

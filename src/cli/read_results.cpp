@@ -11,9 +11,13 @@
 
 namespace polhode::cli {
 
-report::results read_results(const std::filesystem::path& given) {
+std::filesystem::path results_file(const std::filesystem::path& given) {
   std::error_code ignored;
-  const auto file = std::filesystem::is_directory(given, ignored) ? given / "results.json" : given;
+  return std::filesystem::is_directory(given, ignored) ? given / "results.json" : given;
+}
+
+report::results read_results(const std::filesystem::path& given) {
+  const auto file = results_file(given);
   const auto name = one_line(file.string(), 200);
   std::ifstream in(file, std::ios::binary);
   if (!in)

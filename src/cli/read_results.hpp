@@ -7,6 +7,9 @@
 
 namespace polhode::cli {
 
+/// The file that is meant: a folder stands for the results.json in it.
+std::filesystem::path results_file(const std::filesystem::path&);
+
 /// A results.json, or the folder of a scene that holds one. Throws input_error, on one line, with the file's name.
 report::results read_results(const std::filesystem::path&);
 

@@ -26,29 +26,46 @@ constexpr double level = 0.05, exact_agreement = 1e-9, timing_margin = 0.1;
 using series_key = std::tuple<std::string, std::string, std::string, std::string>;
 series_key series_of(const auto& m) { return {m.experiment, m.scheme, m.quantity, m.observable}; }
 
-/// Step sizes as printed, so that the last bit of a quotient makes no new row.
-using row_key = std::tuple<series_key, std::string, std::string>;
+/// Step sizes as printed, so that the last bit of a quotient makes no new row. A growth law has many numbers at one dt.
+using row_key = std::tuple<series_key, std::string, std::string, std::string>;
 row_key row_of(const measurement& m) {
-  return {series_of(m), m.dt ? fmt::format("{:.12g}", *m.dt) : m.steps ? fmt::format("{:g}", *m.steps) : "", m.method};
+  const auto printed = [](const std::optional<double>& x) { return x ? fmt::format("{:.12g}", *x) : ""; };
+  return {series_of(m), printed(m.dt), printed(m.steps), m.method};
 }
 
 bool sampled(const measurement& m) { return m.method == "sampled"; }
 bool timed(const measurement& m) { return m.method == "timed"; }
+bool has_interval(const measurement& m) { return m.low || m.high; }
 
 struct pair_of_rows {
   const measurement &before, &after;
 };
 
+/// Without copies, whose method is the experiment that they come from: they are judged there.
 std::vector<pair_of_rows> pairs(const results& before, const results& after) {
   std::map<row_key, const measurement*> old;
   for (const auto& m : before.measurements) old.emplace(row_of(m), &m);
+  std::set<std::string> experiments;
+  for (const auto& e : after.experiments) experiments.insert(e.name);
   std::vector<pair_of_rows> out;
-  for (const auto& m : after.measurements)
-    if (const auto found = old.find(row_of(m)); found != old.end()) out.push_back({*found->second, m});
+  for (const auto& m : after.measurements) {
+    const auto found = old.find(row_of(m));
+    if (found != old.end() && !experiments.contains(m.method)) out.push_back({*found->second, m});
+  }
   return out;
 }
 
-double half_width(const measurement& m) { return m.low && m.high ? (*m.high - *m.low) / 2 : 0; }
+/// Of an interval with one end its reach beyond the value.
+double half_width(const measurement& m) {
+  if (m.low && m.high) return (*m.high - *m.low) / 2;
+  if (!m.value) return 0;
+  return m.high ? std::max(0.0, *m.high - *m.value) : m.low ? std::max(0.0, *m.value - *m.low) : 0;
+}
+
+/// Drawn at random, and nobody knows how much that moves it.
+bool of_unknown_noise(const pair_of_rows& p) {
+  return sampled(p.after) && p.before.value && p.after.value && !(has_interval(p.before) && has_interval(p.after));
+}
 
 bool beyond_noise(const pair_of_rows& p, double z) {
   const double a = *p.before.value, b = *p.after.value;
@@ -63,6 +80,8 @@ change row_change(const pair_of_rows& p) {
   const auto& [before, after] = p;
   std::string what = after.quantity;
   if (!after.observable.empty()) what += " of " + after.observable;
+  if (after.steps)
+    what += fmt::format(", {} = {:.12g}", after.abscissa.empty() ? "steps" : after.abscissa, *after.steps);
   return {change_kind::different,
           after.experiment,
           after.scheme,
@@ -85,13 +104,14 @@ void compare_numbers(const results& before, const results& after, comparison& ou
   std::set<series_key> errors;
   for (const auto* r : {&before, &after})
     for (const auto& f : r->fits) errors.insert(series_of(f));
-  const auto n = std::ranges::count_if(rows, [](const auto& p) { return sampled(p.after); });
+  const auto n = std::ranges::count_if(rows, [](const auto& p) { return sampled(p.after) && !of_unknown_noise(p); });
   const double z =
       boost::math::quantile(boost::math::normal(), 1 - level / 2 / static_cast<double>(std::max<long>(n, 1)));
   for (const auto& p : rows) {
     const bool timing = timed(p.after);
     if (timing && !out.timings_left_out.empty()) continue;
-    ++(timing ? out.timings : out.numbers);
+    ++(timing ? out.timings : of_unknown_noise(p) ? out.without_interval : out.numbers);
+    if (of_unknown_noise(p)) continue;
     auto found = row_change(p);
     const bool error = errors.contains(series_of(p.after));
     if (p.before.value && p.after.value) {

@@ -6,10 +6,12 @@
 
 namespace polhode {
 
-/// Claims: by verdict. Numbers, of the same experiment, scheme, quantity, observable, dt and method:
+/// Claims: by verdict. Numbers, of the same experiment, scheme, quantity, observable, dt, number of steps and method:
 ///   sampled    changed if |after - before| > z sqrt(s^2 + s'^2), s = (width of the 95 % interval) / 3.92, z the
 ///              two-sided quantile at level 0.05 / N (Bonferroni): of all N sampled numbers together none is called
 ///              changed by chance in 95 of 100 comparisons of independent runs
+///              one without an interval is of unknown noise: counted apart, never called changed
+///   copies     (method: the name of an experiment) are judged where they were measured
 ///   others     changed if their intervals of uncertainty are apart by more than 1e-9 of the number
 ///   timings    on the same processor, instruction set, compiler and flags only: changed if their ranges are apart by
 ///              more than a tenth; never a regression

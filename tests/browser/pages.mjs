@@ -11,12 +11,15 @@ export const viewer = join(folder, 'package.json');
 export const template = readFileSync(join(folder, 'dist/report.html'), 'utf8');
 export const scratch = mkdtempSync(join(tmpdir(), 'polhode-browser-'));
 
-/** As html.cpp does it. */
-export function fill(json, name) {
-  const escaped = name.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
+/** As html.cpp does it; `earlier` as texts of JSON. */
+export function fill(json, name, earlier = { before: '', comparison: '' }) {
+  const inert = (text) => text.replace(/</g, '\\u003c'),
+    escaped = name.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
   return template
     .replace('@polhode-title@', () => `${escaped} · polhode`)
-    .replace('@polhode-results@', () => json.replace(/</g, '\\u003c'));
+    .replace('@polhode-results@', () => inert(json))
+    .replace('@polhode-before@', () => inert(earlier.before))
+    .replace('@polhode-comparison@', () => inert(earlier.comparison));
 }
 
 /** Writes the page and gives its address in the file system. */

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Drives `polhode compare` and the baselines of `verify` as a user does.   usage: compare_command.py POLHODE"""
-import json, os, subprocess, sys, tempfile, unittest
+import json, os, re, subprocess, sys, tempfile, unittest
 
 EXE = sys.argv.pop(1)
 
@@ -76,6 +76,41 @@ class Compare(unittest.TestCase):
         for args, names in ((('--baseline', 'none'), ['none', 'paper']), (('--baseline', '../x'), ['../x', 'letters']), (('--save-baseline', ''), ['--save-baseline']) , (('--save-baseline', 'a/b'), ['a/b'])):
             self.refused(*verify, *args, names=names)
         self.assertFalse(os.path.exists(self.path('c')))
+
+    def test_html(self):
+        def refute(r): r['verdicts'][0]['verdict'] = 'refuted'
+        b, page = self.changed(refute), self.path('page.html')
+        with open(page, 'w') as f: f.write('what stood here before')
+        plain = self.run_it('compare', self.a, b)
+        self.assertEqual(self.run_it('compare', self.a, b, '--html', page), plain)
+        with open(page, encoding='utf-8') as f: text = f.read()
+        parts = {name: json.loads(re.search(f'<script type="application/json" id="{name}">(.*?)</script>', text, re.S)[1])
+                 for name in ('results', 'before', 'comparison')}
+        for name, file in (('before', self.a), ('results', b)):
+            with open(file) as f: self.assertEqual(parts[name], json.load(f))
+        self.assertEqual([c['kind'] for c in parts['comparison']['changes']], ['worse'])
+        self.assertNotIn('what stood here', text)
+        self.assertNotRegex(text, r'@polhode-|<link|<img|<iframe| src=|@import|url\(http')
+        self.assertEqual(sorted(n for n in os.listdir(self.folder.name) if 'partial' in n), [])
+        rc, out, err = self.run_it('compare', self.a, self.a, '--html', page, '--format', 'json')
+        self.assertEqual((rc, err, json.loads(out)['changes']), (0, '', []))
+
+    def test_a_page_that_cannot_be_written_is_refused_first(self):
+        closed, file = self.path('closed'), self.path('file')
+        os.makedirs(closed, exist_ok=True)
+        os.chmod(closed, 0o555)
+        with open(file, 'w') as f: f.write('kept')
+        unread = self.path('none.json')  # refused before it is looked for
+        places = [(self.path('none/page.html'), 4), (os.path.join(file, 'page.html'), 4), (closed, 2), ('', 2), ('/dev/null', 2)]
+        if os.geteuid() != 0: places.append((os.path.join(closed, 'page.html'), 4))
+        for place, code in places:
+            rc, out, err = self.run_it('compare', unread, unread, '--html', place)
+            with self.subTest(place=place, err=err):
+                self.assertEqual((rc, out), (code, ''))
+                self.assertRegex(err, r'\Apolhode: [^\n]+\n\Z')
+                self.assertIn(place or 'empty', err)
+        for one in (self.a, os.path.dirname(self.a)): self.refused('compare', one, one, '--html', self.a, names=['results.json', 'another'])
+        with open(file) as f: self.assertEqual(f.read(), 'kept')
 
     def test_saving_and_comparing_is_one_run(self):
         verify = ('verify', 'paper', '--schemes', 'heun,lie_euler', '--experiments', 'energy', '--effort', 'quick', '--out', self.path('d'))

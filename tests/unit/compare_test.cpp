@@ -54,6 +54,47 @@ TEST(Compare, AnErrorThatGrowsBeyondItsIntervalIsWorse) {
   EXPECT_EQ(kinds(before, with({number(0.8, 0.1, "sampled")})), none{change_kind::better});
 }
 
+TEST(Compare, AGrowthLawHasManyNumbersAtOneStepSize) {
+  auto first = number(1, 0.1, "sampled"), second = number(3, 0.1, "sampled");
+  first.steps = 1000;
+  second.steps = 2000;
+  const auto before = with({first, second});
+  EXPECT_EQ(kinds(before, before), none{});
+  second.value = *second.value + 1;
+  const auto changes = compare(before, with({second, first})).changes;
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].what, "error of state, steps = 2000");
+  EXPECT_EQ(changes[0].before, 3);
+}
+
+TEST(Compare, AnIntervalWithOneEndIsNoise) {
+  auto first = number(1, 0.1, "sampled"), second = number(1.1, 0.1, "sampled");
+  first.low = second.low = std::nullopt;
+  EXPECT_EQ(kinds(with({first}), with({second})), none{});
+  second.value = *second.value + 1, second.high = *second.high + 1;
+  EXPECT_EQ(kinds(with({first}), with({second})), none{change_kind::worse});
+}
+
+TEST(Compare, WhatIsOfUnknownNoiseIsCountedApart) {
+  auto first = number(1, 0.1, "sampled"), second = number(2, 0.1, "sampled");
+  first.low = first.high = std::nullopt;
+  const auto c = compare(with({first}), with({second}));
+  EXPECT_TRUE(c.changes.empty());
+  EXPECT_EQ(c.numbers, 0u);
+  EXPECT_EQ(c.without_interval, 1u);
+  second.value = std::nullopt, second.status = "not finite";
+  EXPECT_EQ(kinds(with({first}), with({second})), none{change_kind::worse});
+}
+
+TEST(Compare, CopiesAreJudgedWhereTheyWereMeasured) {
+  const auto copy = [](double value) {
+    auto m = number(value, 0.1, "strong");
+    m.experiment = "work_precision";
+    return m;
+  };
+  EXPECT_EQ(kinds(with({copy(1)}), with({copy(2)})), none{});
+}
+
 TEST(Compare, ExactNumbersChangeBeyondTheirUncertainty) {
   const auto before = with({number(1, 1e-6, "transfer")});
   EXPECT_EQ(kinds(before, with({number(1 + 1.9e-6, 1e-6, "transfer")})), none{});

@@ -28,8 +28,13 @@ function field(value: string | number | boolean | null): string {
 export const rowsToCsv = (head: string[], rows: (string | number | boolean | null)[][]): string =>
   [head, ...rows].map((row) => row.map(field).join(',')).join('\r\n') + '\r\n';
 
-export const csvOf = (rows: Measurement[]): string =>
-  rowsToCsv(
-    columns,
-    rows.map((m) => columns.map((name) => m[name])),
-  );
+const cellsOf = (m: Measurement) => columns.map((name) => m[name]);
+
+/** With the rows of an earlier run, a last column says whose each row is. */
+export const csvOf = (rows: Measurement[], earlier: Measurement[] | null = null): string =>
+  earlier === null
+    ? rowsToCsv(columns, rows.map(cellsOf))
+    : rowsToCsv(
+        [...columns, 'run'],
+        [...rows.map((m) => [...cellsOf(m), 'this']), ...earlier.map((m) => [...cellsOf(m), 'earlier'])],
+      );

@@ -17,6 +17,7 @@ export interface Measurement {
   method: string;
   status: string;
   fitted: boolean;
+  abscissa: string; // what `steps` is where it is no number of steps
 }
 export interface Fit {
   experiment: string;

@@ -1,14 +1,15 @@
 // A plot on the page: drawn when it comes near the screen, with its key, its switches, its files and its table.
 import { csvOf } from './csv';
+import type { Measurement } from './data';
 import { h, save, type Child } from './dom';
 import { keySample } from './key';
 import { slug } from './numbers';
 import { measurementTable } from './page/tables';
 import { echarts, type Chart } from './plots/charts';
 import { heightOf, optionOf } from './plots/draw';
-import { pointsIn, schemesIn, type Plot } from './plots/model';
+import { earlierPointsIn, pointsIn, schemesIn, type Plot } from './plots/model';
 import { pictureWidth, pngPicture, svgPicture } from './plots/picture';
-import { lookIn, manyPoints, type Setting } from './plots/setting';
+import { hasManyPoints, lookIn, type Setting } from './plots/setting';
 import { walker } from './plots/walker';
 import { addressOf, goTo, isolate, isolated, on, theme } from './state';
 import { papers } from './style';
@@ -31,6 +32,7 @@ export class Figure {
   private current: Plot; // the plot itself, or the same points over another ordinate
   private logX: boolean;
   private logY: boolean;
+  private earlier = true;
   private stale = true;
   private near = false;
 
@@ -48,7 +50,12 @@ export class Figure {
     );
     this.element = h(
       'figure',
-      { id: plot.id, class: `plot ${plot.kind}${isWide(plot) ? ' broad' : ''}`, 'data-points': pointsIn(plot) },
+      {
+        id: plot.id,
+        class: `plot ${plot.kind}${isWide(plot) ? ' broad' : ''}`,
+        'data-points': pointsIn(plot),
+        'data-earlier-points': earlierPointsIn(plot) || null,
+      },
       h('figcaption', {}, plot.title, this.permalink()),
       this.canvas,
       this.printed,
@@ -84,6 +91,7 @@ export class Figure {
       isolated: isolated(),
       logX: this.logX,
       logY: this.logY,
+      earlier: this.earlier,
       standalone,
     };
   }
@@ -121,7 +129,7 @@ export class Figure {
       height = heightOf(this.plot, setting);
     this.canvas.style.height = `${height}px`;
     this.chart ??= echarts.init(this.canvas, null, {
-      renderer: pointsIn(this.plot) > manyPoints ? 'canvas' : 'svg',
+      renderer: hasManyPoints(this.plot) ? 'canvas' : 'svg',
       width,
       height,
     });
@@ -176,8 +184,8 @@ export class Figure {
     if (plot.kind === 'curve' && plot.hollow !== '') parts.push(`Hollow: ${plot.hollow}. `);
     if (plot.kind === 'curve' && plot.lines.some((l) => l.fit))
       parts.push('Wide line: the fitted power law; its wedge is the interval of the order. ');
-    if (plot.kind === 'curve' && pointsIn(plot) > manyPoints)
-      parts.push(`${pointsIn(plot)} points: drawn without bars. `);
+    if (earlierPointsIn(plot) > 0) parts.push('Faint: the earlier run. ');
+    if (plot.kind === 'curve' && hasManyPoints(plot)) parts.push(`${pointsIn(plot)} points: drawn without bars. `);
     parts.push(plot.note);
     return parts.join('') !== '' && h('p', { class: 'note' }, ...parts);
   }
@@ -236,18 +244,28 @@ export class Figure {
           () => this.logY,
           (next) => (this.logY = next),
         ),
+      earlierPointsIn(plot) > 0 &&
+        this.toggle(
+          'earlier run',
+          () => this.earlier,
+          (next) => (this.earlier = next),
+        ),
       ...this.ordinates(),
       h('span', { class: 'gap' }),
       tool('SVG', () => save(`${name}.svg`, this.toSvg(), 'image/svg+xml')),
       tool('PNG', () =>
         pngPicture(this.current, this.setting(true, pictureWidth), (picture) => save(`${name}.png`, picture)),
       ),
-      tool('CSV', () => save(`${name}.csv`, csvOf(plot.rows), 'text/csv')),
+      tool('CSV', () => save(`${name}.csv`, csvOf(plot.rows, this.earlierRows()), 'text/csv')),
     );
   }
 
   toSvg(width = pictureWidth): string {
     return svgPicture(this.current, this.setting(true, width));
+  }
+
+  private earlierRows(): Measurement[] | null {
+    return (this.plot.kind === 'curve' && this.plot.earlier?.rows) || null;
   }
 
   private table(): Child {
@@ -256,10 +274,11 @@ export class Figure {
       {
         class: 'behind',
         toggle: () => {
-          if (details.open && details.children.length === 1) details.append(measurementTable(this.plot.rows));
+          if (details.open && details.children.length === 1)
+            details.append(measurementTable(this.plot.rows, this.earlierRows()));
         },
       },
-      h('summary', {}, `The ${this.plot.rows.length} numbers behind this plot`),
+      h('summary', {}, `The ${this.plot.rows.length + (this.earlierRows()?.length ?? 0)} numbers behind this plot`),
     );
     return details;
   }

@@ -1,5 +1,6 @@
 // The report: reads the results that the program put into the page, and builds the page from them.
-import type { Results } from './data';
+import { readComparison, type Comparison } from './comparison';
+import type { Measurement, Results } from './data';
 import { h } from './dom';
 import { asWritten } from './numbers';
 import { byExperiment, experimentNames, schemeNames } from './order';
@@ -7,26 +8,45 @@ import { advice } from './page/advice';
 import { leftOut, provenance, schemeTable } from './page/back';
 import { bar } from './page/bar';
 import { board } from './page/board';
+import { changes } from './page/changes';
 import { header } from './page/header';
 import { section, type Context, type Printable } from './page/section';
 import { readResults } from './read';
 import { followAddress } from './state';
 import './style.css';
 
-function build(r: Results): { page: Node[]; printables: Printable[]; schemes: string[] } {
+/** The run that this one is held against. */
+interface Earlier {
+  results: Results;
+  comparison: Comparison;
+}
+
+/** What may be drawn behind this run: no timing that another machine has measured. */
+function behind(earlier: Earlier | null): Measurement[] | null {
+  if (!earlier) return null;
+  const { results, comparison } = earlier;
+  return comparison.timingsLeftOut === ''
+    ? results.measurements
+    : results.measurements.filter((m) => m.method !== 'timed');
+}
+
+function build(r: Results, earlier: Earlier | null): { page: Node[]; printables: Printable[]; schemes: string[] } {
   const schemes = schemeNames(r),
     experiments = experimentNames(r),
-    printables: Printable[] = [];
+    printables: Printable[] = [],
+    drawnBehind = behind(earlier);
   const context: Context = {
     results: r,
     schemes,
     printables,
     measurements: byExperiment(r.measurements),
     verdicts: byExperiment(r.verdicts),
+    earlier: drawnBehind && byExperiment(drawnBehind),
   };
   const densities = byExperiment(r.densities);
   const sections = experiments.map((name) => section(name, densities.get(name) ?? [], context));
   const places: [string, string][] = [
+    ...(earlier ? [['changes', 'What has changed'] as [string, string]] : []),
     ...(r.verdicts.length > 0 ? [['board', 'Claims'] as [string, string]] : []),
     ['advice', 'Which one?'],
     ...experiments.map((name): [string, string] => [`experiment.${name}`, asWritten(name)]),
@@ -34,8 +54,9 @@ function build(r: Results): { page: Node[]; printables: Printable[]; schemes: st
     ['provenance', 'Provenance'],
   ];
   const first = board(r, schemes, experiments),
-    claims = schemeTable(r);
-  const parts = [header(r), first, advice(r), ...sections, claims, leftOut(r), provenance(r)].filter(
+    claims = schemeTable(r),
+    changed = earlier && changes(earlier.comparison, earlier.results, r);
+  const parts = [header(r), changed, first, advice(r), ...sections, claims, leftOut(r), provenance(r)].filter(
     (part): part is HTMLElement => part instanceof Node,
   );
   return { page: [bar(places, schemes), h('main', {}, ...parts)], printables, schemes };
@@ -55,17 +76,20 @@ function preparePaper(printables: Printable[]): void {
 }
 
 function start(): void {
-  const source = document.getElementById('results')?.textContent ?? '';
-  let results: Results;
+  const source = (id: string): string => document.getElementById(id)?.textContent ?? '';
+  let results: Results,
+    earlier: Earlier | null = null;
   try {
-    results = readResults(source);
+    results = readResults(source('results'));
+    if (source('before') !== '')
+      earlier = { results: readResults(source('before')), comparison: readComparison(source('comparison')) };
   } catch (error) {
     document.body.append(
       h('main', {}, h('p', { class: 'fault', role: 'alert' }, error instanceof Error ? error.message : String(error))),
     );
     return;
   }
-  const { page, printables, schemes } = build(results);
+  const { page, printables, schemes } = build(results, earlier);
   document.body.append(...page);
   preparePaper(printables);
   followAddress(schemes);

@@ -17,11 +17,12 @@ import {
 } from './data';
 
 export const knownVersion = 1;
-type Json = Record<string, unknown>;
+export type Json = Record<string, unknown>;
 
-const isObject = (x: unknown): x is Json => typeof x === 'object' && x !== null && !Array.isArray(x);
-const text = (x: unknown): string => (typeof x === 'string' ? x : x === undefined || x === null ? '' : String(x));
-const number = (x: unknown): number | null => (typeof x === 'number' && Number.isFinite(x) ? x : null);
+export const isObject = (x: unknown): x is Json => typeof x === 'object' && x !== null && !Array.isArray(x);
+export const text = (x: unknown): string =>
+  typeof x === 'string' ? x : x === undefined || x === null ? '' : String(x);
+export const number = (x: unknown): number | null => (typeof x === 'number' && Number.isFinite(x) ? x : null);
 const numbers = (x: unknown): number[] =>
   Array.isArray(x) ? x.map(number).filter((n): n is number => n !== null) : [];
 const kind = (x: unknown): Kind => (kindsByWeight.includes(x as Kind) ? (x as Kind) : 'inconclusive');
@@ -72,6 +73,7 @@ const readers = {
     method: text(o.method),
     status: statusOf(o),
     fitted: o.fitted === true,
+    abscissa: text(o.abscissa),
   }),
   fits: (o: Json): Fit => ({
     ...subject(o),
@@ -171,7 +173,8 @@ function provenanceOf(x: unknown, source: string, missing: string[]): Record<str
   return facts;
 }
 
-function parsed(source: string): Json {
+/** Throws an Error of one line where there is no object. */
+export function parsed(source: string): Json {
   let document: unknown;
   try {
     document = JSON.parse(source);

@@ -6,7 +6,8 @@ import { exact, shown } from '../numbers';
 import { table } from '../page/tables';
 
 export function titleOf(d: Density): string {
-  return [d.name || (d.time === null ? 'density' : `t = ${d.time}`), d.scheme]
+  const time = d.time === null || d.name.includes('t = ') ? '' : `t = ${d.time}`;
+  return [[d.name, time].filter((part) => part !== '').join(', ') || 'density', d.scheme]
     .filter((part) => part !== '')
     .join(' · ');
 }

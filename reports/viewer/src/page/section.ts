@@ -23,6 +23,8 @@ export interface Context {
   measurements: Map<string, Measurement[]>;
   verdicts: Map<string, Verdict[]>;
   printables: Printable[];
+  /** Of the run that this one is held against. */
+  earlier: Map<string, Measurement[]> | null;
 }
 
 function question(declared: Experiment | undefined): Child[] {
@@ -118,7 +120,7 @@ export function section(name: string, densities: Density[], context: Context): H
     rows = context.measurements.get(name) ?? [],
     verdicts = context.verdicts.get(name) ?? [];
   const declared = results.experiments.find((e) => e.name === name),
-    found = gather(results, name, schemes, rows);
+    found = gather(results, name, schemes, rows, context.earlier && (context.earlier.get(name) ?? []));
   const figures = found.plots.slice(0, mostPlots).map((plot) => new Figure(plot, schemes));
   const globes = densities.length > 0 ? [new GlobeFigure(name, densities)] : [];
   context.printables.push(...globes, ...figures);

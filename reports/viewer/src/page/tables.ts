@@ -76,7 +76,9 @@ const joined = (m: { quantity: string; observable: string }): string =>
 
 const useOf = (m: Measurement): string => (m.status !== 'ok' ? m.status : m.fitted ? 'in the fit' : '');
 
-export function measurementTable(rows: Measurement[]): HTMLElement {
+/** With the rows of an earlier run below those of this one, a column says whose each row is. */
+export function measurementTable(own: Measurement[], earlier: Measurement[] | null = null): HTMLElement {
+  const rows = earlier ? [...own, ...earlier] : own;
   const columns: Column[] = [
     { name: 'scheme' },
     { name: 'quantity' },
@@ -87,8 +89,9 @@ export function measurementTable(rows: Measurement[]): HTMLElement {
     { name: 'unit' },
     { name: 'method' },
     { name: 'use' },
+    ...(earlier ? [{ name: 'run' }] : []),
   ];
-  const cells = (m: Measurement): Child[] => [
+  const cells = (m: Measurement, i: number): Child[] => [
     m.scheme || '–',
     joined(m),
     shown(m.dt),
@@ -98,6 +101,7 @@ export function measurementTable(rows: Measurement[]): HTMLElement {
     asWritten(m.unit),
     m.method,
     useOf(m),
+    ...(earlier ? [i < own.length ? 'this' : 'earlier'] : []),
   ];
   const most =
     rows.length > mostRows &&
@@ -107,7 +111,7 @@ export function measurementTable(rows: Measurement[]): HTMLElement {
       `The first ${mostRows} of ${rows.length}. `,
       h(
         'button',
-        { type: 'button', class: 'link', click: () => save('measurements.csv', csvOf(rows), 'text/csv') },
+        { type: 'button', class: 'link', click: () => save('measurements.csv', csvOf(own, earlier), 'text/csv') },
         'All of them as CSV',
       ),
     );
@@ -117,7 +121,7 @@ export function measurementTable(rows: Measurement[]): HTMLElement {
     table(
       'measurements',
       columns,
-      rows.slice(0, mostRows).map((m) => ({ cells: cells(m) })),
+      rows.slice(0, mostRows).map((m, i) => ({ cells: cells(m, i) })),
     ),
     most,
   );

@@ -30,7 +30,9 @@ export function missingIn(rows: Measurement[]): string {
 }
 
 export function curvePlots(found: Findings): Plot[] {
-  const over = grouped(found.rows.filter(hasAbscissa), (m) => key(m) + (m.steps !== null));
+  const curve = (m: Measurement): string => key(m) + (m.steps !== null);
+  const over = grouped(found.rows.filter(hasAbscissa), curve),
+    behind = found.earlier && grouped(found.earlier.filter(hasAbscissa), curve);
   const standing = grouped(
     found.rows.filter((m) => !hasAbscissa(m) && m.value !== null),
     key,
@@ -40,7 +42,9 @@ export function curvePlots(found: Findings): Plot[] {
   for (const rows of over.values()) {
     const first = rows[0] as Measurement;
     const levels = standing.get(key(first)) ?? [];
-    const plot = oneEach(rows) ? comparisonOf(found, rows) : curveOf(found, rows, levels);
+    const plot = oneEach(rows)
+      ? comparisonOf(found, rows)
+      : curveOf(found, rows, levels, behind && (behind.get(curve(first)) ?? []));
     plots.push(plot);
     for (const m of rows) taken.add(m);
     if (plot.kind === 'curve') for (const m of levels) taken.add(m);
@@ -100,14 +104,14 @@ function slopesOf(found: Findings, lines: Line[]): number[] {
   return [...slopes].sort((a, b) => a - b);
 }
 
-function curveOf(found: Findings, rows: Measurement[], levels: Measurement[]): CurvePlot {
+function curveOf(found: Findings, rows: Measurement[], levels: Measurement[], behind: Measurement[] | null): CurvePlot {
   const first = rows[0] as Measurement,
     lines = linesOf(found, rows),
     fitted = lines.some((l) => l.fit);
   const values = rows.flatMap((m) => (m.value === null ? [] : [m.value]));
   const logY = fitted || spansFactor(values, 30),
     overSteps = first.steps !== null;
-  const absolute = values.some((v) => v < 0);
+  const absolute = [...rows, ...(behind ?? [])].some((m) => m.value !== null && m.value < 0);
   const logX = spansFactor(rows.map(abscissa), 3) && (logY || overSteps || !fitted);
   const yTitle = titleOf(first);
   const filled = lines.some((l) => l.points.some((p) => p.filled));
@@ -116,7 +120,7 @@ function curveOf(found: Findings, rows: Measurement[], levels: Measurement[]): C
     id: slug(found.experiment, first.quantity, first.observable),
     experiment: found.experiment,
     title: yTitle,
-    xTitle: overSteps ? 'number of steps' : 'step size dt',
+    xTitle: overSteps ? asWritten(first.abscissa) || 'number of steps' : 'step size dt',
     yTitle,
     logX,
     logY,
@@ -124,6 +128,7 @@ function curveOf(found: Findings, rows: Measurement[], levels: Measurement[]): C
     slopes: slopesOf(found, lines),
     front: false,
     absolute,
+    ...(behind ? { earlier: { lines: linesOf(found, behind), rows: behind } } : {}),
     rows: [...rows, ...levels],
     levels: levels.map((m) => ({ name: m.scheme || m.method, value: m.value as number })),
     hollow: filled ? 'dropped by the rule of the fit' : '',

@@ -3,8 +3,8 @@ import type { Option } from './charts';
 import { curveOption } from './draw_curve';
 import { mapHeight, mapOption } from './draw_map';
 import { comparisonOption, matrixOption } from './draw_table';
-import { pointsIn, type Plot } from './model';
-import { font, keyRows, manyPoints, type Item, type Setting } from './setting';
+import { earlierPointsIn, type Plot } from './model';
+import { font, hasManyPoints, keyRows, type Item, type Setting } from './setting';
 import { tooltipOf } from './tooltip';
 
 /** What every drawing shares: no motion, tooltips by item, and the key of a picture that stands alone. */
@@ -16,7 +16,7 @@ export function frame(plot: Plot, s: Setting): Option {
     ...(s.standalone
       ? {
           title: {
-            text: plot.title,
+            text: plot.title + (s.earlier && earlierPointsIn(plot) > 0 ? ' (faint: the earlier run)' : ''),
             left: 12,
             top: 10,
             textStyle: {
@@ -40,7 +40,7 @@ export function frame(plot: Plot, s: Setting): Option {
       textStyle: { color: s.paper.ink, fontSize: 13, fontFamily: font },
       formatter: (given: unknown) => {
         const { data } = given as { data?: { item?: Item } };
-        return data?.item ? tooltipOf(data.item.rows, data.item.remark) : '';
+        return data?.item ? tooltipOf(data.item.rows, data.item.remark, data.item.run) : '';
       },
     },
   } as Option;
@@ -64,7 +64,7 @@ export function optionOf(plot: Plot, s: Setting): Option {
   const shared = frame(plot, s);
   switch (plot.kind) {
     case 'curve':
-      return { ...shared, ...curveOption(plot, s, pointsIn(plot) > manyPoints) };
+      return { ...shared, ...curveOption(plot, s, hasManyPoints(plot)) };
     case 'comparison':
       return { ...shared, ...comparisonOption(plot, s) };
     case 'matrix':

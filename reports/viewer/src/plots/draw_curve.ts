@@ -9,8 +9,19 @@ import { axisOption, faded, keyRows, lookIn, type Item, type Setting } from './s
 const finite = (values: (number | null | undefined)[]): number[] =>
   values.filter((v): v is number => v !== null && v !== undefined && Number.isFinite(v));
 
+const behind = (plot: CurvePlot, s: Setting): Line[] => (s.earlier ? (plot.earlier?.lines ?? []) : []);
+
+/** What was found before is faint, and lies below. */
+interface Weight {
+  run: string;
+  opacity: number;
+  level: number;
+}
+const now: Weight = { run: 'this run', opacity: 1, level: 0 },
+  then: Weight = { run: 'earlier run', opacity: 0.38, level: -2 };
+
 function frameOf(plot: CurvePlot, s: Setting): Frame {
-  const points = plot.lines.flatMap((l) => l.points),
+  const points = [...plot.lines, ...behind(plot, s)].flatMap((l) => l.points),
     size = (v: number): number => (plot.absolute && s.logY ? Math.abs(v) : v);
   const values = points.map((p) => size(p.y));
   const [floor] = extent(values.filter((v) => v > 0));
@@ -39,10 +50,10 @@ function segment(a: number[], b: number[], style: object): object {
 }
 
 /** Whiskers: up and down for the value, sideways where the abscissa was measured too. */
-function barSeries(f: Frame, line: Line, look: Look): Series[] {
+function barSeries(f: Frame, line: Line, look: Look, { opacity, level }: Weight): Series[] {
   const own = line.points.filter((p) => p.low !== null || p.high !== null || p.xLow != null || p.xHigh != null);
   if (own.length === 0) return [];
-  const style = { stroke: look.colour, lineWidth: 1.1, opacity: faded(f.s, line.scheme) ? 0.06 : 0.75 };
+  const style = { stroke: look.colour, lineWidth: 1.1, opacity: opacity * (faded(f.s, line.scheme) ? 0.06 : 0.75) };
   const ends = (p: Point): number[] => [
     ...placed(f, p.x, p.y),
     ...placed(f, p.x, p.low ?? p.y),
@@ -57,7 +68,7 @@ function barSeries(f: Frame, line: Line, look: Look): Series[] {
       type: 'custom',
       name: `bars ${line.scheme}`,
       silent: true,
-      z: 3,
+      z: 3 + level,
       clip: true,
       data: own.map((p) => {
         const at = ends(p);
@@ -83,22 +94,23 @@ function barSeries(f: Frame, line: Line, look: Look): Series[] {
   ];
 }
 
-function pointSeries(f: Frame, line: Line, look: Look, many: boolean): Series {
+function pointSeries(f: Frame, line: Line, look: Look, many: boolean, { run, opacity, level }: Weight): Series {
   const dim = faded(f.s, line.scheme),
-    hollow = f.plot.hollow !== '';
+    hollow = f.plot.hollow !== '',
+    solid = opacity * (dim ? 0.1 : 1);
   const data = line.points.map((p) => ({
     value: placed(f, p.x, p.y),
-    item: { rows: p.rows, remark: remarkOn(f, p) } as Item,
+    item: { rows: p.rows, remark: remarkOn(f, p), run: f.plot.earlier ? run : '' } as Item,
     ...(hollow && !p.filled
-      ? { itemStyle: { color: f.s.paper.card, borderColor: look.colour, borderWidth: 1.5, opacity: dim ? 0.1 : 1 } }
+      ? { itemStyle: { color: f.s.paper.card, borderColor: look.colour, borderWidth: 1.5, opacity: solid } }
       : {}),
   }));
-  const style = { color: look.colour, opacity: dim ? 0.1 : 1, borderColor: look.colour, borderWidth: 0 };
+  const style = { color: look.colour, opacity: solid, borderColor: look.colour, borderWidth: 0 };
   const shared = {
-    name: line.scheme || 'no scheme',
+    name: (line.scheme || 'no scheme') + (run === now.run ? '' : `, ${run}`),
     symbol: look.symbol,
     silent: dim,
-    z: dim ? 3 : 5,
+    z: (dim ? 3 : 5) + level,
     data,
     itemStyle: style,
   };
@@ -117,7 +129,12 @@ function pointSeries(f: Frame, line: Line, look: Look, many: boolean): Series {
     symbolSize: 9,
     showAllSymbol: true,
     triggerLineEvent: false,
-    lineStyle: { color: look.colour, width: 1.3, opacity: dim ? 0.08 : 0.85, type: f.plot.front ? [3, 4] : look.dash },
+    lineStyle: {
+      color: look.colour,
+      width: 1.3,
+      opacity: opacity * (dim ? 0.08 : 0.85),
+      type: f.plot.front ? [3, 4] : look.dash,
+    },
     emphasis: { scale: 1.35, lineStyle: { width: 1.3 } },
   } as unknown as Series;
 }
@@ -136,8 +153,13 @@ export function curveOption(plot: CurvePlot, s: Setting, many: boolean): Option 
   for (const line of plot.lines) {
     const look = lookIn(s, line.scheme);
     series.push(...fitSeries(f, line, look));
-    if (!many) series.push(...barSeries(f, line, look));
-    series.push(pointSeries(f, line, look, many));
+    if (!many) series.push(...barSeries(f, line, look, now));
+    series.push(pointSeries(f, line, look, many, now));
+  }
+  for (const line of behind(plot, s)) {
+    const look = lookIn(s, line.scheme);
+    if (!many) series.push(...barSeries(f, line, look, then));
+    series.push(pointSeries(f, line, look, many, then));
   }
   const rows = keyRows(plot, s);
   const yTitle = plot.absolute && s.logY ? plot.yTitle.replace(/^([^[]*[^[ ])/, '|$1|') : plot.yTitle;

@@ -7,6 +7,8 @@ export interface Findings {
   fits: Fit[];
   verdicts: Verdict[];
   rows: Measurement[];
+  /** Of the run that this one is held against, if there is one. */
+  earlier: Measurement[] | null;
 }
 
 export const hasAbscissa = (m: Measurement): boolean => m.dt !== null || m.steps !== null;

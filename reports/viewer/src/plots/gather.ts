@@ -16,11 +16,18 @@ export interface Gathered {
   rest: Measurement[]; // in the table only
 }
 
-export function gather(r: Results, experiment: string, schemes: readonly string[], rows: Measurement[]): Gathered {
+export function gather(
+  r: Results,
+  experiment: string,
+  schemes: readonly string[],
+  rows: Measurement[],
+  earlier: Measurement[] | null = null,
+): Gathered {
   const found: Findings = {
     experiment,
     schemes,
     rows,
+    earlier,
     fits: r.fits.filter((f) => f.experiment === experiment),
     verdicts: r.verdicts.filter((v) => v.experiment === experiment),
   };

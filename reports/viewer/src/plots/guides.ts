@@ -74,14 +74,15 @@ export function fitSeries(f: Frame, line: Line, look: Look): Series[] {
   return series;
 }
 
-/** Dashed lines of the claimed orders, in a fan from above the points at the coarsest level. */
+/** Dashed lines of the claimed orders, in a fan from above the points where they are largest. */
 export function slopeSeries(f: Frame): Series[] {
   if (!f.x.log || !f.y.log || f.plot.slopes.length === 0) return [];
   const xs = f.plot.lines.flatMap((l) => l.points.map((p) => p.x)).filter((x) => x > 0);
   const [left, right] = extent(xs.map(Math.log10)),
     top = f.y.max - 0.03 * (f.y.max - f.y.min);
   return f.plot.slopes.map((slope) => {
-    const reach = Math.max(left, right - (0.92 * (f.y.max - f.y.min)) / slope);
+    const length = Math.min(right - left, (0.92 * (f.y.max - f.y.min)) / Math.abs(slope)),
+      [from, to] = slope > 0 ? [right, right - length] : [left, left + length];
     return {
       type: 'line',
       name: `slope ${shown(slope)}`,
@@ -89,17 +90,17 @@ export function slopeSeries(f: Frame): Series[] {
       silent: true,
       z: 6,
       data: [
-        [right, top],
-        [reach, top - slope * (right - reach)],
+        [from, top],
+        [to, top - Math.abs(slope) * length],
       ],
       lineStyle: { color: f.s.paper.soft, width: 1.1, type: [5, 4], opacity: 0.8 },
       endLabel: {
         show: true,
-        formatter: `order ${slope === 0.5 ? '½' : shown(slope)}`,
+        formatter: `order ${shown(slope).replace(/\b0\.5$/, '½')}`,
         color: f.s.paper.soft,
         fontSize: 11.5,
-        offset: [6, -9],
-        align: 'left',
+        offset: [slope > 0 ? 6 : -6, -9],
+        align: slope > 0 ? 'left' : 'right',
         backgroundColor: f.s.paper.card,
         padding: [1, 3],
       },

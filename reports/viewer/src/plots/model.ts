@@ -40,6 +40,8 @@ export interface CurvePlot extends Common {
   front: boolean; // filled points are a Pareto front: lower left is better
   hollow: string; // what a hollow marker says
   absolute: boolean; // drawn is |y|
+  /** The same of the run that this one is held against: lines behind, and their measurements. */
+  earlier?: { lines: Line[]; rows: Measurement[] };
   /** The same points over other ordinates, to choose from. */
   others?: { name: string; plot: CurvePlot }[];
 }
@@ -104,13 +106,19 @@ export type Plot = CurvePlot | ComparisonPlot | MapPlot | MatrixPlot;
 export function pointsIn(plot: Plot): number {
   switch (plot.kind) {
     case 'curve':
-      return plot.lines.reduce((n, line) => n + line.points.length, 0);
+      return count(plot.lines);
     case 'map':
       return plot.panels.reduce((n, panel) => n + panel.cells.length + panel.border.length, 0);
     default:
       return plot.entries.length;
   }
 }
+
+const count = (lines: Line[]): number => lines.reduce((n, line) => n + line.points.length, 0);
+
+/** Of the earlier run. */
+export const earlierPointsIn = (plot: Plot): number =>
+  plot.kind === 'curve' && plot.earlier ? count(plot.earlier.lines) : 0;
 
 export function schemesIn(plot: Plot): string[] {
   const names =

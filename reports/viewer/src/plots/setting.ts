@@ -1,7 +1,7 @@
 // All that a drawing depends on beside its plot, and what the drawings share.
 import type { Measurement } from '../data';
 import { lookOf, type Look, type Paper } from '../style';
-import { schemesIn, type Plot } from './model';
+import { earlierPointsIn, pointsIn, schemesIn, type Plot } from './model';
 import type { Axis } from './scale';
 
 export interface Setting {
@@ -11,6 +11,8 @@ export interface Setting {
   isolated: string | null;
   logX: boolean;
   logY: boolean;
+  /** The earlier run is drawn, too, where there is one. */
+  earlier: boolean;
   /** A picture that stands alone: with title and key, without motion. */
   standalone: boolean;
 }
@@ -18,6 +20,8 @@ export interface Setting {
 export const font = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif";
 /** Above this, points are drawn in bulk, without bars, on a canvas. */
 export const manyPoints = 3000;
+
+export const hasManyPoints = (plot: Plot): boolean => pointsIn(plot) + earlierPointsIn(plot) > manyPoints;
 
 export function lookIn(s: Setting, scheme: string): Look {
   const index = s.schemes.indexOf(scheme);
@@ -32,6 +36,7 @@ export const faded = (s: Setting, scheme: string): boolean =>
 export interface Item {
   rows: Measurement[];
   remark?: string;
+  run?: string; // where there are two
 }
 
 export function axisOption(axis: Axis, title: string, s: Setting, side: 'x' | 'y') {

@@ -18,11 +18,11 @@ function lineOf(m: Measurement, withName: boolean): HTMLElement {
   );
 }
 
-export function tooltipOf(rows: Measurement[], remark = ''): HTMLElement {
+export function tooltipOf(rows: Measurement[], remark = '', run = ''): HTMLElement {
   const first = rows[0] as Measurement;
   const where = [
     first.dt === null ? '' : `dt = ${exact(first.dt)}`,
-    first.steps === null ? '' : `n = ${exact(first.steps)}`,
+    first.steps === null ? '' : `${asWritten(first.abscissa) || 'n'} = ${exact(first.steps)}`,
   ]
     .filter((part) => part !== '')
     .join(', ');
@@ -36,6 +36,7 @@ export function tooltipOf(rows: Measurement[], remark = ''): HTMLElement {
       { class: 'who' },
       first.scheme || asWritten(first.quantity),
       where === '' ? false : h('span', {}, ` · ${where}`),
+      run === '' ? false : h('span', {}, ` · ${run}`),
     ),
     ...rows.map((m) => lineOf(m, true)),
     methods === '' ? false : h('div', { class: 'soft' }, methods),
