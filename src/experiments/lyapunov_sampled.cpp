@@ -28,7 +28,6 @@ constexpr double known_share = 0.1;                           // of the margin: 
 constexpr double clear = 5;                                   // standard errors: an error that a fit may use
 constexpr double relaxations = 8;                             // until the start is forgotten, to e^-8
 constexpr double observed = 5, observed_thoroughly = 40;      // times as long as that
-constexpr double most_steps = 2e5;                            // of a path, before sampling is too dear to be offered
 
 /// Several step sizes, sampled until their intervals are tight.
 class sampled_levels {
@@ -187,7 +186,7 @@ std::optional<double> time_to_forget(const context& c, double rate, report::resu
     reason = "how long a start is remembered is not known: the spectral gap is " + gap.reason;
   else if (!(*gap.value > 0))
     reason = "the start is never forgotten: no stationary law is unique";
-  else if (steps > most_steps)
+  else if (steps > by_effort(c.effort, 1e5, 2e5, 2e6))  // of a path; more is too dear to be offered
     reason = fmt::format("the start is remembered too long: {:.1e} steps a path", steps);
   if (reason.empty()) return time;
   out.skipped.push_back({"lyapunov", "", "sampled exponents: " + reason});
