@@ -136,9 +136,13 @@ export function frontSeries(f: Frame): Series[] {
 }
 
 export function levelSeries(f: Frame): Series[] {
+  const room = 0.055 * (f.y.max - f.y.min); // a line of text; levels that are closer share the label of one
+  const labelled: number[] = [];
   return f.plot.levels.flatMap(({ name, value }) => {
     const at = f.y.at(value);
     if (at === null) return [];
+    const free = labelled.every((other) => Math.abs(other - at) > room);
+    if (free) labelled.push(at);
     return [
       {
         type: 'line',
@@ -152,7 +156,7 @@ export function levelSeries(f: Frame): Series[] {
         ],
         lineStyle: { color: f.s.paper.ink, width: 1.2, type: [2, 3] },
         endLabel: {
-          show: true,
+          show: free,
           formatter: `${name} ${shown(value)}`,
           color: f.s.paper.soft,
           fontSize: 11.5,
