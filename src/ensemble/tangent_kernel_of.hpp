@@ -1,4 +1,4 @@
-// The tangents of a scheme's own step, by dual numbers: no derivative is written by hand, and none can be wrong. One
+// The tangents of a scheme's own step, by dual numbers: no derivative is written by hand. One
 // form of the system for every scene and step size, as a derivative is worth no specialisation. Instantiated in the
 // registry alone.
 #pragma once

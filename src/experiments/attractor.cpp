@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "experiments/levels.hpp"
+#include "experiments/progress_counter.hpp"
 #include "experiments/stationary_bias.hpp"
 #include "experiments/transfer.hpp"
 
@@ -99,33 +100,26 @@ simulation_plan common_noise_plan(const context& c, double dt) {
   return p;
 }
 
-context part_of(const context& c, double from, double to) {
-  auto part = c;
-  part.progress = [=, &c](double share) { c.progress(from + (to - from) * share); };
-  return part;
-}
+double affordable(effort e, double path_steps_at_quick) { return path_steps_at_quick * by_effort(e, 1, 10, 100); }
 
 experiment attractor_experiment() {
   return {
       {"attractor",
        "What becomes of bodies all over the sphere under one common noise?",
        {"Averages: per noise path the harmonics (to degree 2) of the random measure of 64 bodies from a uniform start, "
-        "after one body has forgotten it to 1e-4. Over N paths its mean lies at b^2 + V/N, squared, from the true law, "
-        "b "
-        "the exact bias of the scheme's own law (transfer operator): with b^2 taken off the slope must be -1/2, and "
-        "the "
-        "mean over all paths must be the scheme's own law to a tenth of a standard deviation of any function.",
+        "after one body has forgotten it to 1e-4. Over N paths the square of the mean's distance from the true law is "
+        "b^2 + V/N, b the exact bias of the scheme's own law (transfer operator): with b^2 taken off the slope must be "
+        "-1/2, and the mean over all paths must be the scheme's own law to a tenth of a standard deviation of any "
+        "function.",
         "Pullback: bodies start uniformly at -T with the same noise up to time 0. Change: from one T to the next, "
         "root-mean-square over noise paths, by two independent sets of bodies, so that their number leaves no bias.",
         "Where lambda_1 < 0: the rate at which bodies 1e-6 apart meet (set back to that distance now and then), over "
-        "many noise paths, against the exact "
-        "lambda_1. "
+        "many noise paths, against the exact lambda_1.",
         "Where lambda_1 > 0 (quick: schemes of weak order two alone): numbers of boxes of equal area that are "
-        "occupied, that hold the information, that hold "
-        "the "
-        "pairs, against their side; mean slopes over noise paths. D_2 <= D_1 <= D_0, and D_1 is Kaplan and Yorke's. "
-        "Finite samples miss boxes, the more the smaller: D_0 comes out too low, D_1 slightly (first order corrected), "
-        "D_2 not; boxes whose sizes are not small against the sphere see its curvature and the whole attractor.",
+        "occupied, that hold the information, that hold the pairs, against their side; mean slopes over noise paths. "
+        "D_2 <= D_1 <= D_0, and D_1 is Kaplan and Yorke's. Finite samples miss boxes, the more the smaller: D_0 comes "
+        "out too low, D_1 slightly (first order corrected), D_2 not; boxes whose sizes are not small against the "
+        "sphere see its curvature and the whole attractor.",
         "Normals: fast ones. Areas from the weak surrogate, as in the transfer operator."}},
       4,
       cannot_say,

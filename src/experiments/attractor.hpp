@@ -31,8 +31,8 @@ noise_source fast_noise(const context&);
 /// Bodies from a uniform start under the noise of path 0; how many, how long and with which areas is left open.
 simulation_plan common_noise_plan(const context&, double dt);
 
-/// The share of the progress between `from` and `to`.
-context part_of(const context&, double from, double to);
+/// Path-steps of one scheme that a part may take, given those at quick effort.
+double affordable(effort, double path_steps_at_quick);
 
 /// Averages over noise paths against the true law.
 void report_averages(const context&, const attractor_frame&, report::results&);

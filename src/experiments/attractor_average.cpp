@@ -16,6 +16,7 @@
 #include "ensemble/uniform_start.hpp"
 #include "experiments/attractor.hpp"
 #include "experiments/harmonic_means.hpp"
+#include "experiments/progress_counter.hpp"
 #include "experiments/sequential.hpp"
 #include "experiments/transfer_refine.hpp"
 #include "statistics/resample.hpp"
@@ -208,7 +209,7 @@ std::vector<scheme_run> prepared(const context& c, const attractor_frame& f, int
 void report_averages(const context& c, const attractor_frame& f, report::results& out) {
   const auto steps = f.steps_in(-std::log(forgotten) / f.gap, f.dt);
   sampling_plan plan{least_paths, by_effort(c.effort, 8192, 32'768, 131'072)};
-  const double most = most_path_steps * by_effort(c.effort, 1, 10, 100);
+  const double most = affordable(c.effort, most_path_steps);
   const auto work = [&] { return 1.0 * block_lanes * static_cast<double>(steps) * plan.most; };
   while (work() > most && plan.most > least_paths) plan.most /= 2;
   if (work() > most) {

@@ -109,11 +109,12 @@ void report_dimensions(const context& c, const attractor_frame& f, report::resul
   const dimension_plan plan{f.dt, f.steps_in(time, f.dt), by_effort(c.effort, 1 << 15, 1 << 16, 1 << 18),
                             by_effort(c.effort, 64, 64, 128)};
   const double path_steps = static_cast<double>(plan.steps * plan.bodies) * plan.paths;
-  if (path_steps > most_path_steps * by_effort(c.effort, 1, 10, 100)) {
+  const double most = affordable(c.effort, most_path_steps);
+  if (path_steps > most) {
     out.skipped.push_back({"attractor", "",
                            fmt::format("dimensions: contracting below a box takes {:.1e} path-steps a "
                                        "scheme, at most {:.1e} are affordable",
-                                       path_steps, most_path_steps)});
+                                       path_steps, most)});
     return;
   }
   out.measurements.push_back(measured({"attractor", "", "Kaplan-Yorke dimension", "", "", "exact"}, {},

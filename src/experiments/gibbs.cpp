@@ -14,6 +14,7 @@
 #include "experiments/experiment.hpp"
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
+#include "experiments/progress_counter.hpp"
 #include "experiments/sequential.hpp"
 #include "experiments/stationary_bias.hpp"
 #include "experiments/vectors.hpp"
@@ -224,12 +225,6 @@ std::optional<std::string> cannot_sample(const subject& s) {
   return std::nullopt;
 }
 
-context half_of(const context& c, double before) {
-  auto half = c;
-  half.progress = [before, &c](double share) { c.progress(before + share / 2); };
-  return half;
-}
-
 void run(const context& c, report::results& out) {
   for (const auto& scheme : c.subject.schemes)
     if (!scheme.info.casimir.exact)
@@ -239,8 +234,8 @@ void run(const context& c, report::results& out) {
   if (const auto reason = cannot_sample(c.subject))
     out.skipped.push_back({"gibbs", "", "sampled law: " + *reason});
   else
-    report_samples(half_of(c, 0), out);
-  report_stationary_bias(half_of(c, 0.5), out);
+    report_samples(part_of(c, 0, 0.5), out);
+  report_stationary_bias(part_of(c, 0.5, 1), out);
 }
 
 }  // namespace

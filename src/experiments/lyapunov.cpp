@@ -110,10 +110,8 @@ void run(const context& c, report::results& out) {
   const auto p = *sphere_problem_of(c.subject);
   const auto exact = lyapunov(p, tolerance);
   report_exponents(exact, out);
-  auto sampling = c;
-  sampling.progress = [&c](double share) { c.progress(share / 2); };
-  report_sampled_exponents(sampling, exact, out);
-  const std::function<void(double)> mapping = [&c](double share) { c.progress((1 + share) / 2); };
+  report_sampled_exponents(part_of(c, 0, 0.5), exact, out);
+  const auto mapping = part_of(c, 0.5, 1);
   const auto grid = axes_of(p, c.effort);
   const auto easiest = lyapunov(at(p, grid.sigma.back(), grid.theta.back() / 2), map_tolerance);
   if (!easiest.reason.empty()) {
@@ -122,7 +120,7 @@ void run(const context& c, report::results& out) {
   }
   const auto n = static_cast<int>(grid.sigma.size());
   std::vector<report::measurement> map(static_cast<std::size_t>(n * n)), curve(static_cast<std::size_t>(n));
-  progress_counter done(n * n + n, mapping);
+  progress_counter done(n * n + n, mapping.progress);
   parallel_for(c.threads, n * n + n, [&](int i) {
     const double sigma = grid.sigma[static_cast<std::size_t>(i % n)];
     if (i < n * n) {

@@ -9,6 +9,7 @@
 
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
+#include "experiments/progress_counter.hpp"
 #include "experiments/sequential.hpp"
 #include "experiments/tangent_runs.hpp"
 #include "experiments/transfer.hpp"
@@ -68,6 +69,8 @@ class sampled_levels {
 
  private:
   void run(int block, std::span<const int> open) {
+    const bool areas =
+        std::ranges::any_of(open, [&](int k) { return schemes_[static_cast<std::size_t>(k)].needs_areas; });
     for (std::size_t l = 0; l < runs_.size(); ++l) {
       std::vector<const tangent_kernel*> kernels;
       std::vector<growth*> out;
@@ -75,8 +78,7 @@ class sampled_levels {
         kernels.push_back(kernels_[static_cast<std::size_t>(k)][l].get());
         out.push_back(&found_[static_cast<std::size_t>(k)][l]);
       }
-      run_tangents(context_, runs_[l], first_level_ + static_cast<int>(l), block, kernels, any_needs_areas(schemes_),
-                   out);
+      run_tangents(context_, runs_[l], first_level_ + static_cast<int>(l), block, kernels, areas, out);
     }
   }
   bool is_tight(std::size_t scheme, int paths, double tight) const {
@@ -218,12 +220,7 @@ void report_sampled_exponents(const context& c, const lyapunov_exponents& exact,
   const exponent exponents[]{{"lambda_1", &growth::length, if_known(exact.lambda1.value_or(0)), exact.uncertainty},
                              {"lambda_1 + lambda_2", &growth::area, if_known(exact.sum), exact.sum_uncertainty}};
 
-  const auto half_of = [&](double before) {
-    auto half = c;
-    half.progress = [before, &c](double share) { c.progress(before + share / 2); };
-    return half;
-  };
-  const auto first = half_of(0), second = half_of(0.5);
+  const auto first = part_of(c, 0, 0.5), second = part_of(c, 0.5, 1);
   sampled_levels at_fine(first, schemes, runs(fine, observed), 0);
   at_fine.sample({256, by_effort(c.effort, 1024, 2048, 4096)}, tight_value * margin);
   const auto steps = std::span(coarse).first(by_effort<std::size_t>(c.effort, 5, 6, 6));
