@@ -1,7 +1,8 @@
 // Measurements as CSV (RFC 4180): every number with all its digits.
 import type { Measurement } from './data';
 
-const columns: (keyof Measurement)[] = [
+/** Those of measurements.csv. */
+export const columns: (keyof Measurement)[] = [
   'experiment',
   'scheme',
   'quantity',

@@ -1,4 +1,5 @@
 // Reads results.json tolerantly, so that an older or a partial file is shown with what it has.
+import { columns } from './csv';
 import {
   kindsByWeight,
   type Kind,
@@ -105,24 +106,10 @@ const readers = {
   }),
 };
 
-const required: { [List in keyof typeof readers]?: string[] } = {
+const required: { [List in keyof typeof readers]?: readonly string[] } = {
   schemes: ['name', 'title', 'source', 'calculus', 'claims'],
   experiments: ['name', 'question'],
-  measurements: [
-    'experiment',
-    'scheme',
-    'quantity',
-    'observable',
-    'dt',
-    'steps',
-    'value',
-    'low',
-    'high',
-    'unit',
-    'method',
-    'status',
-    'fitted',
-  ],
+  measurements: columns,
   fits: ['experiment', 'scheme', 'quantity', 'order', 'low', 'high', 'prefactor', 'rule'],
   verdicts: ['experiment', 'scheme', 'claim', 'expected', 'estimate', 'verdict', 'reason'],
   skipped: ['experiment', 'scheme', 'reason'],
