@@ -64,7 +64,9 @@ std::string page_of(const results& r, std::string before, std::string changes) {
 std::string to_html(const results& r) { return page_of(r, {}, {}); }
 
 std::string to_html(const results& before, const results& after, const comparison& changes) {
-  return page_of(after, inert(to_json(before)), inert(to_json(std::span(&changes, 1))));
+  auto drawn = before;
+  drawn.densities.clear();  // the page turns those of `after` alone
+  return page_of(after, inert(to_json(drawn)), inert(to_json(std::span(&changes, 1))));
 }
 
 }  // namespace polhode::report

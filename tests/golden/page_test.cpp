@@ -67,11 +67,14 @@ TEST(page, holds_the_earlier_results_and_the_comparison) {
   report::comparison changes;
   changes.scene = "</script><script>";
   changes.changes.resize(1);
-  const auto found = parts_of(report::to_html(sample(), sample_named("plain"), changes));
+  auto before = sample();
+  const auto drawn = before;
+  before.densities.push_back({"attractor", "", "law", {}, 2, 2, {1, 1, 1, 1}});
+  const auto found = parts_of(report::to_html(before, sample_named("plain"), changes));
   EXPECT_EQ(found.title, "plain · polhode");
   EXPECT_EQ((found.before + found.comparison).find('<'), std::string::npos);
   EXPECT_EQ(without_escapes(found.json), report::to_json(sample_named("plain")));
-  EXPECT_EQ(without_escapes(found.before), report::to_json(sample()));
+  EXPECT_EQ(without_escapes(found.before), report::to_json(drawn));
   EXPECT_EQ(without_escapes(found.comparison), report::to_json(std::span(&changes, 1)));
 }
 
