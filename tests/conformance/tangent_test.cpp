@@ -56,17 +56,17 @@ void expect_derivative(const subject& s, int steps, double dt, const std::string
 }
 
 template <class Scheme>
-struct Tangent : testing::Test {
+struct Tangents : testing::Test {
   void TearDown() override { choose_isa(usable_isas().back()); }
 };
-TYPED_TEST_SUITE(Tangent, every_scheme);
+TYPED_TEST_SUITE(Tangents, every_scheme);
 
 subject only(subject s, std::string_view scheme) {
   std::erase_if(s.schemes, [&](const scheme_entry& e) { return e.info.name != scheme; });
   return s;
 }
 
-TYPED_TEST(Tangent, IsTheDerivativeOfTheOrdinaryKernel) {
+TYPED_TEST(Tangents, IsTheDerivativeOfTheOrdinaryKernel) {
   for (const isa level : usable_isas()) {
     choose_isa(level);
     for (const auto& scene : every_part()) {
@@ -79,12 +79,14 @@ TYPED_TEST(Tangent, IsTheDerivativeOfTheOrdinaryKernel) {
   }
 }
 
-TYPED_TEST(Tangent, IsTheDerivativeOnAnyAlgebra) {
+// Of products alone and of exponentials: the numbers are the same templates. One step, as the kernel of many merges
+// flows, which are exact on so(3) but not on this so(4).
+TEST(Tangent, IsTheDerivativeOnAnyAlgebra) {
   auto scene = load_scene("paper");
   scene.momentum = {0.6, 0.48, 0.64, -0.3, 0.8, 0.5};
   const auto make = [](const report::scene&) { return so4_body(); };
-  // One step, as the kernel of many merges flows, which are exact on so(3) but not on this so(4).
-  expect_derivative(bind(scene, make, scheme_list<TypeParam>{}), 1, 0.1, std::string(TypeParam::info.name));
+  const auto s = bind(scene, make, scheme_list<milstein, magnus>{});
+  for (const auto& e : s.schemes) expect_derivative(only(s, e.info.name), 1, 0.1, std::string(e.info.name));
 }
 
 }  // namespace
