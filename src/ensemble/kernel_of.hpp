@@ -11,6 +11,7 @@
 #include <polhode/schemes/scheme_info.hpp>
 #include <polhode/simd.hpp>
 
+#include "ensemble/flatten.hpp"
 #include "ensemble/kernel.hpp"
 #include "ensemble/work_counters.hpp"
 
@@ -58,7 +59,7 @@ class kernel_of final : public kernel {
  public:
   explicit kernel_of(Forms forms) : forms_(std::move(forms)) {}
 
-  [[gnu::flatten]] void advance(std::span<double> states, const increment_view& given, piece p) const override {
+  POLHODE_FLATTEN void advance(std::span<double> states, const increment_view& given, piece p) const override {
     const double dt = given.dt;
     count_path_steps(static_cast<std::uint64_t>(given.steps) * block_lanes);
     if (given.silent()) {
@@ -83,8 +84,8 @@ class kernel_of final : public kernel {
 
   shared_steps share(const increment_view& one_path) const override { return forms_.share(one_path); }
 
-  [[gnu::flatten]] void advance(std::span<double> states, const shared_steps& noise, std::int64_t first_step,
-                                std::int64_t steps, piece p) const override {
+  POLHODE_FLATTEN void advance(std::span<double> states, const shared_steps& noise, std::int64_t first_step,
+                               std::int64_t steps, piece p) const override {
     count_path_steps(static_cast<std::uint64_t>(steps) * block_lanes);
     const double* row = noise.table.data() + static_cast<std::size_t>(first_step) * noise.words;
     auto system = forms_.common();
@@ -95,7 +96,7 @@ class kernel_of final : public kernel {
     });
   }
 
-  [[gnu::flatten]] void finish(std::span<double> states, double dt) const override { close(rows_of(states), dt); }
+  POLHODE_FLATTEN void finish(std::span<double> states, double dt) const override { close(rows_of(states), dt); }
 
  private:
   using own_system = std::remove_cvref_t<decltype(std::declval<const Forms&>().own())>;

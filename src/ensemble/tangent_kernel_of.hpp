@@ -7,6 +7,7 @@
 
 #include <polhode/dual.hpp>
 
+#include "ensemble/flatten.hpp"
 #include "ensemble/kernel_of.hpp"
 #include "ensemble/tangent_kernel.hpp"
 
@@ -42,7 +43,7 @@ class tangent_kernel_of final : public tangent_kernel {
     return w;
   }
 
-  [[gnu::flatten]] void step(double* state, double* tangent, const wiener_levy<number, channels>& w) const {
+  POLHODE_FLATTEN void step(double* state, double* tangent, const wiener_levy<number, channels>& w) const {
     const auto value = load_lanes<pack, dimension>(state);
     vec<number, dimension> mu;
     for (int k = 0; k < dimension; ++k) mu[k].value = value[k];

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "ensemble/flatten.hpp"
 #include "ensemble/kernel_of.hpp"
 #include "ensemble/tangent_kernel_of.hpp"
 #include "experiments/subject.hpp"
@@ -30,8 +31,8 @@ class model_of final : public model {
     const auto c = System::algebra::casimirs(state(mu));
     return {c.c.begin(), c.c.end()};
   }
-  [[gnu::flatten]] void conserved(std::span<const double> states, std::span<double> energies,
-                                  std::span<double> casimirs) const override {
+  POLHODE_FLATTEN void conserved(std::span<const double> states, std::span<double> energies,
+                                 std::span<double> casimirs) const override {
     for (int lane = 0; lane < block_lanes; lane += static_cast<int>(pack::size())) {
       const auto mu = load_lanes<pack, n>(states.data() + lane);
       pack(system_.energy(mu)).copy_to(energies.data() + lane, stdx::element_aligned);
@@ -42,8 +43,8 @@ class model_of final : public model {
     const auto x = state(mu);
     std::ranges::copy(System::algebra::coad(system_.generator(x), x).c, out.begin());
   }
-  [[gnu::flatten]] void coarsen(const increment_view& fine, int factor, std::span<double> dw,
-                                std::span<double> area) const override {
+  POLHODE_FLATTEN void coarsen(const increment_view& fine, int factor, std::span<double> dw,
+                               std::span<double> area) const override {
     constexpr int pairs = pairs_of<m>;
     const auto at = [&](int i, int lane) {
       wiener_levy<pack, m> w;

@@ -2,7 +2,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "unit/cache_fixture.hpp"
+#include "support/cache_fixture.hpp"
 
 namespace polhode {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "ensemble/isa.hpp"
 #include "registry/cache_key.hpp"
-#include "unit/cache_fixture.hpp"
+#include "support/cache_fixture.hpp"
 
 namespace polhode {
 namespace {
@@ -112,41 +112,6 @@ TEST_F(Cache, NameAndThreadsDoNot) {
   EXPECT_EQ(second.scene.name, "another");
   second.scene.name = first.scene.name;
   EXPECT_EQ(said(second), said(first));
-}
-
-// The ground on which a result is kept scheme by scheme. Every experiment of the list is held to it but the one that is
-// never kept, as it measures time and compares schemes.
-TEST_F(Cache, NoSchemeChangesWhatIsSaidOfAnother) {
-  options.experiments.clear();
-  for (const auto& e : list_experiments())
-    if (e.name != "work_precision") options.experiments.push_back(e.name);
-  // drifting, exact with areas, exact without
-  const auto together = verify(scene, options);
-  auto rows = together;
-  rows.measurements.clear(), rows.fits.clear(), rows.verdicts.clear(), rows.skipped.clear();
-  const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-  const auto schemes = options.schemes;
-  for (const auto& scheme : schemes) {
-    options.schemes = {scheme};
-    const auto alone = verify(scene, options);
-    // Rows of no scheme are the scene's own: the same in every run.
-    for (const auto& m : alone.measurements)
-      if (!m.scheme.empty() || scheme == schemes.front()) rows.measurements.push_back(m);
-    append(rows.fits, alone.fits);
-    append(rows.verdicts, alone.verdicts);
-    append(rows.skipped, alone.skipped);
-  }
-  const auto sorted = [](report::results r) {
-    const auto by_experiment = [](const auto& a, const auto& b) { return a.experiment < b.experiment; };
-    const auto by_scheme = [](const auto& a, const auto& b) { return a.scheme < b.scheme; };
-    const auto sort = [&](auto& all) {
-      std::ranges::stable_sort(all, by_scheme);
-      std::ranges::stable_sort(all, by_experiment);
-    };
-    sort(r.measurements), sort(r.fits), sort(r.verdicts), sort(r.skipped);
-    return said(r);
-  };
-  EXPECT_EQ(sorted(rows), sorted(together));
 }
 
 TEST_F(Cache, AKeySaysFromWhatItWasMade) {

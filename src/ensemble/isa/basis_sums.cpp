@@ -5,6 +5,7 @@
 
 #include <polhode/scalar.hpp>
 
+#include "ensemble/flatten.hpp"
 #include "ensemble/isa_entry.hpp"
 #include "ensemble/kernel_of.hpp"
 
@@ -79,7 +80,7 @@ void add_all(const basis_sums& q) {
 }  // namespace
 }  // namespace polhode
 
-extern "C" [[gnu::flatten]] void POLHODE_ENTRY(polhode_add_basis_)(const polhode::basis_sums& q) {
+extern "C" POLHODE_FLATTEN void POLHODE_ENTRY(polhode_add_basis_)(const polhode::basis_sums& q) {
   if (q.radial == 1)
     polhode::add_all<true>(q);
   else

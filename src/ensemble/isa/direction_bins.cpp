@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "ensemble/flatten.hpp"
 #include "ensemble/isa_entry.hpp"
 #include "ensemble/kernel_of.hpp"
 #include "ensemble/sphere_bins.hpp"
@@ -31,7 +32,7 @@ void find(const double* states, int lane, direction_bins& out) {
 }  // namespace
 }  // namespace polhode
 
-extern "C" [[gnu::flatten]] void POLHODE_ENTRY(polhode_find_bins_)(const double* states, polhode::direction_bins& out) {
+extern "C" POLHODE_FLATTEN void POLHODE_ENTRY(polhode_find_bins_)(const double* states, polhode::direction_bins& out) {
   for (int lane = 0; lane < polhode::block_lanes; lane += static_cast<int>(polhode::pack::size()))
     polhode::find(states, lane, out);
 }
