@@ -79,8 +79,8 @@ TYPED_TEST(Tangents, IsTheDerivativeOfTheOrdinaryKernel) {
   }
 }
 
-// Of products alone and of exponentials: the numbers are the same templates. One step, as the kernel of many merges
-// flows, which are exact on so(3) but not on this so(4).
+// One scheme of products alone, one of exponentials; every scheme's step with dual numbers: scheme_test.cpp. One step,
+// as the kernel of many merges flows, which are exact on so(3) but not on this so(4).
 TEST(Tangent, IsTheDerivativeOnAnyAlgebra) {
   auto scene = load_scene("paper");
   scene.momentum = {0.6, 0.48, 0.64, -0.3, 0.8, 0.5};
