@@ -24,7 +24,7 @@ struct cache_of_a_test : testing::Test {
     folder += std::string("_") + testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::remove_all(folder);
     options.experiments = {"casimir", "energy"};
-    options.schemes = {"heun", "magnus", "strang"};
+    options.schemes = {"heun", "magnus", "strang"};  // drifting, exact with areas, exact without
     options.effort = effort::quick;
     options.threads = 2;
   }

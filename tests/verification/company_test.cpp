@@ -13,7 +13,6 @@ TEST_F(Company, ChangesNothingThatIsSaidOfAScheme) {
   options.experiments.clear();
   for (const auto& e : list_experiments())
     if (e.name != "work_precision") options.experiments.push_back(e.name);
-  // drifting, exact with areas, exact without
   const auto together = verify(scene, options);
   auto rows = together;
   rows.measurements.clear(), rows.fits.clear(), rows.verdicts.clear(), rows.skipped.clear();
