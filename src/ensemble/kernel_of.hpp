@@ -29,11 +29,16 @@ void store_lanes(const vec<S, N>& v, double* at) {
   for (int k = 0; k < N; ++k) v[k].copy_to(at + k * block_lanes, stdx::element_aligned);
 }
 
-/// The increment of a block's lanes at a place of [step][channel][lane].
+/// The increment of a block's lanes at a place of [step][channel][lane], but for the factor unit_of(view).
+template <class S, int N>
+vec<S, N> load_scaled_increment(const increment_view& view, std::ptrdiff_t at) {
+  return view.singles.empty() ? load_lanes<S, N>(view.dw.data() + at) : load_lanes<S, N>(view.singles.data() + at);
+}
+inline double unit_of(const increment_view& view) { return view.singles.empty() ? 1 : view.scale; }
+
 template <class S, int N>
 vec<S, N> load_increment(const increment_view& view, std::ptrdiff_t at) {
-  return view.singles.empty() ? load_lanes<S, N>(view.dw.data() + at)
-                              : S(view.scale) * load_lanes<S, N>(view.singles.data() + at);
+  return S(unit_of(view)) * load_scaled_increment<S, N>(view, at);
 }
 
 /// The scalar of the loops: two packs whose operations alternate and hide each other's latency, but one where that
@@ -49,7 +54,8 @@ concept merges_on = requires(const System& system, const vec<double, System::dim
 };
 
 /// Forms: a system in the forms in which the loops need it (plain_forms below is the simplest).
-///   own(): for paths with increments of their own, which take(view, scratch) brings into the form it expects
+///   own(unit): for paths with increments of their own, in units of `unit`; take(view, scratch) brings them into the
+///   form it expects
 ///   silent(): without noise
 ///   share(view): the table of a common noise;   common(): a system that enter(system, row, dt) puts into the step of a
 ///   row of that table, and that takes the increment which enter returns axis(k): the row of the states that is
@@ -70,11 +76,11 @@ class kernel_of final : public kernel {
     }
     std::vector<double> scratch;
     const increment_view view = forms_.take(given, scratch);
-    const auto system = forms_.own();
+    const auto system = forms_.own(unit_of(view));
     run(rows_of(states), given.steps, dt, p, [&](std::int64_t i, auto&& pass) {
       pass(system, [=, &view](int lane) {
         auto w = levy(dt);
-        w.dw = load_increment<S, channels>(view, i * channels * block_lanes + lane);
+        w.dw = load_scaled_increment<S, channels>(view, i * channels * block_lanes + lane);
         if constexpr (needs_areas_on<Scheme, own_system>)
           w.area = load_lanes<S, pairs>(view.area.data() + i * pairs * block_lanes + lane);
         return w;
@@ -99,7 +105,7 @@ class kernel_of final : public kernel {
   POLHODE_FLATTEN void finish(std::span<double> states, double dt) const override { close(rows_of(states), dt); }
 
  private:
-  using own_system = std::remove_cvref_t<decltype(std::declval<const Forms&>().own())>;
+  using own_system = std::remove_cvref_t<decltype(std::declval<const Forms&>().own(1.0))>;
   static constexpr int dimension = own_system::dimension, channels = own_system::channels, pairs = pairs_of<channels>;
   static constexpr int width = static_cast<int>(S::size());
   static_assert(block_lanes % width == 0);
@@ -174,9 +180,15 @@ class plain_forms {
   explicit plain_forms(System system) : system_(std::move(system)) {}
 
   int axis(int k) const { return k; }
-  const System& own() const { return system_; }
+  const System& own(double) const { return system_; }
   const System& silent() const { return system_; }
-  increment_view take(const increment_view& view, std::vector<double>&) const { return view; }
+  /// As doubles, in units of 1.
+  increment_view take(const increment_view& view, std::vector<double>& scratch) const {
+    if (view.singles.empty()) return view;
+    scratch.assign(view.singles.begin(), view.singles.end());
+    for (double& dw : scratch) dw *= view.scale;
+    return {view.dt, view.steps, scratch, view.area};
+  }
 
   shared_steps share(const increment_view& path) const {
     shared_steps out{path.dt, channels + pairs, {}};

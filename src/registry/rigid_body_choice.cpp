@@ -1,9 +1,22 @@
 #include "registry/rigid_body_choice.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace polhode {
+namespace {
+
+/// |1/I_k - 1/I_2| of the two turns after the Casimir shift, over the part of the step that each takes: the first is
+/// merged with the one before, the last takes half. A symmetric body has the first alone.
+std::array<double, 2> shifted_turns(const rigid_body& body) {
+  const auto& inverse = body.inverse_inertia;
+  const double first = std::abs(inverse[0] - inverse[1]), last = std::abs(inverse[2] - inverse[1]);
+  if (body.odd_axis() < 0) return {first, last / 2};
+  return {std::max(first, last), 0};
+}
+
+}  // namespace
 
 rotation_size rotation_size_of(const rigid_body& body, double radius, double dt) {
   const auto& inverse = body.inverse_inertia;
@@ -11,17 +24,25 @@ rotation_size rotation_size_of(const rigid_body& body, double radius, double dt)
                least = std::min({inverse[0], inverse[1], inverse[2]}), c = radius,
                noise = (body.sigma() * body.sigma().transpose()).operatorNorm();
   const double drift = dt * c * (most + 0.5 * body.theta * c * (most - least));
-  // The longest turns: of the free motion in five, and of the two after the Casimir shift, the first merged.
-  const double turn = std::max({inverse[0] / 2, inverse[1] / 2, inverse[2], std::abs(inverse[0] - inverse[1]),
-                                std::abs(inverse[2] - inverse[1]) / 2});
-  const rotation_bounds needed{dt * c * turn, drift + 4.5 * std::sqrt(dt * noise),
+  const auto [first, last] = shifted_turns(body);
+  const double turn = std::max({inverse[0] / 2, inverse[1] / 2, inverse[2], first});
+  const rotation_bounds needed{dt * c * turn, dt * c * last, drift + 4.5 * std::sqrt(dt * noise),
                                std::expm1(2 * body.theta * c * c * (most - least) * dt)};
   const auto within = [&](const rotation_bounds& b) {
-    return needed.turn <= b.turn && needed.generator <= b.generator && needed.spread <= b.spread;
+    return needed.turn <= b.turn && needed.half_turn <= b.half_turn && needed.generator <= b.generator &&
+           needed.spread <= b.spread;
   };
   return within(rotations<rotation_size::small>::bounds)      ? rotation_size::small
          : within(rotations<rotation_size::moderate>::bounds) ? rotation_size::moderate
                                                               : rotation_size::any;
+}
+
+bool turns_are_tiny(const rigid_body& body, double radius, double dt) {
+  constexpr double far = 1e50;  // powers of |Pi| and of angles over it must be normal numbers
+  constexpr auto bounds = rotations<rotation_size::tiny>::bounds;
+  const auto [first, last] = shifted_turns(body);
+  return radius < far && radius > 1 / far && dt * radius * first <= bounds.turn &&
+         dt * radius * last <= bounds.half_turn;
 }
 
 int first_axis_of(const rigid_body& body) { return body.odd_axis() < 0 ? 0 : (body.odd_axis() + 1) % 3; }
@@ -29,7 +50,7 @@ int first_axis_of(const rigid_body& body) { return body.odd_axis() < 0 ? 0 : (bo
 body_parts parts_of(const rigid_body& body) {
   const auto& i = body.inverse_inertia;
   const bool spherical = i[0] == i[1] && i[1] == i[2];
-  return {body.odd_axis() < 0, !spherical, body.theta > 0 && !spherical};
+  return {!spherical, body.odd_axis() < 0, body.theta > 0 && !spherical};
 }
 
 }  // namespace polhode

@@ -24,9 +24,13 @@ class rigid_body_forms {
         own_(rigid_body_constants(turned(body.inverse_inertia), body.theta, dt, radius, size == rotation_size::any),
              noise_of(body)) {}
 
-  const auto& own() const { return own_; }
+  auto own(double unit) const {
+    diagonal_noise noise = own_;
+    noise.scale = unit * noise.scale;
+    return own_.with(noise);
+  }
   auto silent() const { return own_.with(no_noise{}); }
-  int axis(int k) const { return parts.first_turn ? k : (k + first_axis_) % 3; }
+  int axis(int k) const { return parts.last_turn ? k : (k + first_axis_) % 3; }
 
   /// Noise that is not diagonal in the kernel's axes is brought into their basis first.
   increment_view take(const increment_view& view, std::vector<double>& scratch) const {
@@ -85,7 +89,11 @@ class rigid_body_forms {
   diagonal_noise noise_of(const rigid_body& body) const {
     diagonal_noise out;
     if (diagonal_)
-      for (int k = 0; k < 3; ++k) out.scale[k] = body.sigma()(k, k);
+      for (int k = 0; k < 3; ++k) {
+        out.scale[k] = body.sigma()(k, k);
+        out.area_scale[k] =
+            out.area_scale[k] * body.sigma()((k + 1) % 3, (k + 1) % 3) * body.sigma()((k + 2) % 3, (k + 2) % 3);
+      }
     for (int j = 0; j < 3; ++j) {
       vec<double, 3> e{};
       e[axis(j)] = 1;

@@ -48,13 +48,16 @@ using loop_scalar =
 
 template <class Scheme, body_parts parts>
 std::unique_ptr<kernel> rigid_body_kernel(const rigid_body& body, double radius, double dt) {
-  const int axis = parts.first_turn ? 0 : first_axis_of(body);
+  const int axis = parts.last_turn ? 0 : first_axis_of(body);
   const auto made = [&]<rotation_size size>() -> std::unique_ptr<kernel> {
     using forms = rigid_body_forms<parts, size>;
     return std::make_unique<kernel_of<Scheme, forms, loop_scalar<Scheme, size>>>(forms(body, dt, radius, axis));
   };
   if constexpr (rotates<Scheme>) {
     const auto size = rotation_size_of(body, radius, dt);
+    if constexpr (turns<Scheme> && parts.dissipation)
+      if (size == rotation_size::small && turns_are_tiny(body, radius, dt))
+        return made.template operator()<rotation_size::tiny>();
     if (size == rotation_size::small) return made.template operator()<rotation_size::small>();
     if (size == rotation_size::moderate) return made.template operator()<rotation_size::moderate>();
   }
@@ -70,11 +73,11 @@ std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const rigid_body& body, c
   const auto parts = parts_of(body);
   const auto made = [&]<body_parts p>() { return rigid_body_kernel<Scheme, p>(prepared_body, radius, dt); };
   if constexpr (splits<Scheme>)
-    if (!parts.last_turn) return made.template operator()<body_parts{false, false, false}>();
+    if (!parts.first_turn) return made.template operator()<body_parts{false, false, false}>();
   if constexpr (turns<Scheme>)
-    if (!parts.first_turn)
-      return parts.dissipation ? made.template operator()<body_parts{false, true, true}>()
-                               : made.template operator()<body_parts{false, true, false}>();
+    if (!parts.last_turn)
+      return parts.dissipation ? made.template operator()<body_parts{true, false, true}>()
+                               : made.template operator()<body_parts{true, false, false}>();
   return parts.dissipation ? made.template operator()<body_parts{true, true, true}>()
                            : made.template operator()<body_parts{true, true, false}>();
 }

@@ -111,6 +111,27 @@ TYPED_TEST(Kernel, ALaneDoesNotSeeItsNeighbours) {
   EXPECT_EQ(distance(state_at(alone, 0), state_at(beside, 0)), 0.0);
 }
 
+// Fast increments come as floats in a unit of their own; areas as they are.
+TYPED_TEST(Kernel, SinglesAreIncrementsInTheirUnit) {
+  constexpr int steps = 30;
+  constexpr double dt = 0.01, unit = 0.1;
+  for (const auto& scene : every_part()) {
+    const auto s = bind_rigid_body(scene);
+    increments w(*s.model, steps, dt);
+    std::vector<float> singles;
+    for (double& dw : w.dw) {
+      singles.push_back(static_cast<float>(dw / unit));
+      dw = unit * double{singles.back()};
+    }
+    const auto stepper = kernel_on<TypeParam>(scene, dt);
+    auto doubles = replicated(scene.momentum), floats = doubles;
+    stepper->advance(doubles, w.view);
+    stepper->advance(floats, {dt, steps, {}, w.area, singles, unit});
+    for (const int lane : {0, 17, block_lanes - 1})
+      EXPECT_LE(distance(state_at(doubles, lane), state_at(floats, lane)), 1e-14) << TypeParam::info.name;
+  }
+}
+
 TYPED_TEST(Kernel, ASharedNoiseIsEveryPathsNoise) {
   constexpr int steps = 200;
   constexpr double dt = 0.004;

@@ -20,8 +20,9 @@ struct no_noise {
 /// sigma_i = scale_i e_i on so(3). Any other sigma comes to this by writing B = sum sigma_i W^i in the basis e_i first.
 struct diagonal_noise {
   static constexpr bool shared = false;
-  vec<double, 3> scale{{1, 1, 1}};
-  std::array<vec<double, 3>, 3> ito{};  ///< 1/2 sum_i ad*_{sigma_i}^2, by rows
+  vec<double, 3> scale{{1, 1, 1}};        ///< over the unit in which increments come
+  vec<double, 3> area_scale{{1, -1, 1}};  ///< [sigma_2,sigma_3], [sigma_1,sigma_3], [sigma_1,sigma_2]
+  std::array<vec<double, 3>, 3> ito{};    ///< 1/2 sum_i ad*_{sigma_i}^2, by rows
 
   template <class S>
   vec<S, 3> noise(const vec<S, 3>& dw) const {
@@ -30,7 +31,7 @@ struct diagonal_noise {
   /// Pairs (1,2), (1,3), (2,3): [e_1,e_2] = e_3, [e_1,e_3] = -e_2, [e_2,e_3] = e_1.
   template <class S>
   vec<S, 3> area_noise(const vec<S, 3>& area) const {
-    return {{S(scale[1] * scale[2]) * area[2], S(-scale[0] * scale[2]) * area[1], S(scale[0] * scale[1]) * area[0]}};
+    return {{S(area_scale[0]) * area[2], S(area_scale[1]) * area[1], S(area_scale[2]) * area[0]}};
   }
   template <class S>
   vec<S, 3> ito_drift(const vec<S, 3>& mu) const {
@@ -63,7 +64,7 @@ struct shared_noise {
   }
   template <class S>
   vec<S, 3> ito_drift(const vec<S, 3>& mu) const {
-    return diagonal_noise{{}, ito}.ito_drift(mu);
+    return diagonal_noise{.ito = ito}.ito_drift(mu);
   }
 };
 

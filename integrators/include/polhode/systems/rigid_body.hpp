@@ -89,19 +89,19 @@ struct rigid_body : constant_noise<so3> {
   }
 
   /// The free motion as two turns, about the axes 1 and 3: h - |Pi|^2/2I_2 moves Pi as h does, as Pi x Pi = 0. A
-  /// symmetric body has the last turn alone, about its odd axis, and a spherical one none.
+  /// symmetric body has the first turn alone, about its odd axis, and a spherical one none.
   template <class S>
   vec<S, 3> first_turn(vec<S, 3> pi, double t) const {
-    if (odd_axis() < 0) turn<0>(pi, t, inverse_inertia[1]);
+    switch (odd_axis()) {
+      case 1: turn<1>(pi, t, inverse_inertia[2]); break;
+      case 2: turn<2>(pi, t, inverse_inertia[1]); break;
+      default: turn<0>(pi, t, inverse_inertia[1]); break;
+    }
     return pi;
   }
   template <class S>
   vec<S, 3> last_turn(vec<S, 3> pi, double t) const {
-    switch (odd_axis()) {
-      case 0: turn<0>(pi, t, inverse_inertia[1]); break;
-      case 1: turn<1>(pi, t, inverse_inertia[2]); break;
-      default: turn<2>(pi, t, inverse_inertia[1]); break;
-    }
+    if (odd_axis() < 0) turn<2>(pi, t, inverse_inertia[1]);
     return pi;
   }
 

@@ -111,12 +111,19 @@ class rigid_body_at : public Noise {
   }
   template <class S, int n>
   vec<S, 3> first_turn(vec<S, 3> pi, part_of_step<n>) const {
-    if constexpr (parts.first_turn) turn<0>(pi, k_.shifted[0] / n);
+    constexpr int axis = parts.last_turn ? 0 : 2;
+    if constexpr (parts.first_turn && size == rotation_size::tiny)
+      k_.first_turns[n - 1][axis].template about<axis>(pi);
+    else if constexpr (parts.first_turn)
+      turn<axis>(pi, k_.shifted[axis] / n);
     return pi;
   }
   template <class S, int n>
   vec<S, 3> last_turn(vec<S, 3> pi, part_of_step<n>) const {
-    if constexpr (parts.last_turn) turn<2>(pi, k_.shifted[2] / n);
+    if constexpr (parts.last_turn && size == rotation_size::tiny && n == 2)
+      k_.last_half_turn.template about<2>(pi);
+    else if constexpr (parts.last_turn)
+      turn<2>(pi, k_.shifted[2] / n);
     return pi;
   }
 

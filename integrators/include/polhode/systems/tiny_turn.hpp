@@ -1,0 +1,43 @@
+// A turn about an axis by at most a few thousandths of a radian, as three shears: three fused products.
+#pragma once
+
+#include <algorithm>
+
+#include <polhode/chebyshev.hpp>
+#include <polhode/vec.hpp>
+
+namespace polhode {
+
+/// The turn by t x about an axis, x the component on it, |x| <= reach: with s = sin(t x), h = tan(t x / 2)
+///   a += h b,   b -= s a,   a += h b
+/// is a = a cos + b sin, b = b cos - a sin. s/x and h/x are polynomials in x^2; cubes of t (for degree 2, fifth powers)
+/// and squares of x must be normal numbers. Degree 1 errs in the angle by (t reach)^5 / 960 at most, degree 2 by (t
+/// reach)^7 / 37,000.
+template <int degree>
+struct tiny_turn {
+  polynomial<degree> sine{}, half_tangent{};
+
+  tiny_turn() = default;
+  tiny_turn(double t, double reach) {
+    const long double bound = std::max(static_cast<long double>(t) * reach * t * reach, 1e-300L);
+    sine = chebyshev_interpolation<degree>([](long double q) { return detail::cosine_series(q, 1); }, bound);
+    half_tangent = chebyshev_interpolation<degree>(
+        [](long double q) { return detail::cosine_series(q, 2) / detail::cosine_series(q, 1); }, bound);
+    double power = t;
+    for (int k = 0; k <= degree; ++k, power *= t * t)
+      for (auto* p : {&sine, &half_tangent}) (*p)[static_cast<std::size_t>(k)] *= power;
+  }
+
+  template <int axis, class S>
+  void about(vec<S, 3>& pi) const {
+    const S x = pi[axis], q = x * x;
+    const S s = x * evaluate(sine, q), h = x * evaluate(half_tangent, q);
+    S& a = pi[(axis + 1) % 3];
+    S& b = pi[(axis + 2) % 3];
+    a = a + h * b;
+    b = b - s * a;
+    a = a + h * b;
+  }
+};
+
+}  // namespace polhode
