@@ -154,6 +154,13 @@ TEST(So3Near, LengthsDoNotDrift) {
   EXPECT_LE(excess_of_length<rotation_size::moderate>(), 0);
 }
 
+TEST(Scalar, ARoundedProductIsTheProduct) {
+  using wide = stdx::fixed_size_simd<double, static_cast<int>(2 * pack::size())>;
+  EXPECT_EQ(rounded_product(0.1 * 3), 0.1 * 3);
+  EXPECT_TRUE(all_of(rounded_product(pack([](auto i) { return 0.1 * i; })) == pack([](auto i) { return 0.1 * i; })));
+  EXPECT_TRUE(all_of(rounded_product(wide([](auto i) { return 0.1 * i; })) == wide([](auto i) { return 0.1 * i; })));
+}
+
 TEST(Scalar, ALaneDoesNotSeeItsNeighbours) {
   if (pack::size() < 2) GTEST_SKIP() << "one lane";
   const pack near_and_far([](auto lane) { return lane == 0 ? 0.7 : 1e9; });

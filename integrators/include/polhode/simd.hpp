@@ -3,10 +3,12 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <experimental/simd>
+#include <type_traits>
 #include <utility>
 
 #if defined(__AVX2__) || defined(__SSE2__)
@@ -27,6 +29,28 @@ template <std::size_t N, class F>
 void unrolled(const F& f) {
   [&]<std::size_t... I>(std::index_sequence<I...>) { (f(I), ...); }
   (std::make_index_sequence<N>());
+}
+
+/// A product that several sums share. Without this the compiler fuses it into each of them, and so computes it as
+/// often.
+template <class S>
+S rounded_product(const S& x) {
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_assoc_barrier)
+  if constexpr (std::is_same_v<S, double>) {
+    return __builtin_assoc_barrier(x);
+  } else if constexpr (is_pack<S>) {
+    if constexpr (S::size() == pack::size()) {
+      using bare [[gnu::vector_size(sizeof(pack))]] = double;
+      return S(std::bit_cast<pack>(__builtin_assoc_barrier(std::bit_cast<bare>(pack(x)))));
+    } else if constexpr (S::size() == 2 * pack::size()) {
+      const auto halves = stdx::split<pack>(x);
+      return S(stdx::concat(rounded_product(halves[0]), rounded_product(halves[1])));
+    }
+  }
+#endif
+#endif
+  return x;
 }
 
 /// The bits of a scalar: 64 per lane.

@@ -5,6 +5,7 @@
 
 #include <polhode/increment.hpp>
 #include <polhode/lie/so3.hpp>
+#include <polhode/simd.hpp>
 #include <polhode/systems/constant_noise.hpp>
 
 namespace polhode {
@@ -26,7 +27,9 @@ struct diagonal_noise {
 
   template <class S>
   vec<S, 3> noise(const vec<S, 3>& dw) const {
-    return scaled(scale, dw);
+    vec<S, 3> b = scaled(scale, dw);
+    for (int k = 0; k < 3; ++k) b[k] = rounded_product(b[k]);
+    return b;
   }
   /// Pairs (1,2), (1,3), (2,3): [e_1,e_2] = e_3, [e_1,e_3] = -e_2, [e_2,e_3] = e_1.
   template <class S>

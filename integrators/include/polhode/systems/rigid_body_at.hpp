@@ -71,9 +71,13 @@ class rigid_body_at : public Noise {
   template <class S>
   auto motion_over(const vec<S, 3>& pi, const wiener<S, 3>& w) const {
     const auto b = this->noise(w.dw);
-    vec<S, 3> xi;
-    for (int k = 0; k < 3; k += 2) xi[k] = b[k] + S(k_.shifted[k]) * pi[k] + dissipating(k, pi);
-    xi[1] = value_of<S>(b[1] + dissipating(1, pi));
+    const S first = S(k_.shifted[0]) * pi[0], last = S(k_.shifted[2]) * pi[2];
+    vec<S, 3> xi{{b[0] + first, value_of<S>(b[1] + dissipating(1, pi)), b[2] + last}};
+    if constexpr (parts.dissipation) {
+      const S theta_pi = S(k_.theta) * pi[1];
+      xi[0] = xi[0] + theta_pi * last;
+      xi[2] = xi[2] - theta_pi * first;
+    }
     return algebra::coad(xi, pi);
   }
 
