@@ -53,11 +53,11 @@ struct zero_vector {
   friend constexpr zero_vector operator+(zero_vector, zero_vector) { return {}; }
   friend constexpr zero_vector operator-(zero_vector) { return {}; }
   template <class S, int N>
-  friend constexpr vec<S, N> operator+(const vec<S, N>& a, zero_vector) {
+  friend constexpr vec<S, N> operator+(vec<S, N> a, zero_vector) {
     return a;
   }
   template <class S, int N>
-  friend constexpr vec<S, N> operator+(zero_vector, const vec<S, N>& a) {
+  friend constexpr vec<S, N> operator+(zero_vector, vec<S, N> a) {
     return a;
   }
   template <class S>
