@@ -10,7 +10,7 @@ namespace polhode {
 /// `wanted` of `rows` normals (channels), times `scale`, for every lane of a block and every step: out is
 /// [step][row][lane]. Rows that are not wanted are left alone. Where `singles` is given it takes, in place of `out`,
 /// the normals as they are, before `scale`: half the memory traffic for whoever multiplies by `scale` in double
-/// precision himself and has the same bits. Fast normals only.
+/// precision himself. Fast normals only.
 struct normal_block {
   std::uint64_t seed;
   noise_kind kind;
