@@ -32,17 +32,11 @@ rotation_size rotation_size_of(const rigid_body& body, double radius, double dt)
     return needed.turn <= b.turn && needed.half_turn <= b.half_turn && needed.generator <= b.generator &&
            needed.spread <= b.spread;
   };
+  constexpr double far = 1e50;  // tiny turns take powers of |Pi| and of angles over it
+  if (c > 1 / far && c < far && within(rotations<rotation_size::tiny>::bounds)) return rotation_size::tiny;
   return within(rotations<rotation_size::small>::bounds)      ? rotation_size::small
          : within(rotations<rotation_size::moderate>::bounds) ? rotation_size::moderate
                                                               : rotation_size::any;
-}
-
-bool turns_are_tiny(const rigid_body& body, double radius, double dt) {
-  constexpr double far = 1e50;  // powers of |Pi| and of angles over it must be normal numbers
-  constexpr auto bounds = rotations<rotation_size::tiny>::bounds;
-  const auto [first, last] = shifted_turns(body);
-  return radius < far && radius > 1 / far && dt * radius * first <= bounds.turn &&
-         dt * radius * last <= bounds.half_turn;
 }
 
 int first_axis_of(const rigid_body& body) { return body.odd_axis() < 0 ? 0 : (body.odd_axis() + 1) % 3; }

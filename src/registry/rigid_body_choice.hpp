@@ -10,9 +10,6 @@ namespace polhode {
 /// three dimensions one increment in 6000 is larger).
 rotation_size rotation_size_of(const rigid_body&, double radius, double dt);
 
-/// Whether strang's turns may be shears (tiny_turn).
-bool turns_are_tiny(const rigid_body&, double radius, double dt);
-
 /// Two equal moments of inertia: the axis to be numbered 1 so that the odd one is 3. Otherwise 0.
 int first_axis_of(const rigid_body&);
 

@@ -21,8 +21,7 @@ class rigid_body_forms {
       : body_(body),
         first_axis_(first_axis),
         diagonal_(first_axis == 0 && body.sigma().isDiagonal(0.0)),
-        own_(rigid_body_constants(turned(body.inverse_inertia), body.theta, dt, radius, size == rotation_size::any),
-             noise_of(body)) {}
+        own_(rigid_body_constants(turned(body.inverse_inertia), body.theta, dt, radius, size), noise_of(body)) {}
 
   auto own(double unit) const {
     diagonal_noise noise = own_;

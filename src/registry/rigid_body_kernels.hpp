@@ -56,9 +56,8 @@ std::unique_ptr<kernel> rigid_body_kernel(const rigid_body& body, double radius,
   if constexpr (rotates<Scheme>) {
     const auto size = rotation_size_of(body, radius, dt);
     if constexpr (turns<Scheme> && parts.dissipation)
-      if (size == rotation_size::small && turns_are_tiny(body, radius, dt))
-        return made.template operator()<rotation_size::tiny>();
-    if (size == rotation_size::small) return made.template operator()<rotation_size::small>();
+      if (size == rotation_size::tiny) return made.template operator()<rotation_size::tiny>();
+    if (size <= rotation_size::small) return made.template operator()<rotation_size::small>();
     if (size == rotation_size::moderate) return made.template operator()<rotation_size::moderate>();
   }
   return made.template operator()<rotation_size::any>();

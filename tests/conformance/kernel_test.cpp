@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ensemble/isa.hpp"
+#include "ensemble/kernel_of.hpp"
 #include "registry/rigid_body.hpp"
 #include "registry/systems.hpp"
 #include "support/kernel_cases.hpp"
@@ -130,6 +131,23 @@ TYPED_TEST(Kernel, SinglesAreIncrementsInTheirUnit) {
     for (const int lane : {0, 17, block_lanes - 1})
       EXPECT_LE(distance(state_at(doubles, lane), state_at(floats, lane)), 1e-14) << TypeParam::info.name;
   }
+}
+
+TEST(PlainKernel, SinglesAreIncrementsInTheirUnit) {
+  constexpr double dt = 0.01, unit = 0.1;
+  const kernel_of<heun, plain_forms<so4_body>, pack> plain{plain_forms(so4_body())};
+  const kernel& stepper = plain;
+  const std::vector<double> momentum{0.6, 0.48, 0.64, -0.3, 0.8, 0.5};
+  std::vector<float> singles;
+  std::vector<double> dw;
+  for (int i = 0; i < so4_body::channels * block_lanes; ++i) {
+    singles.push_back(static_cast<float>(std::sin(i)));
+    dw.push_back(unit * double{singles.back()});
+  }
+  auto doubles = replicated(momentum), floats = doubles;
+  stepper.advance(doubles, {dt, 1, dw, {}});
+  stepper.advance(floats, {dt, 1, {}, {}, singles, unit});
+  EXPECT_EQ(doubles, floats);
 }
 
 TYPED_TEST(Kernel, ASharedNoiseIsEveryPathsNoise) {

@@ -62,15 +62,16 @@ TEST(TinyTurn, IsTheRotationAboutItsAxis) {
 
 // A body turns faster the longer its momentum is: the product with the step decides.
 TEST(TinyTurn, IsChosenByAngleAndOnlyWherePowersOfTheMomentumAreNumbers) {
-  const auto body = paper_body();
-  EXPECT_TRUE(turns_are_tiny(body, 1, 0.01));
-  EXPECT_FALSE(turns_are_tiny(body, 1, 0.016)) << "the first turn";
-  EXPECT_TRUE(turns_are_tiny(body, 0.1, 0.1));
-  EXPECT_TRUE(turns_are_tiny(body, 1e45, 1e-47));
-  EXPECT_FALSE(turns_are_tiny(body, 1e70, 1e-72));
-  EXPECT_FALSE(turns_are_tiny(body, 1e-70, 0.01));
+  EXPECT_EQ(rotation_size_of(paper_body(), 1, 0.01), rotation_size::tiny);
+  EXPECT_GT(rotation_size_of(paper_body(), 1, 0.016), rotation_size::small) << "the first turn";
   const rigid_body long_last({1, 1.1, 0.5}, 0.5, constant_noise<so3>::isotropic(0.5));
-  EXPECT_FALSE(turns_are_tiny(long_last, 1, 0.004)) << "the last";
+  EXPECT_EQ(rotation_size_of(long_last, 1, 0.0030), rotation_size::tiny);
+  EXPECT_EQ(rotation_size_of(long_last, 1, 0.0035), rotation_size::small) << "the last";
+  const auto at_size = [](double c) {  // the same motion in other units
+    return rotation_size_of({{1, 2, 3}, 0.5 / c, constant_noise<so3>::isotropic(0.5 * std::sqrt(c))}, c, 0.01 / c);
+  };
+  for (const double c : {1e-45, 0.1, 1e45}) EXPECT_EQ(at_size(c), rotation_size::tiny) << c;
+  for (const double c : {1e-70, 1e70}) EXPECT_EQ(at_size(c), rotation_size::small) << c;
 }
 
 }  // namespace
