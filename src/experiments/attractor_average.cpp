@@ -45,7 +45,7 @@ own_law own_law_of(const context& c, const attractor_frame& f, const scheme_entr
   const transfer_question q{[](const transfer_operator& op) -> Eigen::VectorXd {
                               return harmonic_means::of_density(op.stationary_law().transpose(), degree);
                             },
-                            exact, Eigen::VectorXd::Ones(exact.size()), law_tolerance};
+                            {exact, Eigen::VectorXd::Ones(exact.size()), law_tolerance}};
   const auto found = refine(c.subject, scheme, f.dt, 1, q);
   return {found.error, found.uncertainty.norm()};
 }

@@ -7,9 +7,9 @@
 
 namespace polhode {
 
-/// For each scheme that keeps the sphere: lambda_1 and lambda_1 + lambda_2 at one small dt, each with a verdict against
-/// the exact value; the error of lambda_1 over dt, its fit and a verdict on its order. Where the exact values are not
-/// known nothing is compared.
-void report_sampled_exponents(const context&, const lyapunov_exponents& exact, report::results&);
+/// For each scheme, all of which keep the sphere: lambda_1 and lambda_1 + lambda_2 at one small dt, each with a verdict
+/// against the exact value. Where the exact values are not known nothing is compared.
+void report_sampled_exponents(const context&, const std::vector<scheme_entry>&, const lyapunov_exponents& exact,
+                              report::results&);
 
 }  // namespace polhode

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ensemble/dense_algebra.hpp"
+
 namespace polhode {
 namespace {
 
@@ -58,7 +60,8 @@ Eigen::MatrixXd shell_basis::coefficients(const Eigen::MatrixXd& values) const {
   const auto directions = duals_.rows(), harmonic = duals_.cols();
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(size(), values.cols()), part(harmonic, values.cols());
   for (int i = 0; i < radial_; ++i) {
-    part.noalias() = duals_.transpose() * values.middleRows(i * directions, directions);
+    part.setZero();
+    add_transposed_product(duals_, values.middleRows(i * directions, directions), part);
     const Eigen::VectorXd radials = chebyshev(node(i));
     for (int k = 0; k < radial_; ++k)
       out(Eigen::seqN(k, harmonic, radial_), Eigen::all) += (k == 0 ? 1.0 : 2.0) / radial_ * radials[k] * part;

@@ -35,7 +35,7 @@ transfer_question question_on(const sphere_problem& problem, const Eigen::Vector
             return Eigen::Vector3d(law.dot(op.basis.coefficients(energy)), law.dot(op.basis.coefficients(square)),
                                    distance(law, density));
           },
-          exact, Eigen::Vector3d(exact[0], exact[1], density.norm()), tolerance};
+          {exact, Eigen::Vector3d(exact[0], exact[1], density.norm()), tolerance}};
 }
 
 }  // namespace
@@ -69,13 +69,14 @@ void report_stationary_bias(const context& c, report::results& out) {
     if (e.info.casimir.exact) schemes.push_back(e);
   const auto question = question_on(*problem, *law.density);
   const auto expected = [&](const scheme_entry& e) { return weak_order_on(e.info, s.model->noise()); };
-  const order_question q{"gibbs",
-                         "order of the stationary bias",
-                         {{"bias", "energy", question.scale[0]},
-                          {"bias", "energy^2", question.scale[1]},
-                          {"distance", "density", question.scale[2]}},
-                         expected,
-                         [&](const scheme_entry&, std::int64_t) { return question; }};
+  const order_question q{
+      "gibbs",
+      "order of the stationary bias",
+      {{"bias", "energy", question.target.scale[0]},
+       {"bias", "energy^2", question.target.scale[1]},
+       {"distance", "density", question.target.scale[2]}},
+      expected,
+      [&](const scheme_entry& e, double dt, std::int64_t steps) { return refine(s, e, dt, steps, question); }};
   const auto tables = answer_all(c, schemes, scene_levels(s), q);
   for (std::size_t k = 0; k < tables.size(); ++k) report_orders(q, expected(schemes[k]), tables[k], out);
 }

@@ -16,7 +16,6 @@ namespace {
 constexpr int chunk = 16;  // steps between two looks at the lengths of the tangents
 constexpr std::size_t row = block_lanes, vector_size = 3 * row;
 constexpr auto width = pack::size();
-constexpr std::uint64_t paths_per_level = std::uint64_t{1} << 32;
 
 /// Two tangents at each state, by address.
 std::vector<double> random_tangents(std::uint64_t seed, std::uint64_t first_path) {
@@ -140,10 +139,10 @@ run_length run_length_of(double dt, double forgetting, double observed) {
   return {dt, whole_chunks(forgetting), whole_chunks(observed)};
 }
 
-void run_tangents(const context& c, const run_length& run, int level, int block,
-                  std::span<const tangent_kernel* const> kernels, bool with_areas, std::span<growth* const> out) {
+void run_tangents(const context& c, const run_length& run, int block, std::span<const tangent_kernel* const> kernels,
+                  bool with_areas, std::span<growth* const> out) {
   const int first = block * block_lanes;
-  const auto first_path = static_cast<std::uint64_t>(level) * paths_per_level + static_cast<std::uint64_t>(first);
+  const auto first_path = static_cast<std::uint64_t>(first);
   increment_buffer noise(*c.subject.model, chunk, with_areas, {c.generator, noise_quality::fast});
   std::vector<constant_noise<so3>::column> vectors;
   for (const auto& v : c.subject.scene.sigma) vectors.push_back({v});

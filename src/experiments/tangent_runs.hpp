@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// How long the paths of one level run: first until start and direction are forgotten, then observed.
+/// How long the paths run: first until start and direction are forgotten, then observed.
 struct run_length {
   double dt = 0;
   double forgetting = 0, observed = 0;  ///< in steps: whole, but they may be more than any integer
@@ -34,8 +34,7 @@ struct growth {
 };
 
 /// Runs the block of paths of some schemes through one noise; of each, sees only its own kernel and writes only there.
-/// The paths of `level` are others than those of another level.
-void run_tangents(const context&, const run_length&, int level, int block,
-                  std::span<const tangent_kernel* const> kernels, bool with_areas, std::span<growth* const> out);
+void run_tangents(const context&, const run_length&, int block, std::span<const tangent_kernel* const> kernels,
+                  bool with_areas, std::span<growth* const> out);
 
 }  // namespace polhode

@@ -1,11 +1,12 @@
 #include "experiments/transfer.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <span>
 
 #include "ensemble/basis_sums.hpp"
+#include "ensemble/dense_algebra.hpp"
+#include "experiments/point_block.hpp"
 #include "experiments/vectors.hpp"
 
 namespace polhode {
@@ -15,17 +16,13 @@ constexpr double widest = 0.8;  // of log(radius), to either side
 
 /// Calls use(first point, lanes in use, nodes, states of these nodes [node][component][lane]) for all points and nodes.
 template <class Use>
-void map_points(const kernel& k, const Eigen::Matrix<double, Eigen::Dynamic, 3>& points, const noise_nodes& noise,
-                const Use& use) {
+void map_points(const kernel& k, const points_in_space& points, const noise_nodes& noise, const Use& use) {
   constexpr int chunk = 32, block = 3 * block_lanes;
   const auto table = k.share(noise.path());
   const int nodes = static_cast<int>(noise.weight.size()), count = static_cast<int>(points.rows());
   std::vector<double> start(block), mapped(static_cast<std::size_t>(block) * chunk);
   for (int first = 0; first < count; first += block_lanes) {
-    const int lanes = std::min(block_lanes, count - first);
-    for (int i = 0; i < 3; ++i)
-      for (int lane = 0; lane < block_lanes; ++lane)
-        start[static_cast<std::size_t>(i * block_lanes + lane)] = points(first + std::min(lane, lanes - 1), i);
+    load_block(points, first, start.data());
     for (int node = 0; node < nodes; node += chunk) {
       const int n = std::min(chunk, nodes - node);
       for (int i = 0; i < n; ++i) {
@@ -33,8 +30,8 @@ void map_points(const kernel& k, const Eigen::Matrix<double, Eigen::Dynamic, 3>&
         std::ranges::copy(start, state.begin());
         k.advance(state, table, node + i, 1);
       }
-      use(first, lanes, std::span(noise.weight).subspan(static_cast<std::size_t>(node), static_cast<std::size_t>(n)),
-          mapped.data());
+      use(first, lanes_in_use(points, first),
+          std::span(noise.weight).subspan(static_cast<std::size_t>(node), static_cast<std::size_t>(n)), mapped.data());
     }
   }
 }
@@ -63,7 +60,7 @@ Eigen::MatrixXd mapped_basis(const kernel& k, const shell_basis& basis, const no
 
 /// Wide enough for the radius of a path: the largest mean and variance of log |Pi| in one step from the sphere.
 shell shell_around(const kernel& k, double radius, const noise_nodes& noise, std::int64_t steps, double deviations) {
-  const Eigen::Matrix<double, Eigen::Dynamic, 3> points = radius * sphere_quadrature(6).points;
+  const points_in_space points = radius * sphere_quadrature(6).points;
   Eigen::ArrayXd mean = Eigen::ArrayXd::Zero(points.rows()), square = mean;
   map_points(k, points, noise, [&](int first, int lanes, std::span<const double> weights, const double* states) {
     for (std::size_t i = 0; i < weights.size(); ++i)
@@ -97,20 +94,25 @@ Eigen::RowVectorXd transfer_operator::law_after(const Eigen::Vector3d& start, st
   Eigen::MatrixXd power = matrix;
   for (; steps > matrix.rows(); steps /= 2) {  // squaring costs less than so many steps
     if (steps % 2 == 1) law *= power;
-    power *= power;
+    Eigen::MatrixXd square = Eigen::MatrixXd::Zero(power.rows(), power.cols());
+    add_product(power, power, square);
+    power.swap(square);
   }
   for (; steps > 0; --steps) law *= power;
   return law;
 }
 
 // law (T - 1) = 0 with T 1 = 1: the first column is empty, and the first component is given.
-Eigen::RowVectorXd transfer_operator::stationary_law() const {
+Eigen::RowVectorXd invariant_law(const Eigen::MatrixXd& matrix, double first) {
   const auto n = matrix.rows() - 1;
   const Eigen::MatrixXd rest = matrix.bottomRightCorner(n, n) - Eigen::MatrixXd::Identity(n, n);
   Eigen::RowVectorXd law(n + 1);
-  law[0] = basis.at(Eigen::Vector3d::UnitZ() * basis.middle())[0];
-  law.tail(n) = rest.transpose().partialPivLu().solve(-law[0] * matrix.row(0).tail(n).transpose()).transpose();
+  law << first, solve_from_left(rest, -first * matrix.row(0).tail(n));
   return law;
+}
+
+Eigen::RowVectorXd transfer_operator::stationary_law() const {
+  return invariant_law(matrix, basis.at(Eigen::Vector3d::UnitZ() * basis.middle())[0]);
 }
 
 transfer_operator make_transfer(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,

@@ -38,6 +38,9 @@ struct transfer_rule {
   noise_rule noise;
 };
 
+/// law T = law for T 1 = 1, the first function of the basis being a constant: of a given first component.
+Eigen::RowVectorXd invariant_law(const Eigen::MatrixXd& matrix, double first);
+
 struct transfer_operator {
   shell_basis basis;
   Eigen::MatrixXd matrix;  ///< T B_j = sum_i matrix(i, j) B_i; not finite where a step of the scheme is not

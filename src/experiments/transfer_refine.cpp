@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "experiments/frame_transfer.hpp"
+
 namespace polhode {
 namespace {
 
@@ -14,47 +16,52 @@ constexpr std::array sphere_nodes{5, 7, 9, 11, 13};
 constexpr std::array shell_bases{basis_rule{8, 5, 4}, basis_rule{10, 6, 4.5}, basis_rule{12, 7, 5},
                                  basis_rule{16, 7, 5}};
 constexpr std::array shell_nodes{4, 5, 6, 7};
+constexpr std::array frame_bases{basis_rule{6, 1, 0},  basis_rule{8, 1, 0},  basis_rule{10, 1, 0},
+                                 basis_rule{12, 1, 0}, basis_rule{14, 1, 0}, basis_rule{16, 1, 0}};
+constexpr std::array frame_nodes{3, 5, 7, 9, 11};
 constexpr std::array area_nodes{2, 3, 4};
 constexpr double most_multiplications = 3e10;  // of one operator
 constexpr double rounding = 1e-15;             // of a step, relative
 
-/// Points of the basis times nodes of the noise times functions.
-double cost_of(const model& m, bool with_areas, const transfer_rule& rule) {
+/// Steps of one operator's points: nodes of the noise.
+double nodes_of(const model& m, bool with_areas, const noise_rule& rule) {
   const int active = m.active_channels(), areas = with_areas ? active * (active - 1) / 2 : 0;
-  const double functions = (rule.basis.degree + 1.0) * (rule.basis.degree + 1.0) * rule.basis.radial;
-  return 2 * functions * functions * std::pow(rule.noise.channel, active) * std::pow(rule.noise.area, areas);
+  return std::pow(rule.channel, active) * std::pow(rule.area, areas);
 }
 
-/// The answers' errors of one scheme at one step size, by rule.
+/// Points of the basis times functions.
+double momentum_values(const basis_rule& rule) {
+  const double functions = (rule.degree + 1.0) * (rule.degree + 1.0) * rule.radial;
+  return 2 * functions * functions;
+}
+double frame_values(const basis_rule& rule) { return 4.0 / 3 * std::pow(rule.degree + 1.0, 6); }
+
+/// The rules that an operator can be computed by, from coarse to fine, and its answers.
+struct ladder {
+  std::span<const basis_rule> bases;
+  std::span<const int> nodes;  // a channel
+  std::function<double(const transfer_rule&)> multiplications;
+  std::function<Eigen::VectorXd(const transfer_rule&)> answer;
+};
+
+/// The answers' errors, by rule.
 class asked {
  public:
-  asked(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps, const transfer_question& q)
-      : subject_(s),
-        scheme_(scheme),
-        dt_(dt),
-        steps_(steps),
-        question_(q),
-        floor_(rounding * static_cast<double>(steps) * q.scale.array()) {}
+  asked(const ladder& l, const transfer_target& target, std::int64_t steps)
+      : ladder_(l), target_(target), floor_(rounding * static_cast<double>(steps) * target.scale.array()) {}
 
-  bool affordable(const transfer_rule& rule) const {
-    return cost_of(*subject_.model, scheme_.needs_areas, rule) <= most_multiplications;
-  }
-  Eigen::ArrayXd error(const transfer_rule& rule) const {
-    return question_.ask(make_transfer(subject_, scheme_, dt_, steps_, rule)) - question_.exact;
-  }
+  bool affordable(const transfer_rule& rule) const { return ladder_.multiplications(rule) <= most_multiplications; }
+  Eigen::ArrayXd error(const transfer_rule& rule) const { return ladder_.answer(rule) - target_.exact; }
   bool small(const Eigen::ArrayXd& change, const Eigen::ArrayXd& error) const {
-    const Eigen::ArrayXd scale = question_.scale.array(), relative = error.abs() / scale;
+    const Eigen::ArrayXd scale = target_.scale.array(), relative = error.abs() / scale;
     const Eigen::ArrayXd worth = relative.max(relative.maxCoeff() / 10) * scale;
-    return (change <= (question_.tolerance * worth).max(10 * floor_)).all();
+    return (change <= (target_.tolerance * worth).max(10 * floor_)).all();
   }
   const Eigen::ArrayXd& floor() const { return floor_; }
 
  private:
-  const subject& subject_;
-  const scheme_entry& scheme_;
-  double dt_;
-  std::int64_t steps_;
-  const transfer_question& question_;
+  const ladder& ladder_;
+  const transfer_target& target_;
   Eigen::ArrayXd floor_;
 };
 
@@ -77,15 +84,10 @@ refined refine_part(const asked& answers, Eigen::ArrayXd first, std::size_t choi
   return out;
 }
 
-}  // namespace
-
-transfer_answer refine(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,
-                       const transfer_question& question) {
-  const bool sphere = scheme.info.casimir.exact;
-  const auto bases = sphere ? std::span<const basis_rule>(sphere_bases) : shell_bases;
-  const auto nodes = sphere ? std::span<const int>(sphere_nodes) : shell_nodes;
+transfer_answer refine(const ladder& l, bool with_areas, const transfer_target& target, std::int64_t steps) {
+  const auto& [bases, nodes, multiplications, answer] = l;
   const noise_rule least{nodes[0], area_nodes[0]};
-  const asked answers(s, scheme, dt, steps, question);
+  const asked answers(l, target, steps);
   const Eigen::ArrayXd coarsest = answers.error({bases[0], least});
   if (!coarsest.allFinite()) return {coarsest, answers.floor(), false};
 
@@ -103,7 +105,7 @@ transfer_answer refine(const subject& s, const scheme_entry& scheme, double dt, 
       },
       small_noise);
   const auto area = refine_part(
-      answers, coarsest, scheme.needs_areas ? area_nodes.size() : 1,
+      answers, coarsest, with_areas ? area_nodes.size() : 1,
       [&](std::size_t i) {
         return transfer_rule{bases[0], {least.channel, area_nodes[i]}};
       },
@@ -113,9 +115,37 @@ transfer_answer refine(const subject& s, const scheme_entry& scheme, double dt, 
   const std::size_t n = std::max<std::size_t>(channel.used, 1) - 1, m = std::max<std::size_t>(area.used, 1) - 1;
   const auto error = n + m == 0 ? basis.error : answers.error({bases[basis.used], {nodes[n], area_nodes[m]}});
   Eigen::ArrayXd change = basis.change + channel.change;
-  if (scheme.needs_areas) change += area.change;
+  if (with_areas) change += area.change;
   change = change.max(answers.floor());
   return {error, change, error.allFinite() && answers.small(change, error)};
+}
+
+}  // namespace
+
+transfer_answer refine(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,
+                       const transfer_question& question) {
+  const bool sphere = scheme.info.casimir.exact;
+  const ladder momentum{sphere ? std::span<const basis_rule>(sphere_bases) : shell_bases,
+                        sphere ? std::span<const int>(sphere_nodes) : shell_nodes,
+                        [&](const transfer_rule& rule) {
+                          return momentum_values(rule.basis) * nodes_of(*s.model, scheme.needs_areas, rule.noise);
+                        },
+                        [&](const transfer_rule& rule) -> Eigen::VectorXd {
+                          return question.ask(make_transfer(s, scheme, dt, steps, rule));
+                        }};
+  return refine(momentum, scheme.needs_areas, question.target, steps);
+}
+
+transfer_answer refine_exponents(const subject& s, const scheme_entry& scheme, double dt,
+                                 const transfer_target& target) {
+  const ladder frames{frame_bases, frame_nodes,
+                      [&](const transfer_rule& rule) {
+                        return frame_values(rule.basis) * nodes_of(*s.model, scheme.needs_areas, rule.noise);
+                      },
+                      [&](const transfer_rule& rule) -> Eigen::VectorXd {
+                        return make_frame_transfer(s, scheme, dt, rule).exponents();
+                      }};
+  return refine(frames, scheme.needs_areas, target, 1);
 }
 
 }  // namespace polhode

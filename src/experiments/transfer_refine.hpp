@@ -11,11 +11,16 @@
 
 namespace polhode {
 
-/// Numbers that an operator answers, and what they are compared with.
-struct transfer_question {
-  std::function<Eigen::VectorXd(const transfer_operator&)> ask;
+/// What the numbers that an operator answers are compared with.
+struct transfer_target {
   Eigen::VectorXd exact, scale;  ///< scale: the size of what is averaged, by which errors of several are compared
   double tolerance = 1e-4;       ///< of each error, or of a tenth of the largest
+};
+
+/// The numbers, of momentum's operator.
+struct transfer_question {
+  std::function<Eigen::VectorXd(const transfer_operator&)> ask;
+  transfer_target target;
 };
 
 struct transfer_answer {
@@ -24,5 +29,8 @@ struct transfer_answer {
 };
 
 transfer_answer refine(const subject&, const scheme_entry&, double dt, std::int64_t steps, const transfer_question&);
+
+/// The same of the exponents of a scheme that keeps the sphere: lambda_1 and lambda_1 + lambda_2.
+transfer_answer refine_exponents(const subject&, const scheme_entry&, double dt, const transfer_target&);
 
 }  // namespace polhode

@@ -149,7 +149,7 @@ std::vector<error_table> answer_all(const context& c, const std::vector<scheme_e
     parallel_for(c.threads, static_cast<int>(tasks.size()), [&](int i) {
       const auto& t = tasks[static_cast<std::size_t>(i)];
       const auto& scheme = schemes[t.scheme];
-      answers[static_cast<std::size_t>(i)] = refine(c.subject, scheme, step(t), t.steps, q.ask(scheme, t.steps));
+      answers[static_cast<std::size_t>(i)] = q.answer(scheme, step(t), t.steps);
       done.add();
     });
     for (std::size_t i = 0; i < tasks.size(); ++i) out[tasks[i].scheme].add(step(tasks[i]), answers[i]);

@@ -38,7 +38,7 @@ struct order_question {
   std::string experiment, claim;
   std::vector<error_column> columns;
   std::function<double(const scheme_entry&)> expected;
-  std::function<transfer_question(const scheme_entry&, std::int64_t steps)> ask;
+  std::function<transfer_answer(const scheme_entry&, double dt, std::int64_t steps)> answer;
 };
 
 /// Answers of every scheme at every level, in parallel; the same for any number of threads. While the slope of a

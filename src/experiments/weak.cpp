@@ -57,8 +57,8 @@ transfer_question question_on(const subject& s, const truths& t, std::int64_t st
                           return law.dot(op.basis.coefficients(t.functions[static_cast<std::size_t>(i)]));
                         });
                       },
-                      Eigen::Map<const Eigen::VectorXd>(t.exact.data(), count), Eigen::VectorXd(count), accuracy};
-  for (Eigen::Index i = 0; i < count; ++i) q.scale[i] = t.columns[static_cast<std::size_t>(i)].scale;
+                      {Eigen::Map<const Eigen::VectorXd>(t.exact.data(), count), Eigen::VectorXd(count), accuracy}};
+  for (Eigen::Index i = 0; i < count; ++i) q.target.scale[i] = t.columns[static_cast<std::size_t>(i)].scale;
   return q;
 }
 
@@ -91,11 +91,12 @@ void run(const context& c, report::results& out) {
   const auto expected = [&](const scheme_entry& e) { return weak_order_on(e.info, s.model->noise()); };
   const auto t = true_expectations(s, out);
   const auto grid = scene_levels(s);
-  order_question q{"weak", "weak order", t.columns, expected, [&](const scheme_entry& e, std::int64_t steps) {
-                     const bool fitted = steps * fitted_range >= grid.steps.back();
-                     const bool tight = fitted && e.info.name == extrapolated_from;
-                     return question_on(s, t, steps, tight ? extrapolated_tolerance : tolerance);
-                   }};
+  order_question q{
+      "weak", "weak order", t.columns, expected, [&](const scheme_entry& e, double dt, std::int64_t steps) {
+        const bool fitted = steps * fitted_range >= grid.steps.back();
+        const bool tight = fitted && e.info.name == extrapolated_from;
+        return refine(s, e, dt, steps, question_on(s, t, steps, tight ? extrapolated_tolerance : tolerance));
+      }};
   std::vector<scheme_entry> sampled;
   if (t.columns.empty()) sampled = s.schemes;
   auto tables = answer_all(c, t.columns.empty() ? std::vector<scheme_entry>{} : s.schemes, grid, q);

@@ -80,8 +80,8 @@ class averages_goal final : public goal {
                                 const auto law = stationary_ ? op.stationary_law() : op.law_after(start_, steps);
                                 return Eigen::VectorXd::Constant(1, law.dot(op.basis.coefficients(function_)));
                               },
-                              Eigen::VectorXd::Constant(1, *truth_.value), Eigen::VectorXd::Constant(1, scale_),
-                              c.combination != nullptr ? extrapolated_tolerance : tolerance};
+                              {Eigen::VectorXd::Constant(1, *truth_.value), Eigen::VectorXd::Constant(1, scale_),
+                               c.combination != nullptr ? extrapolated_tolerance : tolerance}};
     return refine(context_.subject, c.scheme, dt, std::max<std::int64_t>(steps, 1), q);
   }
 

@@ -1,0 +1,40 @@
+// Eigen's products and its LU, compiled once per instruction set: elsewhere Eigen has the registers of x86-64 alone.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace polhode {
+
+/// c += a b.
+void add_product(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::Ref<const Eigen::MatrixXd>& b,
+                 Eigen::Ref<Eigen::MatrixXd> c);
+
+/// c += a^T b.
+void add_transposed_product(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::Ref<const Eigen::MatrixXd>& b,
+                            Eigen::Ref<Eigen::MatrixXd> c);
+
+/// x with x a = b, by LU with partial pivots.
+Eigen::RowVectorXd solve_from_left(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::RowVectorXd& b);
+
+/// A matrix by columns, as the entries take it.
+struct dense_columns {
+  double* at;
+  Eigen::Index rows, columns, stride;
+};
+
+}  // namespace polhode
+
+extern "C" {
+void polhode_add_product_v2(const polhode::dense_columns&, const polhode::dense_columns&, const polhode::dense_columns&,
+                            bool transposed);
+void polhode_add_product_v3(const polhode::dense_columns&, const polhode::dense_columns&, const polhode::dense_columns&,
+                            bool transposed);
+void polhode_add_product_v4(const polhode::dense_columns&, const polhode::dense_columns&, const polhode::dense_columns&,
+                            bool transposed);
+void polhode_add_product_portable(const polhode::dense_columns&, const polhode::dense_columns&,
+                                  const polhode::dense_columns&, bool transposed);
+void polhode_solve_v2(const polhode::dense_columns&, double* right_side);
+void polhode_solve_v3(const polhode::dense_columns&, double* right_side);
+void polhode_solve_v4(const polhode::dense_columns&, double* right_side);
+void polhode_solve_portable(const polhode::dense_columns&, double* right_side);
+}

@@ -1,0 +1,33 @@
+// Compiled once per instruction set. Memory that Eigen takes here it gives back here: its alignment is another
+// elsewhere.
+#include "ensemble/dense_algebra.hpp"
+
+#include <Eigen/LU>
+
+#include "ensemble/isa_entry.hpp"
+
+namespace polhode {
+namespace {
+
+using columns = Eigen::Map<Eigen::MatrixXd, Eigen::Unaligned, Eigen::OuterStride<>>;
+
+columns mapped(const dense_columns& a) { return {a.at, a.rows, a.columns, Eigen::OuterStride<>(a.stride)}; }
+
+}  // namespace
+}  // namespace polhode
+
+extern "C" void POLHODE_ENTRY(polhode_add_product_)(const polhode::dense_columns& a, const polhode::dense_columns& b,
+                                                    const polhode::dense_columns& c, bool transposed) {
+  using polhode::mapped;
+  if (transposed)
+    mapped(c).noalias() += mapped(a).transpose() * mapped(b);
+  else
+    mapped(c).noalias() += mapped(a) * mapped(b);
+}
+
+// The right side becomes the solution. LU of a^T: a left solution is one of it.
+extern "C" void POLHODE_ENTRY(polhode_solve_)(const polhode::dense_columns& a, double* right_side) {
+  Eigen::Map<Eigen::VectorXd> x(right_side, a.rows);
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(polhode::mapped(a).transpose());
+  x = lu.solve(x).eval();
+}

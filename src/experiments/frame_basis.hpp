@@ -1,0 +1,76 @@
+// Functions of a state on the sphere and a tangent direction at it, a direction and its opposite being the same.
+//
+// Such a pair is a rotation R = (v, w, x), w = x cross v. Its functions are the Wigner functions of even right index:
+// with Euler angles alpha, beta, gamma about z, y, z, so that gamma turns v about x,
+//
+//   F = sqrt(2l+1) d^l_mn(beta) {1 for m = n = 0, else sqrt(2) cos(m alpha + n gamma), sqrt(2) sin(m alpha + n gamma)},
+//   n = 0, 2, ... <= l;  m = 0 ... l for n = 0, else -l ... l,
+//
+// orthonormal under the uniform law. They come in the order n, m, l, cosine before sine; the first one is 1.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "references/harmonics.hpp"
+
+namespace polhode {
+
+class frame_basis {
+ public:
+  explicit frame_basis(int degree);
+
+  int degree() const { return degree_; }
+  int size() const { return first_.back(); }
+
+  /// For each n and m, with L = max(|m|, n): F of degree L over |cos(beta/2)|^|m+n| |sin(beta/2)|^|m-n| and the cosine;
+  /// then for l = L ... degree the factors of p_{l+1} = (first cos(beta) + second) p_l - third p_{l-1}
+  /// (ensemble/frame_sums.hpp).
+  const std::vector<double>& recurrence() const { return recurrence_; }
+
+  /// Where functions are known by their values: at each point, the directions v cos(gamma) + w sin(gamma).
+  const points_on_sphere& points() const { return points_; }
+  const points_on_sphere& first_tangents() const { return v_; }
+  const points_on_sphere& second_tangents() const { return w_; }
+  int angles() const { return degree_ + 1; }
+  const std::vector<double>& turns() const { return turns_; }  ///< [angle]: cos(gamma), sin(gamma)
+
+  /// Adds to `out` what the points first, first + 1 ... contribute to the coefficients of functions, a column each;
+  /// values[angle]: [point][function]. Over all points: exact for functions in the span.
+  void add_coefficients(int first, const std::vector<Eigen::MatrixXd>& values, Eigen::MatrixXd& out) const;
+
+ private:
+  void make_duals(const Eigen::VectorXd& weights);
+  double angle(int i) const;
+
+  int degree_;
+  std::vector<int> first_;  // function of each n, and their number
+  std::vector<double> recurrence_, turns_;
+  points_on_sphere points_, v_, w_;
+  /// [n / 2]: functions at gamma = 0 and pi / 2n times the weights of the points, as
+  /// F = F(0) cos(n gamma) + F(pi / 2n) sin(n gamma).
+  std::vector<std::array<Eigen::MatrixXd, 2>> duals_;
+};
+
+/// Means over the noise of one step, for a block of points: of all functions where their directions are mapped to.
+class frame_means {
+ public:
+  /// turns: [angle]: cos(gamma), sin(gamma).
+  frame_means(const frame_basis&, std::span<const double> turns);
+  void clear();
+  /// Nodes of a rule: their weights, and the mapped points and tangents as in ensemble/frame_sums.hpp.
+  void add(std::span<const double> weights, const double* states, const double* tangents);
+  /// [point][function] of one angle, for the block's first points.
+  Eigen::MatrixXd functions(int angle, int points) const;
+  /// E[log |u|] of one angle.
+  Eigen::VectorXd growth(int angle, int points) const;
+
+ private:
+  const frame_basis& basis_;
+  std::span<const double> turns_;
+  std::vector<double> sums_, growth_;
+};
+
+}  // namespace polhode
