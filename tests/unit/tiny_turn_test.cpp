@@ -47,8 +47,8 @@ void is_the_rotation(double bound) {
     for (const double angle : {bound, -bound, 1e-3, 1e-9, 0.0})
       for (const double x : {1.0, -0.6, 1e-3, 0.0}) {
         const double rest = std::sqrt(1 - x * x), cos = std::cos(angle * x), sin = std::sin(angle * x);
-        vec<double, 3> pi{{size * 0.8 * rest, size * x, size * 0.6 * rest}};
-        tiny_turn<degree>(angle / size, size).template about<1>(pi);
+        const vec<double, 3> start{{size * 0.8 * rest, size * x, size * 0.6 * rest}};
+        const auto pi = tiny_turn<degree>(angle / size, size).template about<1>(start);
         EXPECT_NEAR(pi[1] / size, x, 1e-15);
         EXPECT_NEAR(pi[2] / size, (0.6 * cos + 0.8 * sin) * rest, 3e-16) << angle << ' ' << x;
         EXPECT_NEAR(pi[0] / size, (0.8 * cos - 0.6 * sin) * rest, 3e-16) << angle << ' ' << x;

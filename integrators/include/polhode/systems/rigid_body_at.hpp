@@ -106,29 +106,28 @@ class rigid_body_at : public Noise {
   template <class S, int n>
   vec<S, 3> free_flow(vec<S, 3> pi, part_of_step<n>) const {
     if constexpr (!parts.first_turn && !parts.last_turn) return pi;
-    turn<0>(pi, k_.kappa[0] / (2 * n));
-    turn<1>(pi, k_.kappa[1] / (2 * n));
-    turn<2>(pi, k_.kappa[2] / n);
-    turn<1>(pi, k_.kappa[1] / (2 * n));
-    turn<0>(pi, k_.kappa[0] / (2 * n));
-    return pi;
+    pi = turn<1>(turn<0>(pi, k_.kappa[0] / (2 * n)), k_.kappa[1] / (2 * n));
+    pi = turn<2>(pi, k_.kappa[2] / n);
+    return turn<0>(turn<1>(pi, k_.kappa[1] / (2 * n)), k_.kappa[0] / (2 * n));
   }
   template <class S, int n>
-  vec<S, 3> first_turn(vec<S, 3> pi, part_of_step<n>) const {
+  vec<S, 3> first_turn(const vec<S, 3>& pi, part_of_step<n>) const {
     constexpr int axis = parts.last_turn ? 0 : 2;
-    if constexpr (parts.first_turn && size == rotation_size::tiny)
-      k_.first_turns[n - 1][axis].template about<axis>(pi);
-    else if constexpr (parts.first_turn)
-      turn<axis>(pi, k_.shifted[axis] / n);
-    return pi;
+    if constexpr (!parts.first_turn)
+      return pi;
+    else if constexpr (size == rotation_size::tiny)
+      return k_.first_turns[n - 1][axis].template about<axis>(pi);
+    else
+      return turn<axis>(pi, k_.shifted[axis] / n);
   }
   template <class S, int n>
-  vec<S, 3> last_turn(vec<S, 3> pi, part_of_step<n>) const {
-    if constexpr (parts.last_turn && size == rotation_size::tiny && n == 2)
-      k_.last_half_turn.template about<2>(pi);
-    else if constexpr (parts.last_turn)
-      turn<2>(pi, k_.shifted[2] / n);
-    return pi;
+  vec<S, 3> last_turn(const vec<S, 3>& pi, part_of_step<n>) const {
+    if constexpr (!parts.last_turn)
+      return pi;
+    else if constexpr (size == rotation_size::tiny && n == 2)
+      return k_.last_half_turn.template about<2>(pi);
+    else
+      return turn<2>(pi, k_.shifted[2] / n);
   }
 
   double energy(const vec<double, 3>& pi) const { return 0.5 * dot(pi, scaled(k_.inverse_inertia, pi)); }
@@ -171,11 +170,11 @@ class rigid_body_at : public Noise {
   }
 
   template <class S, int n>
-  vec<S, 3> damped(vec<S, 3> pi, part_of_step<n>) const {
+  vec<S, 3> damped(const vec<S, 3>& pi, part_of_step<n>) const {
     const auto& factor = k_.damping[n - 1];
-    for (int k = 0; k < 3; ++k)
-      if (k != 1 || !polynomials) pi[k] = S(factor[k]) * pi[k];  // the shift by 1/I_2 makes the second factor 1
-    return pi;
+    vec<S, 3> out;
+    for (int k = 0; k < 3; ++k) out[k] = k == 1 && polynomials ? pi[k] : S(S(factor[k]) * pi[k]);
+    return out;
   }
 
   template <class S, int n>
@@ -205,7 +204,7 @@ class rigid_body_at : public Noise {
   }
 
   template <int axis, class S>
-  static void turn(vec<S, 3>& pi, double t) {
+  static vec<S, 3> turn(const vec<S, 3>& pi, double t) {
     constexpr int next = (axis + 1) % 3, last = (axis + 2) % 3;
     const S angle = S(t) * pi[axis];
     S sin, cos;
@@ -221,9 +220,11 @@ class rigid_body_at : public Noise {
       sin = angle * evaluate(sinc, q);
       cos = S(1.0) - q * evaluate(cosc, q);  // exact at 0: a rounded first coefficient would shrink every turn alike
     }
-    const S a = pi[next], b = pi[last];
-    pi[next] = a * cos + b * sin;
-    pi[last] = b * cos - a * sin;
+    vec<S, 3> out;
+    out[axis] = pi[axis];
+    out[next] = pi[next] * cos + pi[last] * sin;
+    out[last] = pi[last] * cos - pi[next] * sin;
+    return out;
   }
 
   rigid_body_constants k_;

@@ -29,14 +29,16 @@ struct tiny_turn {
   }
 
   template <int axis, class S>
-  void about(vec<S, 3>& pi) const {
+  [[nodiscard]] vec<S, 3> about(const vec<S, 3>& pi) const {
+    constexpr int next = (axis + 1) % 3, last = (axis + 2) % 3;
     const S x = pi[axis], q = x * x;
     const S s = x * evaluate(sine, q), h = x * evaluate(half_tangent, q);
-    S& a = pi[(axis + 1) % 3];
-    S& b = pi[(axis + 2) % 3];
-    a = a + h * b;
-    b = b - s * a;
-    a = a + h * b;
+    const S sheared = pi[next] + h * pi[last], b = pi[last] - s * sheared, a = sheared + h * b;
+    vec<S, 3> out;
+    out[axis] = x;
+    out[next] = a;
+    out[last] = b;
+    return out;
   }
 };
 
