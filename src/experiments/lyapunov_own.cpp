@@ -5,8 +5,7 @@
 namespace polhode {
 namespace {
 
-constexpr double tolerance = 4e-3;  // of an error
-constexpr double resolution = 32;   // of the finest level: a slope that has not settled by then is followed on
+constexpr double resolution = 32;  // of the finest level: a slope that has not settled by then is followed on
 
 }  // namespace
 
@@ -15,6 +14,7 @@ void report_own_exponents(const context& c, const std::vector<scheme_entry>& sch
   const auto& s = c.subject;
   const auto expected = [&](const scheme_entry& e) { return weak_order_on(e.info, s.model->noise()); };
   const double rate = fastest_rate(s);
+  const double tolerance = by_effort(c.effort, 1e-2, 4e-3, 1e-3);  // of an error
   const transfer_target target{Eigen::Vector2d(*exact.lambda1, exact.sum), Eigen::Vector2d::Constant(rate), tolerance};
   const order_question q{
       "lyapunov",
