@@ -17,7 +17,7 @@ constexpr std::array shell_bases{basis_rule{8, 5, 4}, basis_rule{10, 6, 4.5}, ba
                                  basis_rule{16, 7, 5}};
 constexpr std::array shell_nodes{4, 5, 6, 7};
 constexpr std::array frame_bases{basis_rule{6, 1, 0},  basis_rule{8, 1, 0},  basis_rule{10, 1, 0},
-                                 basis_rule{12, 1, 0}, basis_rule{14, 1, 0}, basis_rule{16, 1, 0}};
+                                 basis_rule{12, 1, 0}, basis_rule{14, 1, 0}, basis_rule{most_frames, 1, 0}};
 constexpr std::array frame_nodes{3, 5, 7, 9, 11};
 constexpr std::array area_nodes{2, 3, 4};
 constexpr double most_multiplications = 3e10;  // of one operator
