@@ -131,19 +131,24 @@ TEST(SampledExponents, TheWrongEquationIsRefuted) {
   EXPECT_EQ(verdict_of(r, "ito_drift_added", "finds lambda_1 + lambda_2"), verdict_kind::refuted);
 }
 
-TEST(SampledExponents, ThreadsAndCompanyChangeNothing) {
-  const auto scene = load_scene("paper");
-  const auto alone = sampled(with_schemes(scene, {"lie_euler"}), 1),
-             beside = sampled(with_schemes(scene, {"lie_euler", "strang"}), 3);
+/// What is said of a scheme alone is what is said of it beside others.
+void expect_the_same(const report::results& alone, const report::results& beside, std::string_view scheme) {
   std::size_t same = 0;
   for (const auto& m : beside.measurements) {
-    if (m.scheme != "lie_euler") continue;
+    if (m.scheme != scheme) continue;
     ASSERT_LT(same, alone.measurements.size());
     const auto& other = alone.measurements[same++];
     EXPECT_EQ(m.value, other.value) << m.quantity;
     EXPECT_EQ(m.low, other.low) << m.quantity;
   }
   EXPECT_EQ(same, alone.measurements.size());
+  EXPECT_GT(same, 0u);
+}
+
+TEST(SampledExponents, ThreadsAndCompanyChangeNothing) {
+  const auto scene = load_scene("paper");
+  expect_the_same(sampled(with_schemes(scene, {"lie_euler"}), 1),
+                  sampled(with_schemes(scene, {"lie_euler", "strang"}), 3), "lie_euler");
 }
 
 TEST(SampledExponents, WithoutAnExactValueNothingIsCompared) {
@@ -186,16 +191,8 @@ TEST(OwnExponents, TheWrongEquationIsRefuted) {
 
 TEST(OwnExponents, ThreadsAndCompanyChangeNothing) {
   const auto scene = load_scene("anisotropic");
-  const auto alone = own(with_schemes(scene, {"cayley_heun"}), 1),
-             beside = own(with_schemes(scene, {"cayley_heun", "magnus"}), 3);
-  std::size_t same = 0;
-  for (const auto& m : beside.measurements) {
-    if (m.scheme != "cayley_heun") continue;
-    ASSERT_LT(same, alone.measurements.size());
-    EXPECT_EQ(m.value, alone.measurements[same++].value) << m.quantity;
-  }
-  EXPECT_EQ(same, alone.measurements.size());
-  EXPECT_GT(same, 0u);
+  expect_the_same(own(with_schemes(scene, {"cayley_heun"}), 1), own(with_schemes(scene, {"cayley_heun", "magnus"}), 3),
+                  "cayley_heun");
 }
 
 /// Mean and standard error of what paths of a scheme stretch.
