@@ -41,10 +41,14 @@ inline constexpr bool turns = !scheme_on<Scheme, unturned_body>;
 template <class Scheme>
 inline constexpr bool rotates = Scheme::info.action == group_action::exponential;
 
+/// For a step that is one long chain of products and yet needs few registers (measured: strang with shears, AVX-512).
+using four_packs = stdx::fixed_size_simd<double, static_cast<int>(4 * pack::size())>;
+
 /// Long steps hide their latency themselves.
 template <class Scheme, rotation_size size>
-using loop_scalar =
-    std::conditional_t<Scheme::info.implicit || (rotates<Scheme> && size == rotation_size::any), pack, loop_pack>;
+using loop_scalar = std::conditional_t<
+    Scheme::info.implicit || (rotates<Scheme> && size == rotation_size::any), pack,
+    std::conditional_t<turns<Scheme> && size == rotation_size::tiny && pack::size() == 8, four_packs, loop_pack>>;
 
 template <class Scheme, body_parts parts>
 std::unique_ptr<kernel> rigid_body_kernel(const rigid_body& body, double radius, double dt) {
