@@ -13,7 +13,7 @@ dense_columns columns_of(const matrix& a) {
 }
 
 void add(const matrix& a, const matrix& b, Eigen::Ref<Eigen::MatrixXd>& c, bool transposed) {
-  by_isa(POLHODE_ENTRIES(polhode_add_product_))(columns_of(a), columns_of(b), columns_of(c), transposed);
+  by_isa(POLHODE_ENTRIES(polhode_add_product_))({columns_of(a), columns_of(b), columns_of(c), transposed});
 }
 
 }  // namespace

@@ -16,23 +16,23 @@ void add_transposed_product(const Eigen::Ref<const Eigen::MatrixXd>& a, const Ei
 /// x with x a = b, by LU with partial pivots.
 Eigen::RowVectorXd solve_from_left(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::RowVectorXd& b);
 
-/// A matrix by columns, as the entries take it.
+/// What the entries take: a matrix by columns, and c += a b or c += a^T b.
 struct dense_columns {
   double* at;
   Eigen::Index rows, columns, stride;
+};
+struct dense_product {
+  dense_columns a, b, c;
+  bool transposed;
 };
 
 }  // namespace polhode
 
 extern "C" {
-void polhode_add_product_v2(const polhode::dense_columns&, const polhode::dense_columns&, const polhode::dense_columns&,
-                            bool transposed);
-void polhode_add_product_v3(const polhode::dense_columns&, const polhode::dense_columns&, const polhode::dense_columns&,
-                            bool transposed);
-void polhode_add_product_v4(const polhode::dense_columns&, const polhode::dense_columns&, const polhode::dense_columns&,
-                            bool transposed);
-void polhode_add_product_portable(const polhode::dense_columns&, const polhode::dense_columns&,
-                                  const polhode::dense_columns&, bool transposed);
+void polhode_add_product_v2(const polhode::dense_product&);
+void polhode_add_product_v3(const polhode::dense_product&);
+void polhode_add_product_v4(const polhode::dense_product&);
+void polhode_add_product_portable(const polhode::dense_product&);
 void polhode_solve_v2(const polhode::dense_columns&, double* right_side);
 void polhode_solve_v3(const polhode::dense_columns&, double* right_side);
 void polhode_solve_v4(const polhode::dense_columns&, double* right_side);

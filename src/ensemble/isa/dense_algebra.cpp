@@ -16,13 +16,12 @@ columns mapped(const dense_columns& a) { return {a.at, a.rows, a.columns, Eigen:
 }  // namespace
 }  // namespace polhode
 
-extern "C" void POLHODE_ENTRY(polhode_add_product_)(const polhode::dense_columns& a, const polhode::dense_columns& b,
-                                                    const polhode::dense_columns& c, bool transposed) {
+extern "C" void POLHODE_ENTRY(polhode_add_product_)(const polhode::dense_product& p) {
   using polhode::mapped;
-  if (transposed)
-    mapped(c).noalias() += mapped(a).transpose() * mapped(b);
+  if (p.transposed)
+    mapped(p.c).noalias() += mapped(p.a).transpose() * mapped(p.b);
   else
-    mapped(c).noalias() += mapped(a) * mapped(b);
+    mapped(p.c).noalias() += mapped(p.a) * mapped(p.b);
 }
 
 // The right side becomes the solution. LU of a^T: a left solution is one of it.
