@@ -5,7 +5,7 @@
 
 namespace polhode {
 
-inline constexpr int most_frame_degree = 24;
+inline constexpr int most_frame_degree = 16;  ///< operators on tangent directions are dear
 
 /// Of each lane a state x and two tangents v, w at it, mapped by one step. With u = v cos(gamma) + w sin(gamma), for
 /// each angle gamma:

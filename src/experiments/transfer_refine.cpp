@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "ensemble/frame_sums.hpp"
 #include "experiments/frame_transfer.hpp"
 
 namespace polhode {
@@ -17,19 +18,19 @@ constexpr std::array shell_bases{basis_rule{8, 5, 4}, basis_rule{10, 6, 4.5}, ba
                                  basis_rule{16, 7, 5}};
 constexpr std::array shell_nodes{4, 5, 6, 7};
 constexpr std::array frame_bases{basis_rule{6, 1, 0},  basis_rule{8, 1, 0},  basis_rule{10, 1, 0},
-                                 basis_rule{12, 1, 0}, basis_rule{14, 1, 0}, basis_rule{most_frames, 1, 0}};
+                                 basis_rule{12, 1, 0}, basis_rule{14, 1, 0}, basis_rule{most_frame_degree, 1, 0}};
 constexpr std::array frame_nodes{3, 5, 7, 9, 11};
 constexpr std::array area_nodes{2, 3, 4};
 constexpr double most_multiplications = 3e10;  // of one operator
 constexpr double rounding = 1e-15;             // of a step, relative
 
-/// Steps of one operator's points: nodes of the noise.
-double nodes_of(const model& m, bool with_areas, const noise_rule& rule) {
+/// From every point of an operator: nodes of the noise.
+double steps_a_point(const model& m, bool with_areas, const noise_rule& rule) {
   const int active = m.active_channels(), areas = with_areas ? active * (active - 1) / 2 : 0;
   return std::pow(rule.channel, active) * std::pow(rule.area, areas);
 }
 
-/// Points of the basis times functions.
+/// Points of the basis times functions; for frames, to the leading power of the degree.
 double momentum_values(const basis_rule& rule) {
   const double functions = (rule.degree + 1.0) * (rule.degree + 1.0) * rule.radial;
   return 2 * functions * functions;
@@ -85,7 +86,8 @@ refined refine_part(const asked& answers, Eigen::ArrayXd first, std::size_t choi
 }
 
 transfer_answer refine(const ladder& l, bool with_areas, const transfer_target& target, std::int64_t steps) {
-  const auto& [bases, nodes, multiplications, answer] = l;
+  const auto& bases = l.bases;
+  const auto& nodes = l.nodes;
   const noise_rule least{nodes[0], area_nodes[0]};
   const asked answers(l, target, steps);
   const Eigen::ArrayXd coarsest = answers.error({bases[0], least});
@@ -128,7 +130,7 @@ transfer_answer refine(const subject& s, const scheme_entry& scheme, double dt, 
   const ladder momentum{sphere ? std::span<const basis_rule>(sphere_bases) : shell_bases,
                         sphere ? std::span<const int>(sphere_nodes) : shell_nodes,
                         [&](const transfer_rule& rule) {
-                          return momentum_values(rule.basis) * nodes_of(*s.model, scheme.needs_areas, rule.noise);
+                          return momentum_values(rule.basis) * steps_a_point(*s.model, scheme.needs_areas, rule.noise);
                         },
                         [&](const transfer_rule& rule) -> Eigen::VectorXd {
                           return question.ask(make_transfer(s, scheme, dt, steps, rule));
@@ -140,7 +142,7 @@ transfer_answer refine_exponents(const subject& s, const scheme_entry& scheme, d
                                  const transfer_target& target) {
   const ladder frames{frame_bases, frame_nodes,
                       [&](const transfer_rule& rule) {
-                        return frame_values(rule.basis) * nodes_of(*s.model, scheme.needs_areas, rule.noise);
+                        return frame_values(rule.basis) * steps_a_point(*s.model, scheme.needs_areas, rule.noise);
                       },
                       [&](const transfer_rule& rule) -> Eigen::VectorXd {
                         return make_frame_transfer(s, scheme, dt, rule).exponents();

@@ -30,9 +30,8 @@ struct transfer_answer {
 
 transfer_answer refine(const subject&, const scheme_entry&, double dt, std::int64_t steps, const transfer_question&);
 
-/// The same of the exponents of a scheme that keeps the sphere: lambda_1 and lambda_1 + lambda_2. Operators on tangent
-/// directions are dear: their degree goes up to that one.
-inline constexpr int most_frames = 16;
+/// The same of the exponents of a scheme that keeps the sphere: lambda_1 and lambda_1 + lambda_2. Degrees up to
+/// most_frame_degree (ensemble/frame_sums.hpp).
 transfer_answer refine_exponents(const subject&, const scheme_entry&, double dt, const transfer_target&);
 
 }  // namespace polhode
