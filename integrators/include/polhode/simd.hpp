@@ -182,16 +182,20 @@ requires has_aes<B> B aes_round([[maybe_unused]] const B& x, [[maybe_unused]] co
   }
 #endif
 #if defined(__AES__)
-  const auto half = [](__m128i s, __m128i k) { return Last ? _mm_aesenclast_si128(s, k) : _mm_aesenc_si128(s, k); };
-#if defined(__AVX2__)
-  if constexpr (sizeof(B) == 32) {
-    const auto s = static_cast<__m256i>(x);
-    const auto k = _mm256_castsi256_si128(static_cast<__m256i>(key));
-    return B(_mm256_set_m128i(half(_mm256_extracti128_si256(s, 1), k), half(_mm256_castsi256_si128(s), k)));
+  if constexpr (sizeof(B) == 16) {
+    const auto s = static_cast<__m128i>(x), k = static_cast<__m128i>(key);
+    return B(Last ? _mm_aesenclast_si128(s, k) : _mm_aesenc_si128(s, k));
   }
 #endif
-  if constexpr (sizeof(B) == 16) return B(half(static_cast<__m128i>(x), static_cast<__m128i>(key)));
+}
+
+/// Two blocks as one pack, low first. (The library's concat goes through memory, and the load waits for both stores.)
+template <class B, class Block>
+B join_blocks(const Block& low, const Block& high) {
+#if defined(__AVX2__)
+  if constexpr (sizeof(B) == 32) return B(_mm256_set_m128i(static_cast<__m128i>(high), static_cast<__m128i>(low)));
 #endif
+  return B(stdx::concat(low, high));
 }
 
 /// AES with given round keys: key 0 is added, then the rounds. Several packs advance round by round, since each is one
@@ -199,10 +203,24 @@ requires has_aes<B> B aes_round([[maybe_unused]] const B& x, [[maybe_unused]] co
 template <class B, std::size_t N, std::size_t Keys>
 requires has_aes<B> std::array<B, N> aes(const std::array<B, N>& blocks, const std::array<B, Keys>& keys) {
   std::array<B, N> x;
-  unrolled<N>([&](std::size_t i) { x[i] = blocks[i] ^ keys[0]; });
-  unrolled<Keys - 2>(
-      [&](std::size_t round) { unrolled<N>([&](std::size_t i) { x[i] = aes_round<false>(x[i], keys[round + 1]); }); });
-  unrolled<N>([&](std::size_t i) { x[i] = aes_round<true>(x[i], keys[Keys - 1]); });
+  if constexpr (sizeof(B) == 32) {  // instructions take one block or four: two are taken apart once, not each round
+    using block = stdx::resize_simd_t<2, B>;
+    std::array<block, 2 * N> halves;
+    std::array<block, Keys> block_keys;
+    unrolled<N>([&](std::size_t i) {
+      const auto half = stdx::split<block>(blocks[i]);
+      halves[2 * i] = half[0], halves[2 * i + 1] = half[1];
+    });
+    unrolled<Keys>([&](std::size_t i) { block_keys[i] = stdx::split<block>(keys[i])[0]; });
+    halves = aes(halves, block_keys);
+    unrolled<N>([&](std::size_t i) { x[i] = join_blocks<B>(halves[2 * i], halves[2 * i + 1]); });
+  } else {
+    unrolled<N>([&](std::size_t i) { x[i] = blocks[i] ^ keys[0]; });
+    unrolled<Keys - 2>([&](std::size_t round) {
+      unrolled<N>([&](std::size_t i) { x[i] = aes_round<false>(x[i], keys[round + 1]); });
+    });
+    unrolled<N>([&](std::size_t i) { x[i] = aes_round<true>(x[i], keys[Keys - 1]); });
+  }
   return x;
 }
 
