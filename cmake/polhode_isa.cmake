@@ -23,7 +23,7 @@ function(polhode_isa_objects target level objects sources)
   endif()
   set(merged ${CMAKE_CURRENT_BINARY_DIR}/${objects}.o)
   add_custom_command(OUTPUT ${merged}
-    COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${merged}.all $<TARGET_OBJECTS:${objects}>
+    COMMAND ${POLHODE_LD} -r --force-group-allocation -o ${merged}.all $<TARGET_OBJECTS:${objects}>
     COMMAND ${CMAKE_OBJCOPY} --wildcard --keep-global-symbol=polhode_*_${level} ${merged}.all ${merged}
     DEPENDS ${objects} $<TARGET_OBJECTS:${objects}> COMMAND_EXPAND_LISTS VERBATIM
     COMMENT "Inner loops for x86-64-${level}")
@@ -31,11 +31,13 @@ function(polhode_isa_objects target level objects sources)
   target_sources(${target} PRIVATE ${merged})
 endfunction()
 
+find_program(POLHODE_LD ld.bfd)  # others do not dissolve groups
+
 function(polhode_add_isa target)
   # Without tree-ter g++ keeps the order in which several packs advance together, instead of one chain after another.
   set_source_files_properties(${POLHODE_UNCONTRACTED} PROPERTIES
     COMPILE_OPTIONS "-ffp-contract=off;$<$<CXX_COMPILER_ID:GNU>:-fno-tree-ter>")
-  if(POLHODE_ISA_LEVELS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND CMAKE_OBJCOPY AND CMAKE_LINKER)
+  if(POLHODE_ISA_LEVELS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND CMAKE_OBJCOPY AND POLHODE_LD)
     target_compile_definitions(${target} PRIVATE POLHODE_X86_LEVELS)
     foreach(level v2 v3 v4)
       polhode_isa_objects(${target} ${level} ${target}_${level} "${POLHODE_ISA_SOURCES}")

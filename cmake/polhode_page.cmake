@@ -24,13 +24,15 @@ set(literals "")
 string(LENGTH "${text}" size)
 foreach(at RANGE 0 ${size} 60000)
   string(SUBSTRING "${text}" ${at} 60000 piece)
-  string(APPEND literals "    R\"page(${piece})page\",\n")
+  string(APPEND literals "    R\"page(${piece})page\"sv,\n")
 endforeach()
 file(WRITE "${OUT}" "// Generated from reports/viewer/dist/report.html. Do not edit.
 #include \"reports/writers/page_template.hpp\"
 
 namespace polhode::report {
 namespace {
+using namespace std::string_view_literals;  // lengths need not be counted, which compilers limit
+
 constexpr std::string_view pieces[] = {
 ${literals}};
 }  // namespace

@@ -6,6 +6,7 @@
 // dt^2 the order so is three, dt^4 being seen first; without dt^2, dt^3 and dt^4 it is five, dt^6 being seen first.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <span>
 #include <string>
@@ -18,9 +19,9 @@
 namespace polhode {
 
 struct extrapolation {
-  std::string name;
-  std::vector<int> powers;  ///< of dt that drop out, one more level each
-  double order;             ///< what is left
+  std::string_view name;
+  std::span<const int> powers;  ///< of dt that drop out, one more level each
+  double order;                 ///< what is left
 
   /// Steps of all runs together for one step of the coarsest: 1 + 2 + 4 + ….
   double runs() const { return std::exp2(static_cast<double>(levels())) - 1; }
@@ -29,8 +30,9 @@ struct extrapolation {
 };
 
 inline constexpr std::string_view extrapolated_from = "strang_weak2";
-inline const std::vector<extrapolation> extrapolations{{"strang_extrapolated", {2}, 3},
-                                                       {"strang_extrapolated5", {2, 3, 4}, 5}};
+inline constexpr std::array dropped_powers{2, 3, 4};
+inline constexpr std::array extrapolations{extrapolation{"strang_extrapolated", std::span(dropped_powers).first(1), 3},
+                                           extrapolation{"strang_extrapolated5", dropped_powers, 5}};
 
 /// {name, extrapolated_from} of each: experiment::derived_names.
 std::vector<std::pair<std::string, std::string>> extrapolated_names();

@@ -78,8 +78,8 @@ void report_extrapolations(const order_question& q, const error_table& t, const 
     if (combined.dt.empty()) continue;
     report_errors(q, combined, out);
     if (unresolved(combined, known.columns))
-      out.skipped.push_back(
-          {"weak", e.name, "fewer than four levels lie clear of rounding and of what the operators leave uncertain"});
+      out.skipped.push_back({"weak", std::string(e.name),
+                             "fewer than four levels lie clear of rounding and of what the operators leave uncertain"});
     else
       out.verdicts.push_back(judge_table(q, e.order, combined));
     report_cost(combined, known, horizon, e.order, e.runs(), out);

@@ -11,8 +11,8 @@ namespace polhode {
 namespace {
 
 constexpr double tolerance = 0.02, extrapolated_tolerance = 1e-6;  // of an error
-const extrapolation& combination = extrapolations.front();
-constexpr double reference_accuracy = 1e-12, rounding = 1e-12;     // of the observable's size
+constexpr const extrapolation& combination = extrapolations.front();
+constexpr double reference_accuracy = 1e-12, rounding = 1e-12;  // of the observable's size
 
 class averages_goal final : public goal {
  public:
@@ -39,7 +39,8 @@ class averages_goal final : public goal {
     for (const auto& e : s.schemes) {
       const double order = weak_order_on(e.info, s.model->noise());
       out.push_back({std::string(e.info.name), e, nullptr, order});
-      if (e.info.name == extrapolated_from) out.push_back({combination.name, e, &combination, combination.order});
+      if (e.info.name == extrapolated_from)
+        out.push_back({std::string(combination.name), e, &combination, combination.order});
     }
     return out;
   }

@@ -91,7 +91,7 @@ struct so4_body : constant_noise<so4> {
   /// The parts' flows, to second order: enough for the splittings to show their own order.
   template <class S>
   vec<S, 6> free_flow(const vec<S, 6>& mu, double t) const {
-    return flow([this](const auto& x) { return omega(x); }, mu, t);
+    return flow([this](const auto& x) { return this->omega(x); }, mu, t);
   }
   /// The coupling alone: mu_1 + mu_2 stays, and both turn about it. Exact.
   template <class S>

@@ -44,7 +44,7 @@ TEST(Quantile, TableIsTheInterpolation) {
 double error_at(std::uint32_t m) {
   const int e = 31 - std::countl_zero(m);
   const std::uint32_t cell = e > 23 ? 1u << (e - 23) : 1u;
-  const long double u = (static_cast<long double>(m / cell * cell) + cell / 2.0L) * 0x1p-31L;
+  const long double u = std::ldexp(static_cast<long double>(2 * std::uint64_t{m / cell * cell} + cell), -32);
   return static_cast<double>(std::fabs(quantile<float>(m) - exact_quantile(u)));
 }
 

@@ -14,8 +14,13 @@ namespace polhode {
 
 template <class S>
 requires is_pack<S> S select(const typename S::mask_type& condition, const S& yes, S no) {
+#if defined(__clang__) && defined(__AVX512F__)
+  // There the masked assignment of libstdc++ 12 takes the wrong lanes.
+  return S([&](auto i) { return condition[i] ? yes[i] : no[i]; });
+#else
   stdx::where(condition, no) = yes;
   return no;
+#endif
 }
 inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 
