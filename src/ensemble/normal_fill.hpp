@@ -31,7 +31,7 @@ void fill_precise(const normal_block& request) {
 }
 
 /// Fast normals, row by row: one channel at one step. First the words of some rows, then their quantiles, since the
-/// constants of one of the two loops fit into registers, those of both do not.
+/// constants of one of the two loops fit into registers, those of both do not; then the tails, if there are any.
 template <noise_generator G>
 class fast_rows {
   using B = bits_of<pack>;
@@ -53,10 +53,10 @@ class fast_rows {
     for (int first = 0; first < all; first += batch) {
       const int end = std::min(first + batch, all);
       for (int row = first; row < end; ++row) draw(row, words_[static_cast<std::size_t>(row - first)]);
-      for (int row = first; row < end; ++row) {
-        Real* place = out + (step(row) * request_.rows + static_cast<int>(channel(row))) * block_lanes;
-        finish(row, words_[static_cast<std::size_t>(row - first)].data() + skipped(), place);
-      }
+      U smallest(0x7FFFFFFFu);
+      for (int row = first; row < end; ++row) finish(words_of(row - first), place_of(row, out), smallest);
+      if (stdx::any_of(in_tail(smallest))) [[unlikely]]
+        for (int row = first; row < end; ++row) replace_tails(row, words_of(row - first), place_of(row, out));
     }
   }
 
@@ -65,6 +65,11 @@ class fast_rows {
   std::size_t skipped() const { return request_.first_path % 4; }
   int step(int row) const { return row / request_.wanted; }
   std::uint32_t channel(int row) const { return static_cast<std::uint32_t>(row % request_.wanted); }
+  const std::uint32_t* words_of(int place) const { return words_[static_cast<std::size_t>(place)].data() + skipped(); }
+  template <class Real>
+  Real* place_of(int row, Real* out) const {
+    return out + (step(row) * request_.rows + static_cast<int>(channel(row))) * block_lanes;
+  }
   noise_address address(int row, std::size_t lane) const {
     return {request_.seed, request_.kind, request_.first_path + lane,
             request_.first_step + static_cast<std::uint64_t>(step(row))};
@@ -88,9 +93,9 @@ class fast_rows {
     }
   }
 
+  /// Words that lie in the tail are left for later: `smallest` tells.
   template <class Real>
-  void finish(int row, const std::uint32_t* words, Real* out) const {
-    U smallest(0x7FFFFFFFu);
+  void finish(const std::uint32_t* words, Real* out, U& smallest) const {
     for (std::size_t lane = 0; lane < block_lanes; lane += lanes_at_once) {
       std::array<U, packs> word;
       unrolled<packs>([&](std::size_t i) {
@@ -100,14 +105,15 @@ class fast_rows {
       const auto x = quantiles<F>(word);
       unrolled<packs>([&](std::size_t i) { store(x[i], out + lane + i * width); });
     }
-    if (stdx::any_of(in_tail(smallest))) [[unlikely]]
-      replace_tails(row, words, out);
   }
 
   template <class Real>
   [[gnu::noinline]] void replace_tails(int row, const std::uint32_t* words, Real* out) const {
-    for (std::size_t lane = 0; lane < block_lanes; ++lane)
-      if (in_tail(words[lane])) store(tail_normal<G>(address(row, lane), channel(row), words[lane]), out + lane);
+    for (std::size_t first = 0; first < block_lanes; first += width) {
+      if (stdx::none_of(in_tail(U(words + first, stdx::element_aligned)))) continue;
+      for (std::size_t lane = first; lane < first + width; ++lane)
+        if (in_tail(words[lane])) store(tail_normal<G>(address(row, lane), channel(row), words[lane]), out + lane);
+    }
   }
 
   void store(float x, double* out) const { *out = request_.scale * double{x}; }
