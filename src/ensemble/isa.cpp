@@ -88,6 +88,8 @@ std::optional<isa> aes_isa([[maybe_unused]] isa widest) {
 #if defined(POLHODE_X86_LEVELS)
   const auto& aes = aes_of_processor();
   if (aes.any) return widest == isa::v4 && !aes.wide ? isa::v3 : widest;
+#elif defined(__AES__)
+  return widest;
 #endif
   return std::nullopt;
 }

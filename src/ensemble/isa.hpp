@@ -22,7 +22,7 @@ isa active_isa();
 void choose_isa(isa);
 
 /// The widest set, up to the given one, whose loops with AES instructions this processor can run: v4 asks for them on
-/// 512 bits, v2 and v3 on 128. None in a portable build.
+/// 512 bits, v2 and v3 on 128. A portable build has them where the compiler's target does.
 std::optional<isa> aes_isa(isa widest);
 
 }  // namespace polhode

@@ -10,6 +10,7 @@ struct Company : cache_of_a_test {};
 // The ground on which a result is kept scheme by scheme. Every experiment of the list is held to it but the one that is
 // never kept, as it measures time and compares schemes.
 TEST_F(Company, ChangesNothingThatIsSaidOfAScheme) {
+  scene = load_scene("paper");
   options.experiments.clear();
   for (const auto& e : list_experiments())
     if (e.name != "work_precision") options.experiments.push_back(e.name);
