@@ -107,7 +107,7 @@ void report_cloud(const std::string& name, const dimension_plan& plan, double ex
 
 void report_dimensions(const context& c, const attractor_frame& f, report::results& out) {
   const double time = longer * std::log(1 / side_of(hemisphere_bins::side)) / -f.lambda2();
-  const dimension_plan plan{f.dt, f.steps_in(time, f.dt), by_effort(c.effort, 1 << 15, 1 << 16, 1 << 17),
+  const dimension_plan plan{f.dt, f.steps_in(time, f.dt), by_effort(c.effort, 1 << 15, 1 << 16, 1 << 16),
                             noise_paths};
   const double path_steps = static_cast<double>(plan.steps * plan.bodies) * plan.paths;
   const double most = affordable(c.effort, most_path_steps);

@@ -141,7 +141,7 @@ void report_rate(const std::string& name, const std::optional<interval_estimate>
 
 void report_pullback(const context& c, const attractor_frame& f, report::results& out) {
   const double span = -span_time / f.exponents.sum;
-  pullback_plan plan{f.steps_in(span, f.dt), by_effort(c.effort, 64, 384, 1024), by_effort(c.effort, 2, 4, 4)};
+  pullback_plan plan{f.steps_in(span, f.dt), by_effort(c.effort, 64, 384, 384), by_effort(c.effort, 2, 4, 4)};
   const double most = affordable(c.effort, most_path_steps);
   const auto work = [&] {
     return 1.0 * spans * (spans + 1) * static_cast<double>(plan.steps) * plan.paths * plan.blocks * block_lanes;
