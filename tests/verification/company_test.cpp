@@ -11,7 +11,6 @@ struct Company : cache_of_a_test {};
 // never kept, as it measures time and compares schemes.
 TEST_F(Company, ChangesNothingThatIsSaidOfAScheme) {
   scene = load_scene("paper");
-  options.schemes = {"magnus", "strang"};  // with areas and without
   options.experiments.clear();
   for (const auto& e : list_experiments())
     if (e.name != "work_precision") options.experiments.push_back(e.name);
