@@ -18,7 +18,7 @@ namespace {
 
 constexpr int coarsest = 16;  // boxes along a hemisphere: larger ones see the sphere and its rim
 constexpr double dimension_margin = 0.15;
-constexpr int noise_paths = 64;             // a third of the margin is then left to the interval
+constexpr int noise_paths = 64;            // a third of the margin is then left to the interval
 constexpr double longer = 2;               // than the mean time to fall below a box: rates fluctuate along a path
 constexpr double most_path_steps = 1.8e9;  // of one scheme at quick effort
 constexpr std::array names{"box-counting", "information", "correlation"};
@@ -107,8 +107,7 @@ void report_cloud(const std::string& name, const dimension_plan& plan, double ex
 
 void report_dimensions(const context& c, const attractor_frame& f, report::results& out) {
   const double time = longer * std::log(1 / side_of(hemisphere_bins::side)) / -f.lambda2();
-  const dimension_plan plan{f.dt, f.steps_in(time, f.dt), by_effort(c.effort, 1 << 15, 1 << 16, 1 << 16),
-                            noise_paths};
+  const dimension_plan plan{f.dt, f.steps_in(time, f.dt), by_effort(c.effort, 1 << 15, 1 << 16, 1 << 16), noise_paths};
   const double path_steps = static_cast<double>(plan.steps * plan.bodies) * plan.paths;
   const double most = affordable(c.effort, most_path_steps);
   if (path_steps > most) {
