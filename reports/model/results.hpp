@@ -14,12 +14,17 @@ namespace polhode::report {
 inline constexpr int schema_version = 1;
 inline constexpr std::string_view schema_name = "polhode-results";
 
-enum class verdict_kind { holds, refuted, inconclusive, skipped };
+/// inconclusive: claimed and tried, and not decided, which is never a pass; the reason says what it would take.
+/// not_tried: this effort leaves it out by plan. skipped: it does not apply here, or is not claimed.
+enum class verdict_kind { holds, refuted, inconclusive, not_tried, skipped };
+inline constexpr std::array verdict_kinds{verdict_kind::holds, verdict_kind::refuted, verdict_kind::inconclusive,
+                                          verdict_kind::not_tried, verdict_kind::skipped};
 constexpr std::string_view name_of(verdict_kind kind) {
   switch (kind) {
     case verdict_kind::holds: return "holds";
     case verdict_kind::refuted: return "refuted";
     case verdict_kind::inconclusive: return "inconclusive";
+    case verdict_kind::not_tried: return "not tried";
     case verdict_kind::skipped: return "skipped";
   }
   return "inconclusive";
@@ -109,10 +114,12 @@ struct density {
   std::vector<double> values;
 };
 
-/// Something that a scene does not need or cannot answer. An empty scheme means all of them.
+/// Something that a scene does not need, a scheme does not claim, or this effort does not try. An empty scheme means
+/// all of them.
 struct skip {
   std::string experiment, scheme, reason;
   report::saved saved = {};
+  verdict_kind kind = verdict_kind::skipped;  ///< or not_tried
 };
 
 /// Something inside an experiment that this scene does not need: what, why, and what leaving it out saved.

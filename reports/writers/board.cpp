@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace polhode::report {
 namespace {
@@ -26,24 +27,7 @@ void add_mentioned(std::vector<std::string>& names, const results& r, Member nam
 
 }  // namespace
 
-void tally::add(verdict_kind kind) {
-  switch (kind) {
-    case verdict_kind::holds: ++holds; break;
-    case verdict_kind::refuted: ++refuted; break;
-    case verdict_kind::inconclusive: ++inconclusive; break;
-    case verdict_kind::skipped: ++skipped; break;
-  }
-}
-
-std::size_t tally::of(verdict_kind kind) const {
-  switch (kind) {
-    case verdict_kind::holds: return holds;
-    case verdict_kind::refuted: return refuted;
-    case verdict_kind::inconclusive: return inconclusive;
-    case verdict_kind::skipped: return skipped;
-  }
-  return 0;
-}
+std::size_t tally::total() const { return std::accumulate(counts.begin(), counts.end(), std::size_t{0}); }
 
 tally count(const std::vector<verdict>& verdicts) {
   tally total;
@@ -53,18 +37,19 @@ tally count(const std::vector<verdict>& verdicts) {
 
 std::string headline(const tally& t) {
   const auto claims = [](std::size_t n) { return fmt::format("{} claim{}", n, n == 1 ? "" : "s"); };
-  if (t.refuted > 0) return fmt::format("{} {} refuted.", claims(t.refuted), t.refuted == 1 ? "is" : "are");
-  if (t.inconclusive > 0)
-    return fmt::format("Nothing is refuted, but {} remain{} open.", claims(t.inconclusive),
-                       t.inconclusive == 1 ? "s" : "");
-  if (t.holds > 0) return "Every claim that was tried holds.";
-  return "No claim was tried.";
+  const std::size_t refuted = t.of(verdict_kind::refuted), open = t.of(verdict_kind::inconclusive);
+  if (refuted > 0) return fmt::format("{} {} refuted.", claims(refuted), refuted == 1 ? "is" : "are");
+  if (open > 0) return fmt::format("Nothing is refuted, but {} remain{} open.", claims(open), open == 1 ? "s" : "");
+  return t.of(verdict_kind::holds) > 0 ? "Every claim that was tried holds." : "No claim was tried.";
 }
 
 std::string sentence(const tally& t) {
-  return fmt::format("{} claim{}: {} {}, {}, {}, {}.", t.total(), t.total() == 1 ? "" : "s", t.holds,
-                     t.holds == 1 ? "holds" : "hold", counted(t.refuted, "refuted"),
-                     counted(t.inconclusive, "inconclusive"), counted(t.skipped, "skipped"));
+  const std::size_t holding = t.of(verdict_kind::holds);
+  auto out =
+      fmt::format("{} claim{}: {} {}", t.total(), t.total() == 1 ? "" : "s", holding, holding == 1 ? "holds" : "hold");
+  for (const auto kind : verdict_kinds)
+    if (kind != verdict_kind::holds) out += ", " + counted(t.of(kind), name_of(kind));
+  return out + ".";
 }
 
 std::vector<std::string> experiment_names(const results& r) {
@@ -120,6 +105,7 @@ std::string_view symbol_of(verdict_kind kind) {
     case verdict_kind::holds: return "✓";
     case verdict_kind::refuted: return "✗";
     case verdict_kind::inconclusive: return "?";
+    case verdict_kind::not_tried: return "○";
     case verdict_kind::skipped: return "–";
   }
   return "?";

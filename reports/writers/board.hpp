@@ -1,6 +1,7 @@
 // What the readable reports share: in which order things stand, and how the verdicts count up.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -11,21 +12,21 @@
 namespace polhode::report {
 
 struct tally {
-  std::size_t holds = 0, refuted = 0, inconclusive = 0, skipped = 0;
-  void add(verdict_kind);
-  std::size_t of(verdict_kind) const;
-  std::size_t total() const { return holds + refuted + inconclusive + skipped; }
+  std::array<std::size_t, verdict_kinds.size()> counts{};
+  void add(verdict_kind kind) { ++counts[static_cast<std::size_t>(kind)]; }
+  std::size_t of(verdict_kind kind) const { return counts[static_cast<std::size_t>(kind)]; }
+  std::size_t total() const;
 };
 
 /// From the worst to the one that says least: the order in which a reader wants them.
-inline constexpr verdict_kind kinds_by_weight[] = {verdict_kind::refuted, verdict_kind::inconclusive,
-                                                   verdict_kind::holds, verdict_kind::skipped};
+inline constexpr std::array kinds_by_weight{verdict_kind::refuted, verdict_kind::inconclusive, verdict_kind::holds,
+                                            verdict_kind::not_tried, verdict_kind::skipped};
 
 tally count(const std::vector<verdict>&);
 
 /// What matters most, in one short sentence.
 std::string headline(const tally&);
-/// "17 claims: 12 hold, 1 is refuted, 2 are inconclusive, 2 are skipped."
+/// "17 claims: 12 hold, 1 is refuted, 1 is inconclusive, 1 is not tried, 2 are skipped."
 std::string sentence(const tally&);
 
 /// Declared ones first, then whatever else the results mention; no name twice.
@@ -42,7 +43,7 @@ std::vector<std::string> claims_of(const std::vector<const verdict*>&);
 /// The verdict that was reached from this fit (it carries the same numbers); null where there is none.
 const verdict* verdict_on(const results&, const fit&);
 
-/// "✓", "✗", "?" or "–": so that a verdict never rests on colour alone.
+/// "✓", "✗", "?", "○" or "–": so that a verdict never rests on colour alone.
 std::string_view symbol_of(verdict_kind);
 
 }  // namespace polhode::report

@@ -11,10 +11,9 @@ namespace {
 
 verdict_kind kind_from(const node& n) {
   const std::string text = n.text();
-  for (const auto kind :
-       {verdict_kind::holds, verdict_kind::refuted, verdict_kind::inconclusive, verdict_kind::skipped})
+  for (const auto kind : verdict_kinds)
     if (text == name_of(kind)) return kind;
-  refuse(n.where, "holds, refuted, inconclusive or skipped");
+  refuse(n.where, "holds, refuted, inconclusive, not tried or skipped");
 }
 
 provenance provenance_from(const node& n) {
@@ -98,8 +97,9 @@ counters counters_from(const node& n) {
 saved saved_from(const node& n) { return {counters_from(n), n["cpu_seconds"].number()}; }
 
 skip skip_from(const node& n) {
-  const auto known = n.maybe("saved");
-  return {n["experiment"].text(), n["scheme"].text(), n["reason"].text(), known ? saved_from(*known) : saved{}};
+  const auto known = n.maybe("saved"), kind = n.maybe("verdict");
+  return {n["experiment"].text(), n["scheme"].text(), n["reason"].text(), known ? saved_from(*known) : saved{},
+          kind ? kind_from(*kind) : verdict_kind::skipped};
 }
 
 saving saving_from(const node& n) {

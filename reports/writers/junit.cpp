@@ -18,9 +18,9 @@ void set(pugi::xml_node node, const char* name, const std::string& value) {
 
 void set_counts(pugi::xml_node node, const tally& t) {
   node.append_attribute("tests").set_value(t.total());
-  node.append_attribute("failures").set_value(t.refuted + t.inconclusive);
+  node.append_attribute("failures").set_value(t.of(verdict_kind::refuted) + t.of(verdict_kind::inconclusive));
   node.append_attribute("errors").set_value(0);
-  node.append_attribute("skipped").set_value(t.skipped);
+  node.append_attribute("skipped").set_value(t.of(verdict_kind::skipped) + t.of(verdict_kind::not_tried));
 }
 
 std::string found(const verdict& v) {
@@ -36,6 +36,8 @@ void append_case(pugi::xml_node suite, const verdict& v) {
   set(node, "name", v.claim);
   if (v.kind == verdict_kind::holds) return;
   if (v.kind == verdict_kind::skipped) return set(node.append_child("skipped"), "message", reason_of(v));
+  if (v.kind == verdict_kind::not_tried)
+    return set(node.append_child("skipped"), "message", fmt::format("{}: {}", name_of(v.kind), reason_of(v)));
   auto failure = node.append_child("failure");
   set(failure, "type", std::string(name_of(v.kind)));
   set(failure, "message", found(v));
@@ -53,7 +55,8 @@ void append_suite(pugi::xml_node root, const results& r, const std::string& name
   std::string skipped;
   for (const auto& one : r.skipped)
     if (one.experiment == name)
-      skipped += fmt::format("skipped: {}: {}\n", one.scheme.empty() ? "every scheme" : one.scheme, one.reason);
+      skipped +=
+          fmt::format("{}: {}: {}\n", name_of(one.kind), one.scheme.empty() ? "every scheme" : one.scheme, one.reason);
   if (!skipped.empty()) suite.append_child("system-out").text().set(printable(skipped).c_str());
 }
 

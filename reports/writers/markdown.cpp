@@ -42,6 +42,7 @@ std::string cell_of(const std::vector<const verdict*>& rows, const std::string& 
 
 void append_board(std::string& out, const results& r, const std::vector<const verdict*>& rows) {
   const auto claims = claims_of(rows);
+  if (claims.empty()) return;
   std::vector<std::string> head{"scheme"};
   for (const auto& claim : claims) head.push_back(safe(claim));
   append_head(out, head);
@@ -60,7 +61,8 @@ void append_reasons(std::string& out, const std::vector<const verdict*>& rows) {
   for (const auto* row : rows) {
     if (row->kind == verdict_kind::holds) continue;
     any = true;
-    out += fmt::format("- {}, {}: **{}**", safe(row->scheme), safe(row->claim), name_of(row->kind));
+    out += fmt::format("- {}{}: **{}**", safe(row->scheme), row->claim.empty() ? "" : ", " + safe(row->claim),
+                       name_of(row->kind));
     if (finite(row->expected)) out += fmt::format(", claimed {}", shown(row->expected));
     if (finite(row->estimate))
       out += fmt::format(", found {} {}", shown(row->estimate), shown_interval(row->low, row->high));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <tuple>
 #include <vector>
 
 #include "cli/layout.hpp"
@@ -15,46 +16,47 @@ namespace polhode::cli {
 namespace {
 
 using report::verdict_kind;
-constexpr std::array<verdict_kind, 4> kinds{verdict_kind::holds, verdict_kind::refuted, verdict_kind::inconclusive,
-                                            verdict_kind::skipped};
-constexpr std::size_t narrow = 56, most_shown = 12;
-using headings = std::array<std::string_view, 4>;
-constexpr headings full{"holds", "refuted", "inconclusive", "skipped"}, brief{"holds", "ref", "inc", "skip"};
+using report::verdict_kinds;
+constexpr std::size_t narrow = 66, most_shown = 12;
+using headings = std::array<std::string_view, verdict_kinds.size()>;
+constexpr headings full{"holds", "refuted", "inconclusive", "not tried", "skipped"},
+    brief{"holds", "ref", "inc", "n/t", "skip"};
 
 const headings& headings_for(std::size_t width) { return width < narrow ? brief : full; }
 
 struct row {
   std::string experiment;
-  std::array<std::size_t, 4> counts{};
+  std::array<std::size_t, verdict_kinds.size()> counts{};
 };
 
-std::size_t index_of(verdict_kind kind) {
-  return static_cast<std::size_t>(std::ranges::find(kinds, kind) - kinds.begin());
-}
+std::size_t index_of(verdict_kind kind) { return static_cast<std::size_t>(kind); }
+
+bool left_out(verdict_kind kind) { return kind == verdict_kind::skipped || kind == verdict_kind::not_tried; }
 
 row& row_of(std::vector<row>& rows, const std::string& experiment) {
   const auto found = std::ranges::find(rows, experiment, &row::experiment);
   return found != rows.end() ? *found : rows.emplace_back(row{.experiment = experiment});
 }
 
-/// In the order in which the experiments ran. Skipped counts a scheme once, whether it has a verdict for that or not.
+/// In the order in which the experiments ran. What is left out counts a scheme once, whether it has a verdict for that
+/// or not.
 std::vector<row> count(const report::results& r) {
   std::vector<row> rows;
-  std::set<std::pair<std::string, std::string>> skipped;
+  std::set<std::tuple<std::string, std::string, verdict_kind>> without;
   for (const auto& e : r.experiments) row_of(rows, e.name);
   for (const auto& v : r.verdicts) {
-    if (v.kind == verdict_kind::skipped)
-      skipped.insert({v.experiment, v.scheme});
+    if (left_out(v.kind))
+      without.insert({v.experiment, v.scheme, v.kind});
     else
       ++row_of(rows, v.experiment).counts[index_of(v.kind)];
   }
   for (const auto& s : r.skipped) {
     if (!s.scheme.empty())
-      skipped.insert({s.experiment, s.scheme});
+      without.insert({s.experiment, s.scheme, s.kind});
     else
-      for (const auto& scheme : r.schemes) skipped.insert({s.experiment, scheme.name});
+      for (const auto& scheme : r.schemes) without.insert({s.experiment, scheme.name, s.kind});
   }
-  for (const auto& [experiment, scheme] : skipped) ++row_of(rows, experiment).counts[index_of(verdict_kind::skipped)];
+  for (const auto& [experiment, scheme, kind] : without) ++row_of(rows, experiment).counts[index_of(kind)];
   return rows;
 }
 
@@ -99,11 +101,11 @@ std::string not_holding(const report::results& r, std::size_t width) {
 }
 
 /// An experiment that says nothing about the whole scene does so with its reason.
-std::string skipped_experiments(const report::results& r, std::size_t width) {
+std::string left_out_experiments(const report::results& r, std::size_t width) {
   std::string out;
   for (const auto& s : r.skipped) {
     if (!s.scheme.empty()) continue;
-    out += wrapped(one_line(fmt::format("skipped: {}: {}", s.experiment, s.reason)), width, 2) + '\n';
+    out += wrapped(one_line(fmt::format("{}: {}: {}", name_of(s.kind), s.experiment, s.reason)), width, 2) + '\n';
   }
   return out;
 }
@@ -136,7 +138,7 @@ std::string totals(std::span<const row> rows, std::size_t width) {
 std::string summary(const report::results& r, std::size_t width) {
   const auto rows = count(r);
   auto out = wrapped(fmt::format("{} ({})", one_line(r.scene.name), r.scene.system), width) + '\n';
-  out += table(rows, width) + skipped_experiments(r, width) + not_holding(r, width) + reuse(r, width);
+  out += table(rows, width) + left_out_experiments(r, width) + not_holding(r, width) + reuse(r, width);
   return out + totals(rows, width);
 }
 

@@ -78,9 +78,9 @@ test('the sample: hostile names stay text, everything is in the page', async () 
     assert.equal(await page.locator('img, iframe, main script').count(), 0);
     const count = (selector) => page.locator(selector).count();
     assert.equal(await count('.verdict-row'), results.verdicts.length);
-    for (const kind of ['holds', 'refuted', 'inconclusive', 'skipped'])
+    for (const kind of ['holds', 'refuted', 'inconclusive', 'not tried', 'skipped'])
       assert.equal(
-        await count(`.verdict-row[data-verdict=${kind}]`),
+        await count(`.verdict-row[data-verdict="${kind}"]`),
         results.verdicts.filter((v) => v.verdict === kind).length,
       );
     assert.equal(await count('tr.fit'), results.fits.length);

@@ -44,7 +44,7 @@ TEST(exit_code, is_the_worst_of_the_verdicts) {
   struct {
     std::vector<verdict_kind> kinds;
     int code;
-  } const cases[] = {{{}, 0},        {{holds, skipped}, 0},        {{skipped}, 0},
+  } const cases[] = {{{}, 0},        {{holds, skipped}, 0},        {{skipped, not_tried}, 0},
                      {{refuted}, 1}, {{inconclusive, refuted}, 1}, {{holds, inconclusive, skipped}, 3}};
   for (const auto& c : cases) EXPECT_EQ(cli::exit_code(std::vector{results_with(c.kinds)}), c.code);
   EXPECT_EQ(cli::exit_code(std::vector{results_with({inconclusive}), results_with({refuted})}), 1);
@@ -53,9 +53,9 @@ TEST(exit_code, is_the_worst_of_the_verdicts) {
 
 TEST(summary, fits_the_width_and_breaks_between_words) {
   using enum verdict_kind;
-  const auto r = results_with({holds, refuted, inconclusive, skipped});
+  const auto r = results_with({holds, refuted, inconclusive, not_tried, skipped});
   std::vector<std::string> words;
-  for (const std::size_t width : {40, 50, 56, 60, 80, 200}) {
+  for (const std::size_t width : {40, 50, 56, 65, 66, 80, 200}) {
     const auto text = cli::summary(r, width);
     for (const auto& line : lines_of(text)) EXPECT_LE(display_width(line), width) << line;
     for (const std::string word : {"work_precision", "implicit_midpoint", "stationary", "[0.45,", "reason"})
@@ -65,12 +65,13 @@ TEST(summary, fits_the_width_and_breaks_between_words) {
 
 TEST(summary, counts_every_verdict_once) {
   using enum verdict_kind;
-  const auto lines = lines_of(cli::summary(results_with({holds, holds, refuted, inconclusive, skipped}), 80));
-  EXPECT_EQ(lines[1], "experiment      holds  refuted  inconclusive  skipped");
-  EXPECT_EQ(lines[2], "casimir             0        0             0        0");
-  EXPECT_EQ(lines[3], "work_precision      2        1             1        2");
-  EXPECT_EQ(lines[4], "gibbs               0        0             0        2");
-  EXPECT_EQ(lines.back(), "2 holds, 1 refuted, 1 inconclusive, 4 skipped");
+  const auto lines =
+      lines_of(cli::summary(results_with({holds, holds, refuted, inconclusive, not_tried, skipped}), 80));
+  EXPECT_EQ(lines[1], "experiment      holds  refuted  inconclusive  not tried  skipped");
+  EXPECT_EQ(lines[2], "casimir             0        0             0          0        0");
+  EXPECT_EQ(lines[3], "work_precision      2        1             1          1        2");
+  EXPECT_EQ(lines[4], "gibbs               0        0             0          0        2");
+  EXPECT_EQ(lines.back(), "2 holds, 1 refuted, 1 inconclusive, 1 not tried, 4 skipped");
 }
 
 TEST(summary, names_few_of_many) {

@@ -1,7 +1,7 @@
 // results.json as plain values.
 
-export type Kind = 'holds' | 'refuted' | 'inconclusive' | 'skipped';
-export const kindsByWeight: readonly Kind[] = ['refuted', 'inconclusive', 'holds', 'skipped'];
+export type Kind = 'holds' | 'refuted' | 'inconclusive' | 'not tried' | 'skipped';
+export const kindsByWeight: readonly Kind[] = ['refuted', 'inconclusive', 'holds', 'not tried', 'skipped'];
 
 export interface Measurement {
   experiment: string;
@@ -65,10 +65,11 @@ export interface Saved {
 export interface Skip {
   experiment: string;
   scheme: string;
+  verdict: Kind; // skipped or not tried
   reason: string;
   saved: Saved;
 }
-export interface Saving extends Skip {
+export interface Saving extends Omit<Skip, 'verdict'> {
   what: string;
 }
 export interface Reuse {

@@ -4,7 +4,7 @@ import { kindsByWeight, type Fit, type Kind, type Measurement, type Results, typ
 export type Tally = Record<Kind, number>;
 
 export function tally(rows: Verdict[]): Tally {
-  const counts: Tally = { holds: 0, refuted: 0, inconclusive: 0, skipped: 0 };
+  const counts: Tally = { holds: 0, refuted: 0, inconclusive: 0, 'not tried': 0, skipped: 0 };
   for (const row of rows) ++counts[row.verdict];
   return counts;
 }
@@ -20,15 +20,24 @@ export function headline(t: Tally): string {
 }
 
 export function sentence(t: Tally): string {
-  const total = t.holds + t.refuted + t.inconclusive + t.skipped;
+  const total = kindsByWeight.reduce((sum, kind) => sum + t[kind], 0);
   const counted = (n: number, what: string): string => `${n} ${n === 1 ? 'is' : 'are'} ${what}`;
   return (
     `${claims(total)}: ${t.holds} hold${t.holds === 1 ? 's' : ''}, ${counted(t.refuted, 'refuted')}, ` +
-    `${counted(t.inconclusive, 'inconclusive')}, ${counted(t.skipped, 'skipped')}.`
+    `${counted(t.inconclusive, 'inconclusive')}, ${counted(t['not tried'], 'not tried')}, ${counted(t.skipped, 'skipped')}.`
   );
 }
 
-export const symbols: Record<Kind, string> = { holds: '✓', refuted: '✗', inconclusive: '?', skipped: '–' };
+export const symbols: Record<Kind, string> = {
+  holds: '✓',
+  refuted: '✗',
+  inconclusive: '?',
+  'not tried': '○',
+  skipped: '–',
+};
+
+/** As a class of the style sheet. */
+export const classOf = (kind: Kind): string => kind.replace(' ', '-');
 
 export const worst = (t: Tally): Kind => kindsByWeight.find((kind) => t[kind] > 0) ?? 'skipped';
 

@@ -82,6 +82,7 @@ export const words: Record<Kind, string> = {
   holds: 'holds',
   refuted: 'refuted',
   inconclusive: 'inconclusive',
+  'not tried': 'not tried',
   skipped: 'skipped',
 };
 

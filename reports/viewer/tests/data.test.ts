@@ -64,7 +64,7 @@ test('verdicts count up, and belong to their fits', () => {
   const r = sample(),
     counts = tally(r.verdicts);
   expect(headline(counts)).toBe('1 claim is refuted.');
-  expect(sentence(counts)).toBe('6 claims: 2 hold, 1 is refuted, 2 are inconclusive, 1 is skipped.');
+  expect(sentence(counts)).toBe('7 claims: 2 hold, 1 is refuted, 2 are inconclusive, 1 is not tried, 1 is skipped.');
   expect(verdictOn(r.verdicts, r.fits[0]!)).toMatchObject({ scheme: 'heun', verdict: 'refuted' });
   expect(verdictOn(r.verdicts, r.fits[2]!)).toBeUndefined();
 });

@@ -2,7 +2,7 @@
 import { kindsByWeight, type Results, type Verdict } from '../data';
 import { h, type Child } from '../dom';
 import { shown, shownInterval } from '../numbers';
-import { grouped, symbols, tally } from '../order';
+import { classOf, grouped, symbols, tally } from '../order';
 import { goTo, isolate } from '../state';
 import { words } from '../style';
 import { chip, schemeChip, table } from './tables';
@@ -75,7 +75,7 @@ function cell(scheme: string, experiment: string, rows: Verdict[] | undefined): 
     ...parts.map((kind) =>
       h(
         'span',
-        { class: `chip ${kind}` },
+        { class: `chip ${classOf(kind)}` },
         h('b', {}, symbols[kind]),
         kind === 'skipped' ? '' : ` ${counts[kind]}`,
         h('small', {}, ` ${kind === 'holds' && counts[kind] > 1 ? 'hold' : words[kind]}`),
@@ -170,7 +170,7 @@ export function board(r: Results, schemes: readonly string[], experiments: reado
       'p',
       { class: 'note' },
       '✓ holds: the interval lies inside the claim’s margin. ✗ refuted: it lies outside. ? inconclusive: neither, ' +
-        'and no pass. – skipped: this scene cannot tell. · nothing claimed. A cell opens its claims with their reasons; a name isolates its scheme in every plot.',
+        'and no pass. ○ not tried: this effort leaves it out. – skipped: it does not apply here, or is not claimed. · nothing claimed. A cell opens its claims with their reasons; a name isolates its scheme in every plot.',
     ),
   );
 }

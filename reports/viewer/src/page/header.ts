@@ -2,7 +2,7 @@
 import type { Results, Scene } from '../data';
 import { h, type Child } from '../dom';
 import { shown } from '../numbers';
-import { headline, sentence, symbols, tally, worst } from '../order';
+import { classOf, headline, sentence, symbols, tally, worst } from '../order';
 
 const mathNamespace = 'http://www.w3.org/1998/Math/MathML';
 function m(tag: string, ...children: (Node | string)[]): Element {
@@ -141,7 +141,7 @@ export function header(r: Results): HTMLElement {
       h('h1', {}, r.scene.name || 'no name'),
       h(
         'div',
-        { class: `verdict ${mood}` },
+        { class: `verdict ${classOf(mood)}` },
         h('p', { class: 'headline' }, h('b', { 'aria-hidden': 'true' }, symbols[mood]), ' ', headline(counts)),
         h('p', {}, sentence(counts)),
       ),

@@ -3,7 +3,7 @@ import type { Fit, Measurement, Verdict } from '../data';
 import { csvOf } from '../csv';
 import { h, save, type Child } from '../dom';
 import { asWritten, exact, orderInterval, shown, shownInterval, shownOrder } from '../numbers';
-import { symbols, verdictOn } from '../order';
+import { classOf, symbols, verdictOn } from '../order';
 import { isolate } from '../state';
 import { words } from '../style';
 import type { Kind } from '../data';
@@ -13,7 +13,7 @@ const mostRows = 500;
 export function chip(kind: Kind, times = 1): HTMLElement {
   return h(
     'span',
-    { class: `chip ${kind}` },
+    { class: `chip ${classOf(kind)}` },
     h('b', { 'aria-hidden': 'true' }, symbols[kind]),
     ` ${words[kind]}`,
     times > 1 && h('small', {}, ` ×${times}`),
