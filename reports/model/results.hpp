@@ -114,12 +114,10 @@ struct density {
   std::vector<double> values;
 };
 
-/// Something that a scene does not need, a scheme does not claim, or this effort does not try. An empty scheme means
-/// all of them.
+/// Something that does not apply to a scene, or that a scheme does not claim. An empty scheme means all of them.
 struct skip {
   std::string experiment, scheme, reason;
   report::saved saved = {};
-  verdict_kind kind = verdict_kind::skipped;  ///< or not_tried
 };
 
 /// Something inside an experiment that this scene does not need: what, why, and what leaving it out saved.

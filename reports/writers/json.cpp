@@ -67,11 +67,7 @@ json to_value(const saved& s) {
 }
 
 json to_value(const skip& s) {
-  return {{"experiment", s.experiment},
-          {"scheme", s.scheme},
-          {"verdict", std::string(name_of(s.kind))},
-          {"reason", s.reason},
-          {"saved", to_value(s.saved)}};
+  return {{"experiment", s.experiment}, {"scheme", s.scheme}, {"reason", s.reason}, {"saved", to_value(s.saved)}};
 }
 
 json to_value(const saving& s) {

@@ -97,9 +97,8 @@ counters counters_from(const node& n) {
 saved saved_from(const node& n) { return {counters_from(n), n["cpu_seconds"].number()}; }
 
 skip skip_from(const node& n) {
-  const auto known = n.maybe("saved"), kind = n.maybe("verdict");
-  return {n["experiment"].text(), n["scheme"].text(), n["reason"].text(), known ? saved_from(*known) : saved{},
-          kind ? kind_from(*kind) : verdict_kind::skipped};
+  const auto known = n.maybe("saved");
+  return {n["experiment"].text(), n["scheme"].text(), n["reason"].text(), known ? saved_from(*known) : saved{}};
 }
 
 saving saving_from(const node& n) {

@@ -55,8 +55,7 @@ void append_suite(pugi::xml_node root, const results& r, const std::string& name
   std::string skipped;
   for (const auto& one : r.skipped)
     if (one.experiment == name)
-      skipped +=
-          fmt::format("{}: {}: {}\n", name_of(one.kind), one.scheme.empty() ? "every scheme" : one.scheme, one.reason);
+      skipped += fmt::format("skipped: {}: {}\n", one.scheme.empty() ? "every scheme" : one.scheme, one.reason);
   if (!skipped.empty()) suite.append_child("system-out").text().set(printable(skipped).c_str());
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <tuple>
 #include <vector>
 
 #include "cli/layout.hpp"
@@ -31,32 +30,29 @@ struct row {
 
 std::size_t index_of(verdict_kind kind) { return static_cast<std::size_t>(kind); }
 
-bool left_out(verdict_kind kind) { return kind == verdict_kind::skipped || kind == verdict_kind::not_tried; }
-
 row& row_of(std::vector<row>& rows, const std::string& experiment) {
   const auto found = std::ranges::find(rows, experiment, &row::experiment);
   return found != rows.end() ? *found : rows.emplace_back(row{.experiment = experiment});
 }
 
-/// In the order in which the experiments ran. What is left out counts a scheme once, whether it has a verdict for that
-/// or not.
+/// In the order in which the experiments ran. Skipped counts a scheme once, whether it has a verdict for that or not.
 std::vector<row> count(const report::results& r) {
   std::vector<row> rows;
-  std::set<std::tuple<std::string, std::string, verdict_kind>> without;
+  std::set<std::pair<std::string, std::string>> skipped;
   for (const auto& e : r.experiments) row_of(rows, e.name);
   for (const auto& v : r.verdicts) {
-    if (left_out(v.kind))
-      without.insert({v.experiment, v.scheme, v.kind});
+    if (v.kind == verdict_kind::skipped)
+      skipped.insert({v.experiment, v.scheme});
     else
       ++row_of(rows, v.experiment).counts[index_of(v.kind)];
   }
   for (const auto& s : r.skipped) {
     if (!s.scheme.empty())
-      without.insert({s.experiment, s.scheme, s.kind});
+      skipped.insert({s.experiment, s.scheme});
     else
-      for (const auto& scheme : r.schemes) without.insert({s.experiment, scheme.name, s.kind});
+      for (const auto& scheme : r.schemes) skipped.insert({s.experiment, scheme.name});
   }
-  for (const auto& [experiment, scheme, kind] : without) ++row_of(rows, experiment).counts[index_of(kind)];
+  for (const auto& [experiment, scheme] : skipped) ++row_of(rows, experiment).counts[index_of(verdict_kind::skipped)];
   return rows;
 }
 
@@ -100,12 +96,27 @@ std::string not_holding(const report::results& r, std::size_t width) {
   return hidden == 0 ? out : out + fmt::format("and {} more: see the report\n", hidden);
 }
 
+/// What this effort leaves out, once for all schemes that share the reason.
+std::string not_tried(const report::results& r, std::size_t width) {
+  std::vector<std::pair<std::string, std::size_t>> reasons;
+  for (const auto& v : r.verdicts) {
+    if (v.kind != verdict_kind::not_tried) continue;
+    const auto text = fmt::format("not tried: {}: {}: {}", v.experiment, v.claim, v.reason);
+    const auto known = std::ranges::find(reasons, text, &std::pair<std::string, std::size_t>::first);
+    ++(known == reasons.end() ? reasons.emplace_back(text, 0) : *known).second;
+  }
+  std::string out;
+  for (const auto& [text, schemes] : reasons)
+    out += wrapped(one_line(fmt::format("{} ({} scheme{})", text, schemes, schemes == 1 ? "" : "s")), width, 2) + '\n';
+  return out;
+}
+
 /// An experiment that says nothing about the whole scene does so with its reason.
-std::string left_out_experiments(const report::results& r, std::size_t width) {
+std::string skipped_experiments(const report::results& r, std::size_t width) {
   std::string out;
   for (const auto& s : r.skipped) {
     if (!s.scheme.empty()) continue;
-    out += wrapped(one_line(fmt::format("{}: {}: {}", name_of(s.kind), s.experiment, s.reason)), width, 2) + '\n';
+    out += wrapped(one_line(fmt::format("skipped: {}: {}", s.experiment, s.reason)), width, 2) + '\n';
   }
   return out;
 }
@@ -138,7 +149,8 @@ std::string totals(std::span<const row> rows, std::size_t width) {
 std::string summary(const report::results& r, std::size_t width) {
   const auto rows = count(r);
   auto out = wrapped(fmt::format("{} ({})", one_line(r.scene.name), r.scene.system), width) + '\n';
-  out += table(rows, width) + left_out_experiments(r, width) + not_holding(r, width) + reuse(r, width);
+  out += table(rows, width) + skipped_experiments(r, width) + not_tried(r, width) + not_holding(r, width) +
+         reuse(r, width);
   return out + totals(rows, width);
 }
 

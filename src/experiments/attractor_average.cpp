@@ -19,6 +19,7 @@
 #include "experiments/progress_counter.hpp"
 #include "experiments/sequential.hpp"
 #include "experiments/transfer_refine.hpp"
+#include "experiments/undecided.hpp"
 #include "statistics/resample.hpp"
 
 namespace polhode {
@@ -32,6 +33,7 @@ constexpr double tight_share = 0.5;
 constexpr double law_tolerance = 0.02;     // of the scheme's own bias
 constexpr double most_path_steps = 2.5e8;  // of one scheme at quick effort
 constexpr int least_paths = 2048;
+constexpr const char* average_claim = "mean over noise paths";
 constexpr int replicates = 400;
 
 /// The distance of the scheme's own stationary law from the true one, coefficient by coefficient.
@@ -187,7 +189,7 @@ void report_mean(const std::string& name, const scheme_run& run, const grand_mea
       measured({"attractor", name, "distance to its own law", "density", "of the uniform density", "sampled"}, {},
                d.value, d.low, d.high));
   out.verdicts.push_back(judge_distance(
-      {"attractor", name, "mean over noise paths"}, d, mean_bound,
+      {"attractor", name, average_claim}, d, mean_bound,
       fmt::format("{:.4f} in [{:.4f}, {:.4f}] from the scheme's own exact law, bound {:g}; from the true law {:.4f}, "
                   "exactly {:.4f}",
                   d.value, d.low, d.high, mean_bound, mean.value.norm(), run.own.bias.norm())));
@@ -212,13 +214,11 @@ void report_averages(const context& c, const attractor_frame& f, report::results
   const double most = affordable(c.effort, most_path_steps);
   const auto work = [&] { return 1.0 * block_lanes * static_cast<double>(steps) * plan.most; };
   while (work() > most && plan.most > least_paths) plan.most /= 2;
-  if (work() > most) {
-    out.skipped.push_back({"attractor", "",
-                           fmt::format("averages over noise paths: forgetting the start takes {} steps, {:.1e} "
-                                       "path-steps a scheme; at most {:.1e} are affordable",
-                                       steps, work(), most)});
+  if (!affords(c, f.schemes,
+               {"attractor", average_claim, "forgetting the start", "path-steps a scheme", work(),
+                [](effort e) { return affordable(e, most_path_steps); }},
+               out))
     return;
-  }
   auto runs = prepared(part_of(c, 0, 0), f, plan.most);
   std::vector<grand_mean> found(runs.size());
   const auto sizes = sample_until_tight(

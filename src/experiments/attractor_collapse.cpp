@@ -12,6 +12,7 @@
 #include "ensemble/uniform_start.hpp"
 #include "experiments/attractor.hpp"
 #include "experiments/sequential.hpp"
+#include "experiments/undecided.hpp"
 
 namespace polhode {
 namespace {
@@ -22,6 +23,7 @@ constexpr double forgotten = 1e-3;    // of the start, before the clock runs
 constexpr double rate_margin = 0.05;  // of |lambda_2|: at so coarse a step a scheme of order one is off by that
 constexpr double tight_share = 0.5;
 constexpr double most_steps = 10'000;
+constexpr const char* collapse_claim = "collapse at the rate lambda_1";
 
 struct clock {
   double dt;
@@ -85,14 +87,8 @@ void report_rate(const std::string& name, const clock& t, const std::vector<doub
   const auto found = mean_interval(rates);
   out.measurements.push_back(measured({"attractor", name, "collapse rate", "", "per time", "sampled"}, {}, found.value,
                                       found.low, found.high));
-  report::verdict v{"attractor",
-                    name,
-                    "collapse at the rate lambda_1",
-                    exact,
-                    found.value,
-                    found.low,
-                    found.high,
-                    judge(exact, found.low, found.high, margin),
+  report::verdict v{"attractor", name,      collapse_claim, exact,
+                    found.value, found.low, found.high,     judge(exact, found.low, found.high, margin),
                     ""};
   v.reason = fmt::format(
       "{:.5f} [{:.5f}, {:.5f}] against lambda_1 = {:.5f} +- {:.2g} (a twentieth of |lambda_2|), over a time of {:.3g} "
@@ -112,13 +108,11 @@ void report_collapse(const context& c, const attractor_frame& f, report::results
   const double exact = *f.exponents.lambda1, margin = rate_margin * -f.lambda2();
   const auto t = clock_of(f);
   const std::int64_t steps = t.steps();
-  if (static_cast<double>(steps) > most_steps) {
-    out.skipped.push_back({"attractor", "",
-                           fmt::format("collapse: at lambda_1 = {:.2e} it takes {} steps, at most {:g} "
-                                       "are affordable",
-                                       exact, steps, most_steps)});
+  if (!affords(c, f.schemes,
+               {"attractor", collapse_claim, fmt::format("lambda_1 = {:.2e}", exact), "steps",
+                static_cast<double>(steps), [](effort) { return most_steps; }},
+               out))
     return;
-  }
   const sampling_plan plan{512, by_effort(c.effort, 1024, 8192, 32'768)};
   const auto most = static_cast<std::size_t>(blocks_of(plan.most) * block_lanes);
   std::vector<std::vector<double>> rates(f.schemes.size(), std::vector<double>(most));

@@ -11,6 +11,7 @@
 #include "experiments/attractor.hpp"
 #include "experiments/progress_counter.hpp"
 #include "experiments/transfer_report.hpp"
+#include "experiments/undecided.hpp"
 #include "statistics/box_dimension.hpp"
 
 namespace polhode {
@@ -21,6 +22,7 @@ constexpr double dimension_margin = 0.15;
 constexpr int noise_paths = 64;            // a third of the margin is then left to the interval
 constexpr double longer = 2;               // than the mean time to fall below a box: rates fluctuate along a path
 constexpr double most_path_steps = 1.8e9;  // of one scheme at quick effort
+constexpr const char* dimension_claim = "information dimension";
 constexpr std::array names{"box-counting", "information", "correlation"};
 
 struct dimension_plan {
@@ -79,7 +81,7 @@ void report_cloud(const std::string& name, const dimension_plan& plan, double ex
   const auto usable = usable_levels(clouds);
   report::verdict v{"attractor",
                     name,
-                    "information dimension",
+                    dimension_claim,
                     exact,
                     {},
                     {},
@@ -109,21 +111,19 @@ void report_dimensions(const context& c, const attractor_frame& f, report::resul
   const double time = longer * std::log(1 / side_of(hemisphere_bins::side)) / -f.lambda2();
   const dimension_plan plan{f.dt, f.steps_in(time, f.dt), by_effort(c.effort, 1 << 15, 1 << 16, 1 << 16), noise_paths};
   const double path_steps = static_cast<double>(plan.steps * plan.bodies) * plan.paths;
-  const double most = affordable(c.effort, most_path_steps);
-  if (path_steps > most) {
-    out.skipped.push_back({"attractor", "",
-                           fmt::format("dimensions: contracting below a box takes {:.1e} path-steps a "
-                                       "scheme, at most {:.1e} are affordable",
-                                       path_steps, most)});
+  if (!affords(c, f.schemes,
+               {"attractor", dimension_claim, "contracting below a box", "path-steps a scheme", path_steps,
+                [](effort e) { return affordable(e, most_path_steps); }},
+               out))
     return;
-  }
   out.measurements.push_back(measured({"attractor", "", "Kaplan-Yorke dimension", "", "", "exact"}, {},
                                       f.exponents.dimension, f.exponents.dimension, f.exponents.dimension));
   progress_counter done(static_cast<int>(f.schemes.size()), c.progress);
   for (const auto& scheme : f.schemes) {
     const std::string name(scheme.info.name);
     if (c.effort == effort::quick && weak_order_on(scheme.info, c.subject.model->noise()) < 2) {
-      out.skipped.push_back({"attractor", name, "dimensions: at quick effort of schemes of weak order two alone"});
+      leave_untried({&scheme, 1}, "attractor", dimension_claim, "at quick effort of schemes of weak order two alone",
+                    out);
       continue;
     }
     report_cloud(name, plan, f.exponents.dimension, clouds_of(c, plan, scheme), out);

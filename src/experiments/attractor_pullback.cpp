@@ -18,6 +18,7 @@
 #include "experiments/attractor.hpp"
 #include "experiments/harmonic_means.hpp"
 #include "experiments/progress_counter.hpp"
+#include "experiments/undecided.hpp"
 
 namespace polhode {
 namespace {
@@ -28,6 +29,7 @@ constexpr double span_time = 2.5;          // in the time in which the area of a
 constexpr double clear_of_zero = 3;        // standard errors that a level must have above zero to be fitted
 constexpr double most_path_steps = 1.5e8;  // of one scheme at quick effort
 constexpr int least_paths = 32;
+constexpr const char* pullback_claim = "pullback converges";
 
 struct pullback_plan {
   std::int64_t steps;  ///< between two starts
@@ -117,7 +119,7 @@ void report_changes(const std::string& name, const squared_errors& changes, doub
 
 void report_rate(const std::string& name, const std::optional<interval_estimate>& rate, double gap,
                  report::results& out) {
-  report::verdict v{"attractor", name, "pullback converges", {}, {}, {}, {}, report::verdict_kind::inconclusive, ""};
+  report::verdict v{"attractor", name, pullback_claim, {}, {}, {}, {}, report::verdict_kind::inconclusive, ""};
   if (!rate) {
     v.reason = "the snapshot changes too little, or too irregularly, for a rate";
   } else {
@@ -147,13 +149,11 @@ void report_pullback(const context& c, const attractor_frame& f, report::results
     return 1.0 * spans * (spans + 1) * static_cast<double>(plan.steps) * plan.paths * plan.blocks * block_lanes;
   };
   while (work() > most && plan.paths > least_paths) plan.paths /= 2;
-  if (work() > most) {
-    out.skipped.push_back({"attractor", "",
-                           fmt::format("pullback: forgetting takes {:.1e} path-steps a scheme, at most {:.1e} are "
-                                       "affordable",
-                                       work(), most)});
+  if (!affords(c, f.schemes,
+               {"attractor", pullback_claim, "forgetting the start", "path-steps a scheme", work(),
+                [](effort e) { return affordable(e, most_path_steps); }},
+               out))
     return;
-  }
   progress_counter done(static_cast<int>(f.schemes.size()), c.progress);
   for (const auto& scheme : f.schemes) {
     const std::string name(scheme.info.name);

@@ -18,7 +18,7 @@ void report_own_exponents(const context& c, const std::vector<scheme_entry>& sch
   const transfer_target target{Eigen::Vector2d(*exact.lambda1, exact.sum), Eigen::Vector2d::Constant(rate), tolerance};
   const order_question q{
       "lyapunov",
-      "order of the exponents",
+      own_order_claim,
       {{"error", "lambda_1", rate}, {"error", "lambda_1 + lambda_2", rate}},
       expected,
       [&](const scheme_entry& e, double dt, std::int64_t) { return refine_exponents(s, e, dt, target); }};

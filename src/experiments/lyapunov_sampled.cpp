@@ -10,6 +10,7 @@
 #include "experiments/sequential.hpp"
 #include "experiments/tangent_runs.hpp"
 #include "experiments/transfer.hpp"
+#include "experiments/undecided.hpp"
 #include "statistics/control_variates.hpp"
 
 namespace polhode {
@@ -21,6 +22,7 @@ constexpr double tight_value = 0.35;   // of the margin: the half-width at which
 constexpr double known_share = 0.1;    // of the margin: how uncertain an exact value may be
 constexpr double relaxations = 8;      // until the start is forgotten, to e^-8
 constexpr double observed = 5;         // times as long as that
+constexpr const char* length_claim = "finds lambda_1";
 
 /// The growth along paths of each scheme, sampled until the intervals are tight.
 class sampled_growth {
@@ -102,21 +104,28 @@ void report_exponent(const exponent& e, const std::string& scheme, double dt, co
   out.verdicts.push_back(v);
 }
 
-/// Of each path until it is observed; empty, and why, if that is unknown or too long.
-std::optional<double> time_to_forget(const context& c, double rate, report::results& out) {
+/// Of each path until it is observed; empty, and the report says why, if that is unknown or too long.
+std::optional<double> time_to_forget(const context& c, std::span<const scheme_entry> schemes, double rate,
+                                     report::results& out) {
   const auto p = *sphere_problem_of(c.subject);
   const auto gap = spectral_gap(p, 1e-3 * p.covariance.trace());
-  std::string reason;
-  const double time = relaxations / gap.value.value_or(0), steps = (1 + observed) * time * fineness * rate;
-  if (!gap.converged())
-    reason = "how long a start is remembered is not known: the spectral gap is " + gap.reason;
-  else if (!(*gap.value > 0))
-    reason = "the start is never forgotten: no stationary law is unique";
-  else if (steps > by_effort(c.effort, 1e5, 2e5, 2e6))  // of a path; more is too dear to be offered
-    reason = fmt::format("the start is remembered too long: {:.1e} steps a path", steps);
-  if (reason.empty()) return time;
-  out.skipped.push_back({"lyapunov", "", "sampled exponents: " + reason});
-  return std::nullopt;
+  if (!gap.converged()) {
+    leave_open(schemes, "lyapunov", length_claim,
+               "how long a start is remembered is not known: the spectral gap is " + gap.reason, out);
+    return std::nullopt;
+  }
+  if (!(*gap.value > 0)) {
+    out.skipped.push_back(
+        {"lyapunov", "", "sampled exponents: the start is never forgotten: no stationary law is unique"});
+    return std::nullopt;
+  }
+  const double time = relaxations / *gap.value;
+  const bool affordable =
+      affords(c, schemes,
+              {"lyapunov", length_claim, "forgetting the start", "steps a path",
+               (1 + observed) * time * fineness * rate, [](effort e) { return by_effort(e, 1e5, 2e5, 2e6); }},
+              out);
+  return affordable ? std::optional(time) : std::nullopt;
 }
 
 }  // namespace
@@ -124,11 +133,10 @@ std::optional<double> time_to_forget(const context& c, double rate, report::resu
 void report_sampled_exponents(const context& c, const std::vector<scheme_entry>& schemes,
                               const lyapunov_exponents& exact, report::results& out) {
   const double rate = fastest_rate(c.subject), margin = margin_share * rate;
-  const auto forgotten = time_to_forget(c, rate, out);
+  const auto forgotten = time_to_forget(c, schemes, rate, out);
   if (!forgotten) return;
   const bool known = exact.lambda1 && std::max(exact.uncertainty, exact.sum_uncertainty) <= known_share * margin;
-  if (!known)
-    out.skipped.push_back({"lyapunov", "", "sampled exponents are compared with nothing: lambda_1 is " + exact.reason});
+  if (!known) leave_open(schemes, "lyapunov", length_claim, "lambda_1 itself is " + exact.reason, out);
   const auto if_known = [&](double x) { return known ? std::optional(x) : std::nullopt; };
   const exponent exponents[]{{"lambda_1", &growth::length, if_known(exact.lambda1.value_or(0)), exact.uncertainty},
                              {"lambda_1 + lambda_2", &growth::area, if_known(exact.sum), exact.sum_uncertainty}};

@@ -86,12 +86,12 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
   if (progress) progress(1, "done");
 }
 
-/// What was skipped or not tried appears among the verdicts too, so that the board has no silent holes.
+/// What was skipped appears among the verdicts too, so that the board has no silent holes.
 void add_skipped_verdicts(report::results& out) {
   for (const auto& skip : out.skipped)
     for (const auto& scheme : out.schemes)
       if (skip.scheme.empty() || skip.scheme == scheme.name)
-        out.verdicts.push_back({skip.experiment, scheme.name, "", {}, {}, {}, {}, skip.kind, skip.reason});
+        out.verdicts.push_back({skip.experiment, scheme.name, "", {}, {}, {}, {}, report::verdict_kind::skipped, skip.reason});
 }
 
 }  // namespace

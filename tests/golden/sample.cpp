@@ -108,10 +108,8 @@ void add_verdicts(results& r) {
       {"weak", hostile, "a \"claim\", with | and\na line <b>break</b>", 1.0, 0.1, -0.0, 1e-300,
        verdict_kind::inconclusive, ""},
       {"casimir", "lie_heun", "Casimir exact", {}, {}, {}, {}, verdict_kind::holds, "below the rounding bound"},
-      {"stability", "heun", "", {}, {}, {}, {}, verdict_kind::not_tried, "10^9 steps: at effort thorough"}};
-  r.skipped = {{"gibbs", "", "σ = 0: there is no stationary law"},
-               {"strong", hostile, "no increments of its kind"},
-               {"stability", "heun", "10^9 steps: at effort thorough", {}, verdict_kind::not_tried}};
+      {"stability", "heun", "stable for 10^9 steps", {}, {}, {}, {}, verdict_kind::not_tried, "at effort thorough"}};
+  r.skipped = {{"gibbs", "", "σ = 0: there is no stationary law"}, {"strong", hostile, "no increments of its kind"}};
   r.savings = {{"casimir", "", "Lévy areas <b>", "no selected scheme | asks for them", {{1'230'000, 0, 0}, 0}},
                {"energy", hostile, "noise", "σ = 0", {}}};
   r.reused = {{"strong", "heun", "2024-02-28T08:00:00Z", {{12'345'678'901, 4'000, 12}, 75.5}},

@@ -65,11 +65,10 @@ export interface Saved {
 export interface Skip {
   experiment: string;
   scheme: string;
-  verdict: Kind; // skipped or not tried
   reason: string;
   saved: Saved;
 }
-export interface Saving extends Omit<Skip, 'verdict'> {
+export interface Saving extends Skip {
   what: string;
 }
 export interface Reuse {

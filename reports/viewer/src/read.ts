@@ -93,12 +93,7 @@ const readers = {
     verdict: kind(o.verdict),
     reason: text(o.reason),
   }),
-  skipped: (o: Json): Skip => ({
-    ...place(o),
-    verdict: kind(o.verdict ?? 'skipped'),
-    reason: text(o.reason),
-    saved: saved(o.saved),
-  }),
+  skipped: (o: Json): Skip => ({ ...place(o), reason: text(o.reason), saved: saved(o.saved) }),
   savings: (o: Json): Saving => ({ ...place(o), what: text(o.what), reason: text(o.reason), saved: saved(o.saved) }),
   reused: (o: Json): Reuse => ({ ...place(o), computed: text(o.computed), saved: saved(o.saved) }),
   densities: (o: Json): Density => ({

@@ -87,7 +87,7 @@ export function leftOut(r: Results): HTMLElement {
   const rows = [
     ...r.skipped.map((s) => ({
       kind: 'skip',
-      cells: [s.verdict, s.experiment, everyone(s.scheme), s.reason, savedText(s.saved)],
+      cells: ['skipped', s.experiment, everyone(s.scheme), s.reason, savedText(s.saved)],
     })),
     ...r.savings.map((s) => ({
       kind: 'saving',

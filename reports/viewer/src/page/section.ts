@@ -7,7 +7,6 @@ import { asWritten, prose, shown, shownCertain } from '../numbers';
 import { symbols, tally } from '../order';
 import { kindsByWeight } from '../data';
 import { gather } from '../plots/gather';
-import { words } from '../style';
 import { chip, fitTable, measurementTable, orderTable, table, verdictTable } from './tables';
 
 const mostPlots = 60;
@@ -154,11 +153,7 @@ export function section(name: string, densities: Density[], context: Context): H
       ? lazily(`${rows.length} measurement${rows.length === 1 ? '' : 's'}`, () => measurementTable(rows))
       : h('p', { class: 'note' }, densities.length > 0 ? '' : 'Nothing was measured here.'),
     ...skips.map((s) =>
-      h(
-        'p',
-        { class: 'note' },
-        `${symbols[s.verdict]} ${words[s.verdict]} for ${s.scheme || 'every scheme'}: ${s.reason}`,
-      ),
+      h('p', { class: 'note' }, `${symbols.skipped} Skipped for ${s.scheme || 'every scheme'}: ${s.reason}`),
     ),
     notes(declared),
   );
