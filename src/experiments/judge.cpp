@@ -25,7 +25,7 @@ report::verdict judge_order(const claim& c, double expected, const std::optional
   v.low = fit->low;
   v.high = fit->high;
   v.kind = judge(expected, fit->low, fit->high, order_margin);
-  if (at_least && v.kind != verdict_kind::holds && fit->low >= expected - order_margin) {
+  if (at_least && fit->settled && v.kind != verdict_kind::holds && fit->low >= expected - order_margin) {
     v.kind = verdict_kind::holds;
     v.reason = fmt::format("order {:.3f} [{:.3f}, {:.3f}]: faster on this scene than the {:g} claimed", fit->order,
                            fit->low, fit->high, expected);

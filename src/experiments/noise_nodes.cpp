@@ -2,15 +2,21 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <numbers>
+
+#include "references/harmonics.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr double negligible = 1e-18;  // weight of a node
 
-/// Nodes and weights for the standard normal (Golub and Welsch, Math. Comp. 23 (1969) 221).
-struct normal_rule {
+struct normal_rule_points {
   Eigen::VectorXd nodes, weights;
+};
+
+/// Nodes and weights for the standard normal (Golub and Welsch, Math. Comp. 23 (1969) 221).
+struct normal_rule : normal_rule_points {
   explicit normal_rule(int n) {
     Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(n, n);
     for (int k = 1; k < n; ++k) jacobi(k, k - 1) = jacobi(k - 1, k) = std::sqrt(k);
@@ -20,7 +26,61 @@ struct normal_rule {
   }
 };
 
+/// Directions of the space of the active channels, a row each, of equal or of quadrature weight.
+struct direction_rule {
+  Eigen::MatrixXd at;
+  Eigen::VectorXd weights;
+};
+
+direction_rule directions_in(int channels) {
+  constexpr int degree = 9, angles = 16;
+  if (channels == 1) return {Eigen::Vector2d(1, -1), Eigen::Vector2d::Constant(0.5)};
+  if (channels == 2) {
+    Eigen::MatrixXd at(angles, 2);
+    for (int i = 0; i < angles; ++i) {
+      const double angle = 2 * std::numbers::pi * i / angles;
+      at.row(i) << std::cos(angle), std::sin(angle);
+    }
+    return {at, Eigen::VectorXd::Constant(angles, 1.0 / angles)};
+  }
+  const auto rule = sphere_quadrature(degree);
+  return {rule.points, rule.weights / rule.weights.sum()};
+}
+
+/// Radii of a normal vector and their weights: Gauss-Legendre in panels.
+normal_rule_points radii_of(int channels) {
+  constexpr double farthest = 8, panel = 0.5, inner = 0.7745966692414834;  // sqrt(3/5)
+  constexpr int panels = static_cast<int>(farthest / panel);
+  normal_rule_points out{Eigen::VectorXd(3 * panels), Eigen::VectorXd(3 * panels)};
+  for (int i = 0; i < panels; ++i)
+    for (int k = 0; k < 3; ++k) {
+      const double r = panel * (i + 0.5 + 0.5 * inner * (k - 1));
+      out.nodes[3 * i + k] = r;
+      out.weights[3 * i + k] = (k == 1 ? 8 : 5) * std::pow(r, channels - 1) * std::exp(-r * r / 2);
+    }
+  out.weights /= out.weights.sum();
+  return out;
+}
+
 }  // namespace
+
+noise_nodes far_nodes_of(const model& m, bool with_areas, double dt) {
+  const int channels = m.channels(), active = m.active_channels(), pairs = channels * (channels - 1) / 2;
+  const int areas = with_areas && active > 1 ? pairs : 0;
+  const auto directions = directions_in(active);
+  const auto radii = radii_of(active);
+  noise_nodes out{dt, {}, {}, {}};
+  for (Eigen::Index r = 0; r < radii.nodes.size(); ++r)
+    for (Eigen::Index d = 0; d < directions.weights.size(); ++d)
+      for (int signs = 0; signs < 1 << areas; ++signs) {
+        out.weight.push_back(radii.weights[r] * directions.weights[d] / (1 << areas));
+        for (int k = 0; k < channels; ++k)
+          out.dw.push_back(k < active ? std::sqrt(dt) * radii.nodes[r] * directions.at(d, k) : 0);
+        for (int k = 0; with_areas && k < pairs; ++k)
+          out.area.push_back(k >= areas ? 0 : (signs >> k & 1) == 0 ? dt / 2 : -dt / 2);
+      }
+  return out;
+}
 
 noise_nodes nodes_of(const model& m, bool with_areas, double dt, const noise_rule& rule) {
   const int channels = m.channels(), active = m.active_channels(), pairs = channels * (channels - 1) / 2;

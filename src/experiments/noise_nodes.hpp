@@ -22,4 +22,9 @@ struct noise_nodes {
 /// Nodes of negligible weight are left out; channels that are not drawn have the one node 0.
 noise_nodes nodes_of(const model&, bool with_areas, double dt, const noise_rule&);
 
+/// The same expectation with nodes far out: spheres of radius up to 8 sqrt(dt) in the space of the active channels (at
+/// most three), three in each half of a sqrt(dt), times directions; two nodes an area. For increments too rare for
+/// nodes_of: beyond 5 sqrt(dt) lie 1.5e-5 of those of three channels.
+noise_nodes far_nodes_of(const model&, bool with_areas, double dt);
+
 }  // namespace polhode

@@ -25,6 +25,10 @@ namespace polhode {
 /// The sphere on which a scene's diffusion lives; nothing where the system is not a rigid body.
 std::optional<sphere_problem> sphere_problem_of(const subject&);
 
+/// The same with noise, or dissipation, greater by that share.
+sphere_problem with_more_noise(sphere_problem, double share);
+sphere_problem with_more_dissipation(sphere_problem, double share);
+
 /// The functions on which the operator acts.
 struct basis_rule {
   int degree;         ///< of the harmonics
@@ -53,5 +57,17 @@ struct transfer_operator {
 /// steps: over which the shell is to hold the radius of a scheme that leaves the sphere.
 transfer_operator make_transfer(const subject&, const scheme_entry&, double dt, std::int64_t steps,
                                 const transfer_rule&);
+
+/// By how much the answers of `ask` change when the noise of a step is taken out to 8 sqrt(dt) instead of to the nodes
+/// of a Gauss-Hermite rule (both on the coarsest basis). More than the answers' uncertainty: the step is not smooth in
+/// its increment, and what the rule says of its law is not true.
+Eigen::VectorXd change_by_far_noise(const subject&, const scheme_entry&, double dt, std::int64_t steps,
+                                    const std::function<Eigen::VectorXd(const transfer_operator&)>& ask);
+
+/// A bound on the probability that a path of a scheme which leaves the sphere is taken back to the shell of that rule
+/// within so many steps, in the law that the rule itself makes: for s > 0 exp(s log |Pi_n| - n psi(s)) is a
+/// supermartingale while the path stays, psi(s) being the largest log E[exp(s change)] of a step inside (Doob 1953, VII
+/// 3.2; Chernoff 1952). 0 on the sphere.
+double taken_back(const subject&, const scheme_entry&, double dt, std::int64_t steps, const transfer_rule&);
 
 }  // namespace polhode

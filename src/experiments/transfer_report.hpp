@@ -27,11 +27,16 @@ struct error_table {
   void add(double step, const transfer_answer&);
 };
 
-/// What is reported of column i.
+/// What is reported of column i, and by how much its truth changes when the noise (the dissipation) grows by a share,
+/// over that share: by sigma d/dsigma and theta d/dtheta of it. 0: not known, or it does not change.
 struct error_column {
   std::string quantity, observable;
   double scale;
+  double by_noise = 0, by_dissipation = 0;
 };
+
+/// The share by which noise and dissipation grow to tell by_noise and by_dissipation: to about as much of them.
+inline constexpr double sensitivity_share = 0.01;
 
 /// What every scheme is asked at every level, and the order it claims.
 struct order_question {
@@ -41,25 +46,25 @@ struct order_question {
   std::function<transfer_answer(const scheme_entry&, double dt, std::int64_t steps)> answer;
 };
 
-/// Answers of every scheme at every level, in parallel; the same for any number of threads. While the slope of a
-/// scheme has not settled enough for a verdict its step is halved on, most_halvings times at most.
+/// Answers of every scheme at every level, in parallel; the same for any number of threads. While the intervals of a
+/// scheme are too wide for a verdict (transfer_verdict.hpp) its step is halved on, most_halvings times at most.
 std::vector<error_table> answer_all(const context&, const std::vector<scheme_entry>&, const level_grid&,
                                     const order_question&);
 inline constexpr int most_halvings = 6;
 
-/// A measurement a level (its interval: the uncertainty) and a fit a column over the levels whose error is fifty times
-/// its uncertainty.
-void report_errors(const order_question&, const error_table&, report::results& out);
+/// For each column a measurement a level (its interval: the uncertainty), a fit over its finest clear levels, and the
+/// terms of its series below the order that is expected: the error at dt = 0 first.
+void report_errors(const order_question&, double expected, const error_table&, report::results& out);
 
-/// The same, and the verdict on the order. The slowest column decides: the lowest order among those whose slope
-/// has settled (of all, where none has). A slowest order above the claim holds. Where no column has four such levels,
-/// the claim holds if all errors are below `negligible_error` of their scale; else nothing is concluded.
+/// The same, and the verdict on the order.
 void report_orders(const order_question&, double expected, const error_table&, report::results& out);
 
-/// The verdict alone.
+/// The verdict alone (transfer_verdict.hpp). The slowest column decides; an order above the claim holds once the slope
+/// has settled. Where no column has four clear levels, the claim holds if all errors are negligible; else nothing is
+/// concluded.
 report::verdict judge_table(const order_question&, double expected, const error_table&);
 
-/// The verdict on fits of the question's columns, where a column has one.
+/// The verdict on fits of the question's columns, where a column has one: the worst, and of these the slowest.
 report::verdict judge_columns(const order_question&, double expected, const std::string& scheme,
                               const std::vector<std::optional<order_fit>>&);
 

@@ -30,6 +30,19 @@ struct truths {
 
 Eigen::Vector3d start_of(const subject& s) { return Eigen::Map<const Eigen::Vector3d>(s.scene.momentum.data()); }
 
+/// The column of f, whose true expectation is `exact`, with what moves it: difference quotients, no better than their
+/// share need be.
+error_column column_of(const subject& s, const sphere_problem& p, const char* name, const sphere_function& f,
+                       double scale, double exact) {
+  constexpr double accuracy = 1e-8;
+  const auto moved = [&](const sphere_problem& other) {
+    const auto value = expectation(other, f, start_of(s), s.scene.horizon, accuracy * scale);
+    return value.converged() ? (*value.value - exact) / sensitivity_share : 0;
+  };
+  return {"error", name, scale, moved(with_more_noise(p, sensitivity_share)),
+          p.theta > 0 ? moved(with_more_dissipation(p, sensitivity_share)) : 0};
+}
+
 truths true_expectations(const subject& s, report::results& out) {
   const auto problem = *sphere_problem_of(s);
   truths t;
@@ -41,7 +54,7 @@ truths true_expectations(const subject& s, report::results& out) {
       out.skipped.push_back({"weak", "", fmt::format("{}: its true expectation is {}", name, value.reason)});
       continue;
     }
-    t.columns.push_back({"error", name, scale});
+    t.columns.push_back(column_of(s, problem, name, f, scale, *value.value));
     t.functions.push_back(f);
     t.exact.push_back(*value.value);
     t.uncertainty.push_back(value.uncertainty);
@@ -76,7 +89,7 @@ void report_extrapolations(const order_question& q, const error_table& t, const 
   for (const auto& e : extrapolations) {
     const auto combined = extrapolate(t, e);
     if (combined.dt.empty()) continue;
-    report_errors(q, combined, out);
+    report_errors(q, e.order, combined, out);
     if (unresolved(combined, known.columns))
       out.skipped.push_back({"weak", std::string(e.name),
                              "fewer than four levels lie clear of rounding and of what the operators leave uncertain"});
