@@ -153,7 +153,7 @@ experiment modified_experiment() {
         "weak order (without noise: the deterministic order) has to vanish within its interval, which must be narrower "
         "than 1e-4 of the parameter at the coarsest dt. Intervals: three times the next term of the series, and what "
         "the operators leave uncertain.",
-        "dt: from a third of the fastest time scale down, where the logarithm exists."}},
+        "dt: from 0.3 of the fastest time scale down, where the logarithm exists."}},
       1,
       cannot_say,
       run};

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
+#include <stdexcept>
 
 #include "ensemble/paths.hpp"
 #include "experiments/progress_counter.hpp"
@@ -11,7 +12,7 @@
 namespace polhode {
 namespace {
 
-constexpr double longest = 1.0 / 3;   // dt times the fastest rate
+constexpr double longest = 0.3;       // dt times the fastest rate
 constexpr int levels = 6;             // enough for a series with four terms and its uncertainty
 constexpr int most_without = 3;       // coarse levels that may have no logarithm
 constexpr double least_share = 1e-2;  // of all rates, that a group of parameters is compared with
@@ -24,18 +25,31 @@ Eigen::VectorXd numbers_of(const body_parameters& p, double residual) {
   return out;
 }
 
+/// Of an operator at some degree; higher ones are not tried.
+struct no_logarithm : std::runtime_error {
+  no_logarithm() : std::runtime_error("the operator of a step has no logarithm") {}
+};
+
 transfer_question question_on(const generator_family& family, const modified_columns& columns, double dt) {
   return {[&family, dt](const transfer_operator& op) -> Eigen::VectorXd {
             const auto generator = generator_of_step(op.matrix, dt);
-            if (!generator)
-              return Eigen::VectorXd::Constant(modified_columns::count, std::numeric_limits<double>::quiet_NaN());
+            if (!generator) throw no_logarithm();
             const auto body = family.nearest(*generator);
             return numbers_of(body.parameters, body.residual);
           },
           {columns.exact, columns.unit, tolerance}};
 }
 
-bool is_finite(const Eigen::VectorXd& error) { return error.allFinite(); }
+std::optional<transfer_answer> answer_at(const subject& s, const scheme_entry& scheme, double dt,
+                                         const transfer_question& question) {
+  const auto roundings = std::llround(std::ceil(10 / (dt * fastest_rate(s))));  // of a logarithm over dt
+  try {
+    auto found = refine(s, scheme, dt, roundings, question);
+    if (found.error.allFinite()) return found;
+  } catch (const no_logarithm&) {
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -84,10 +98,9 @@ std::vector<error_table> modified_tables(const context& c, const std::vector<sch
     int found = 0;
     for (int i = 0; found < levels && i < levels + most_without; ++i) {
       const double dt = grid.horizon / (static_cast<double>(grid.steps.front()) * (1 << i));
-      const auto roundings = std::llround(std::ceil(10 / (dt * fastest_rate(s))));  // of a logarithm over dt
-      const auto answer = refine(s, scheme, dt, roundings, question_on(family, columns, dt));
-      if (!is_finite(answer.error)) continue;
-      table.add(dt, answer);
+      const auto answer = answer_at(s, scheme, dt, question_on(family, columns, dt));
+      if (!answer) continue;
+      table.add(dt, *answer);
       ++found;
       done.add();
     }

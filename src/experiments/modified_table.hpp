@@ -20,7 +20,7 @@ struct modified_columns {
 };
 modified_columns columns_on(const sphere_problem&);
 
-/// Steps at which the logarithm is looked for: dt times the fastest rate from a third down to a hundredth, numbers
+/// Steps at which the logarithm is looked for: dt times the fastest rate from 0.3 down to a hundredth, numbers
 /// of steps that are the scene's fewest times a power of two.
 level_grid modified_levels(const subject&);
 

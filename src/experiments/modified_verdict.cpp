@@ -17,27 +17,43 @@ struct found_term {
   std::string_view column;
   std::size_t power;
   interval_estimate share;
+  double allowed;  ///< half-width
 
   double half() const { return (share.high - share.low) / 2; }
   double clear() const { return std::fabs(share.value) / std::max(half(), 1e-300); }  // above one: not zero
+  double width() const { return half() / allowed; }
 };
 
-std::vector<found_term> terms_of(const modified_columns& columns, const error_table& t, std::size_t count) {
+/// One column over the levels, in its scale; of the residual, a norm, the square, which has a power series where the
+/// norm has none.
+struct column_values {
+  std::vector<double> value, uncertainty;
+  column_values(const modified_columns& columns, const error_table& t, Eigen::Index j) {
+    for (std::size_t i = 0; i < t.dt.size(); ++i) {
+      const double y = t.error[i][j] / columns.scale[j], u = t.uncertainty[i][j] / columns.scale[j];
+      const bool square = j == modified_columns::residual;
+      value.push_back(square ? y * y : y);
+      uncertainty.push_back(square ? (2 * std::fabs(y) + u) * u : u);
+    }
+  }
+};
+
+/// The coefficients that have to vanish: below dt^order, and of the square below dt^(2 order), the first three of them.
+std::vector<found_term> terms_of(const modified_columns& columns, const error_table& t, int order) {
   std::vector<found_term> out;
   const double coarsest = std::ranges::max(t.dt);
   for (Eigen::Index j = 0; j < modified_columns::count; ++j) {
-    std::vector<double> value, uncertainty;
-    for (std::size_t i = 0; i < t.dt.size(); ++i) {
-      value.push_back(t.error[i][j] / columns.scale[j]);
-      uncertainty.push_back(t.uncertainty[i][j] / columns.scale[j]);
-    }
-    const auto series = series_coefficients(t.dt, value, uncertainty, count);
+    const bool square = j == modified_columns::residual;
+    const auto count = static_cast<std::size_t>(square ? std::min(2 * order, 3) : order);
+    const column_values c(columns, t, j);
+    const auto series = series_coefficients(t.dt, c.value, c.uncertainty, count);
     for (std::size_t power = 0; power < count; ++power) {
       const double unit = std::pow(coarsest, static_cast<double>(power));
-      const auto& c = series[power];
-      out.push_back({modified_columns::names()[static_cast<std::size_t>(j)],
+      const auto& s = series[power];
+      out.push_back({square ? "square of the residual" : modified_columns::names()[static_cast<std::size_t>(j)],
                      power,
-                     {unit * c.value, unit * c.low, unit * c.high}});
+                     {unit * s.value, unit * s.low, unit * s.high},
+                     square ? narrow * narrow : narrow});
     }
   }
   return out;
@@ -54,14 +70,14 @@ std::string shown(const found_term& f) {
 report::verdict judge_parameters(const modified_columns& columns, const error_table& t, int order) {
   report::verdict v{"modified", t.scheme, "parameters converge to the scene's", 0.0, {},
                     {},         {},       report::verdict_kind::inconclusive,   ""};
-  const auto count = static_cast<std::size_t>(order);
-  if (t.dt.size() < count + 2) {
-    v.reason = fmt::format("the logarithm is found at {} step sizes, and {} are needed", t.dt.size(), count + 2);
+  const auto needed = static_cast<std::size_t>(order + 3);
+  if (t.dt.size() < needed) {
+    v.reason = fmt::format("the logarithm is found at {} step sizes, and {} are needed", t.dt.size(), needed);
     return v;
   }
-  const auto terms = terms_of(columns, t, count);
+  const auto terms = terms_of(columns, t, order);
   const auto worst = *std::ranges::max_element(terms, {}, &found_term::clear);
-  const auto widest = *std::ranges::max_element(terms, {}, &found_term::half);
+  const auto widest = *std::ranges::max_element(terms, {}, &found_term::width);
   const bool refuted = worst.clear() > 1;
   const auto& decisive = refuted ? worst : widest;
   v.estimate = decisive.share.value;
@@ -69,7 +85,7 @@ report::verdict judge_parameters(const modified_columns& columns, const error_ta
   v.high = decisive.share.high;
   if (refuted)
     v.kind = report::verdict_kind::refuted;
-  else if (widest.half() <= narrow)
+  else if (widest.width() <= 1)
     v.kind = report::verdict_kind::holds;
   v.reason = fmt::format("{}; {}", shown(decisive),
                          refuted ? "not zero"
