@@ -12,6 +12,7 @@
 #include <iterator>
 #include <limits>
 
+#include "experiments/modified_constants.hpp"
 #include "experiments/modified_table.hpp"
 #include "experiments/modified_verdict.hpp"
 
@@ -31,8 +32,8 @@ struct group {
   const char *quantity, *unit;
   Eigen::Index first, count;
 };
-constexpr group groups[] = {{"effective inverse inertia less its mean", "1/I", 0, 3},
-                            {"effective dissipation less its mean", "theta/I", 3, 3},
+constexpr group groups[] = {{"effective inverse inertia", "1/I", 0, 3},
+                            {"effective dissipation", "theta/I", 3, 3},
                             {"effective noise", "sigma^2", 6, 6}};
 
 /// Off the diagonal of Q there is something to see where the scene has it, or the scheme makes it.
@@ -57,7 +58,7 @@ void report_parameter(const group& g, const modified_columns& columns, Eigen::In
 
 /// |p - p_scene| of a group against dt, with the order at which it falls.
 void report_distance(const group& g, const char* name, const error_table& t, report::results& out) {
-  const series s{"modified", t.scheme, "distance from the scene", name, g.unit, "transfer"};
+  const series s{"modified", t.scheme, "error", name, g.unit, "transfer"};
   std::vector<double> value;
   std::vector<report::measurement> points;
   for (std::size_t i = 0; i < t.dt.size(); ++i) {
@@ -113,18 +114,22 @@ void run(const context& c, report::results& out) {
                              "leaves the sphere (experiment casimir): its step is no operator on functions there"});
   }
   report_scene(columns, out);
-  const auto tables = modified_tables(c, schemes, columns);
+  const auto averages = averages_on(s);
+  const auto tables = modified_tables(c, schemes, columns, averages);
+  std::vector<int> orders;
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     const auto& t = tables[k];
     const int order = claimed_order(s, schemes[k].info);
+    orders.push_back(order);
     report_residual(order, t, out);
-    const char* names[] = {"1/I", "theta/I", "Q"};
+    const char* names[] = {"inverse inertia", "dissipation", "noise"};
     for (std::size_t i = 0; i < std::size(groups); ++i) report_distance(groups[i], names[i], t, out);
     for (const auto& g : groups)
       for (Eigen::Index j = g.first; j < g.first + g.count; ++j)
         if (is_shown(columns, t, j)) report_parameter(g, columns, j, t, out);
     out.verdicts.push_back(judge_parameters(columns, t, order));
   }
+  report_leading_constants(c, schemes, averages, tables, orders, out);
 }
 
 std::optional<std::string> cannot_say(const subject& s) {

@@ -30,15 +30,32 @@ struct no_logarithm : std::runtime_error {
   no_logarithm() : std::runtime_error("the operator of a step has no logarithm") {}
 };
 
-transfer_question question_on(const generator_family& family, const modified_columns& columns, double dt) {
-  return {[&family, dt](const transfer_operator& op) -> Eigen::VectorXd {
-            const auto generator = generator_of_step(op.matrix, dt);
-            if (!generator) throw no_logarithm();
-            const auto body = family.nearest(*generator);
-            return numbers_of(body.parameters, body.residual);
-          },
-          {columns.exact, columns.unit, tolerance}};
-}
+/// Everything that is asked of one operator.
+struct operator_questions {
+  generator_family family;
+  modified_columns columns;
+  law_averages averages;
+  Eigen::Vector3d start;
+  double horizon;
+
+  transfer_question at(double dt) const {
+    return {[this, dt](const transfer_operator& op) { return answer(op, dt); },
+            {joined(columns.exact, averages.value()), joined(columns.unit, averages.size()), tolerance}};
+  }
+
+ private:
+  Eigen::VectorXd answer(const transfer_operator& op, double dt) const {
+    const auto generator = generator_of_step(op.matrix, dt);
+    if (!generator) throw no_logarithm();
+    const auto body = family.nearest(*generator);
+    return joined(numbers_of(body.parameters, body.residual), averages.of(op, start, std::llround(horizon / dt)));
+  }
+  static Eigen::VectorXd joined(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    Eigen::VectorXd out(a.size() + b.size());
+    out << a, b;
+    return out;
+  }
+};
 
 std::optional<transfer_answer> answer_at(const subject& s, const scheme_entry& scheme, double dt,
                                          const transfer_question& question) {
@@ -84,9 +101,10 @@ level_grid modified_levels(const subject& s) {
 }
 
 std::vector<error_table> modified_tables(const context& c, const std::vector<scheme_entry>& schemes,
-                                         const modified_columns& columns) {
+                                         const modified_columns& columns, const law_averages& averages) {
   const auto& s = c.subject;
-  const generator_family family(sphere_problem_of(s)->radius);
+  const operator_questions questions{generator_family(sphere_problem_of(s)->radius), columns, averages,
+                                     Eigen::Vector3d(s.scene.momentum.data()), s.scene.horizon};
   const auto grid = modified_levels(s);
   std::vector<error_table> out(schemes.size());
   progress_counter done(static_cast<int>(schemes.size()) * levels, c.progress);
@@ -98,8 +116,9 @@ std::vector<error_table> modified_tables(const context& c, const std::vector<sch
     int found = 0;
     for (int i = 0; found < levels && i < levels + most_without; ++i) {
       const double dt = grid.horizon / (static_cast<double>(grid.steps.front()) * (1 << i));
-      const auto answer = answer_at(s, scheme, dt, question_on(family, columns, dt));
+      auto answer = answer_at(s, scheme, dt, questions.at(dt));
       if (!answer) continue;
+      answer->uncertainty.tail(averages.count()) += averages.uncertainty();
       table.add(dt, *answer);
       ++found;
       done.add();

@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "experiments/law_averages.hpp"
 #include "experiments/transfer_report.hpp"
 #include "references/generator_family.hpp"
 
@@ -25,7 +26,9 @@ modified_columns columns_on(const sphere_problem&);
 level_grid modified_levels(const subject&);
 
 /// Differences from the scene and their uncertainty [level][column], of every scheme, at the coarsest six of the levels
-/// at which the logarithm is found.
-std::vector<error_table> modified_tables(const context&, const std::vector<scheme_entry>&, const modified_columns&);
+/// at which the logarithm is found. Behind the columns those of the averages: of the law after the horizon's steps, and
+/// of the stationary one.
+std::vector<error_table> modified_tables(const context&, const std::vector<scheme_entry>&, const modified_columns&,
+                                         const law_averages&);
 
 }  // namespace polhode

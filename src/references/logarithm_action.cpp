@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <complex>
 #include <unsupported/Eigen/MatrixFunctions>
 
 namespace polhode {
@@ -40,13 +42,21 @@ class krylov_space {
   bool closed() const { return closed_; }
   double scale() const { return scale_; }  ///< |T b - b| / |b|
 
-  /// V log(1 + H) e_1.
-  Eigen::VectorXd logarithm() const {
-    const Eigen::MatrixXd small = Eigen::MatrixXd::Identity(size_, size_) + projected_.topLeftCorner(size_, size_);
-    return basis_.leftCols(size_) * Eigen::MatrixXd(small.log()).col(0);
+  /// No eigenvalue of 1 + H on the negative axis, and none 0.
+  bool has_logarithm() const {
+    const Eigen::VectorXcd all = Eigen::EigenSolver<Eigen::MatrixXd>(step(), false).eigenvalues();
+    return all.allFinite() && std::ranges::none_of(all, [](std::complex<double> z) {
+             return z.real() <= 0 && std::fabs(z.imag()) <= exhausted * std::abs(z);
+           });
   }
+  /// V log(1 + H) e_1.
+  Eigen::VectorXd logarithm() const { return basis_.leftCols(size_) * Eigen::MatrixXd(step().log()).col(0); }
 
  private:
+  Eigen::MatrixXd step() const {
+    return Eigen::MatrixXd::Identity(size_, size_) + projected_.topLeftCorner(size_, size_);
+  }
+
   const Eigen::MatrixXd& t_;
   Eigen::MatrixXd basis_, projected_;
   int size_ = 0;
@@ -62,8 +72,8 @@ std::optional<Eigen::VectorXd> logarithm_action(const Eigen::MatrixXd& t, const 
   for (const int dimension : dimensions) {
     space.grow(dimension);
     if (!(space.scale() > 0)) return Eigen::VectorXd::Zero(t.rows());
+    if (!space.has_logarithm()) return std::nullopt;
     const Eigen::VectorXd found = space.logarithm();
-    if (!found.allFinite()) return std::nullopt;
     if (space.closed() || (last && (found - *last).norm() <= tolerance * space.scale())) return size * found;
     last = found;
   }
