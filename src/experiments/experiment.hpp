@@ -46,6 +46,7 @@ experiment gibbs_experiment();
 experiment attractor_experiment();
 experiment lyapunov_experiment();
 experiment weak_experiment();
+experiment modified_experiment();
 experiment stability_experiment();
 experiment work_precision_experiment();
 

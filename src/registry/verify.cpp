@@ -20,9 +20,9 @@ namespace {
 
 /// Adding an experiment: its source, and its name here.
 std::vector<experiment> all_experiments() {
-  return {casimir_experiment(),  strong_experiment(),    energy_experiment(),
-          gibbs_experiment(),    weak_experiment(),      attractor_experiment(),
-          lyapunov_experiment(), stability_experiment(), work_precision_experiment()};
+  return {casimir_experiment(),   strong_experiment(),        energy_experiment(),   gibbs_experiment(),
+          weak_experiment(),      attractor_experiment(),     lyapunov_experiment(), modified_experiment(),
+          stability_experiment(), work_precision_experiment()};
 }
 
 report::scheme described(const scheme_entry& entry) {

@@ -1,0 +1,30 @@
+// Are the leading constants of a scheme's errors after many steps those that one step predicts?
+#pragma once
+
+#include "experiments/leading_constants.hpp"
+#include "experiments/modified_table.hpp"
+
+namespace polhode {
+
+/// One average of a scheme: the constant found in its errors over dt, and the one predicted.
+struct leading_constant {
+  std::string observable;
+  double size;  ///< of the observable
+  interval_estimate measured, predicted;
+  std::vector<interval_estimate> below;  ///< coefficients of dt^0 ... dt^(order - 1), which have to vanish
+};
+
+/// Errors of the averages (columns `first` ... of the table) as power series in dt. Fewer than order + 3 levels: none.
+std::vector<leading_constant> leading_constants(const exact_averages&, const error_table&, Eigen::Index first,
+                                                std::span<const interval_estimate> predicted, int order);
+
+/// "leading constant of …": refuted where the intervals of an observable are disjoint, or a coefficient below dt^order
+/// is not zero; holds where all meet and are narrow: together below a hundredth of the largest constant, or of a
+/// hundredth of rate^order; else inconclusive.
+report::verdict judge_constants(const claim&, const std::vector<leading_constant>&, int order, double rate);
+
+/// Verdicts and constants of all schemes, for both kinds of averages; a skip where an average is not known.
+void report_leading_constants(const context&, const std::vector<scheme_entry>&, const law_averages&,
+                              const std::vector<error_table>&, const std::vector<int>& orders, report::results&);
+
+}  // namespace polhode

@@ -1,0 +1,130 @@
+#include "experiments/modified_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "ensemble/paths.hpp"
+#include "experiments/progress_counter.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double longest = 0.3;       // dt times the fastest rate
+constexpr int levels = 6;             // enough for a series with four terms and its uncertainty
+constexpr int most_without = 3;       // coarse levels that may have no logarithm
+constexpr double least_share = 1e-2;  // of all rates, that a group of parameters is compared with
+constexpr double tolerance = 1e-3;    // of a difference, where the operator is refined
+
+Eigen::VectorXd numbers_of(const body_parameters& p, double residual) {
+  const auto& q = p.noise;
+  Eigen::VectorXd out(modified_columns::count);
+  out << p.inverse_inertia, p.dissipation, q(0, 0), q(0, 1), q(0, 2), q(1, 1), q(1, 2), q(2, 2), residual;
+  return out;
+}
+
+/// Of an operator at some degree; higher ones are not tried.
+struct no_logarithm : std::runtime_error {
+  no_logarithm() : std::runtime_error("the operator of a step has no logarithm") {}
+};
+
+/// Everything that is asked of one operator.
+struct operator_questions {
+  generator_family family;
+  modified_columns columns;
+  law_averages averages;
+  Eigen::Vector3d start;
+  double horizon;
+
+  transfer_question at(double dt) const {
+    return {[this, dt](const transfer_operator& op) { return answer(op, dt); },
+            {joined(columns.exact, averages.value()), joined(columns.unit, averages.size()), tolerance}};
+  }
+
+ private:
+  Eigen::VectorXd answer(const transfer_operator& op, double dt) const {
+    const auto generator = generator_of_step(op.matrix, dt);
+    if (!generator) throw no_logarithm();
+    const auto body = family.nearest(*generator);
+    return joined(numbers_of(body.parameters, body.residual), averages.of(op, start, std::llround(horizon / dt)));
+  }
+  static Eigen::VectorXd joined(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    Eigen::VectorXd out(a.size() + b.size());
+    out << a, b;
+    return out;
+  }
+};
+
+std::optional<transfer_answer> answer_at(const subject& s, const scheme_entry& scheme, double dt,
+                                         const transfer_question& question) {
+  const auto roundings = std::llround(std::ceil(10 / (dt * fastest_rate(s))));  // of a logarithm over dt
+  try {
+    auto found = refine(s, scheme, dt, roundings, question);
+    if (found.error.allFinite()) return found;
+  } catch (const no_logarithm&) {
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+const std::array<std::string_view, modified_columns::count>& modified_columns::names() {
+  static constexpr std::array<std::string_view, count> all{
+      "k1", "k2", "k3", "theta k1", "theta k2", "theta k3", "Q11", "Q12", "Q13", "Q22", "Q23", "Q33", "residual"};
+  return all;
+}
+
+modified_columns columns_on(const sphere_problem& problem) {
+  const auto p = parameters_of(problem);
+  const double c = problem.radius, turn = c * p.inverse_inertia.norm(), damping = c * c * p.dissipation.norm(),
+               noise = p.noise.norm(), all = turn + damping + noise, least = least_share * all;
+  const auto by_group = [&](double k, double theta_k, double q) {
+    Eigen::VectorXd out(modified_columns::count);
+    out << Eigen::Vector3d::Constant(k / c), Eigen::Vector3d::Constant(theta_k / (c * c)),
+        Eigen::VectorXd::Constant(6, q), 1;
+    return out;
+  };
+  return {numbers_of(p, 0), by_group(all, all, all),
+          by_group(std::max(turn, least), std::max(damping, least), std::max(noise, least))};
+}
+
+level_grid modified_levels(const subject& s) {
+  const double rate = fastest_rate(s) * s.scene.horizon;
+  auto steps = static_cast<int>(s.scene.steps.front());
+  while (steps * longest < rate) steps *= 2;
+  while (steps % 2 == 0 && steps / 2 * longest >= rate) steps /= 2;
+  level_grid grid{s.scene.horizon, {}};
+  for (int i = 0; i < levels; ++i) grid.steps.push_back(steps << i);
+  return grid;
+}
+
+std::vector<error_table> modified_tables(const context& c, const std::vector<scheme_entry>& schemes,
+                                         const modified_columns& columns, const law_averages& averages) {
+  const auto& s = c.subject;
+  const operator_questions questions{generator_family(sphere_problem_of(s)->radius), columns, averages,
+                                     Eigen::Vector3d(s.scene.momentum.data()), s.scene.horizon};
+  const auto grid = modified_levels(s);
+  std::vector<error_table> out(schemes.size());
+  progress_counter done(static_cast<int>(schemes.size()) * levels, c.progress);
+  // A scheme's levels are one piece of work: where the coarsest has no logarithm, a finer one takes its place.
+  parallel_for(c.threads, static_cast<int>(schemes.size()), [&](int k) {
+    const auto& scheme = schemes[static_cast<std::size_t>(k)];
+    auto& table = out[static_cast<std::size_t>(k)];
+    table.scheme = scheme.info.name;
+    int found = 0;
+    for (int i = 0; found < levels && i < levels + most_without; ++i) {
+      const double dt = grid.horizon / (static_cast<double>(grid.steps.front()) * (1 << i));
+      auto answer = answer_at(s, scheme, dt, questions.at(dt));
+      if (!answer) continue;
+      answer->uncertainty.tail(averages.count()) += averages.uncertainty();
+      table.add(dt, *answer);
+      ++found;
+      done.add();
+    }
+  });
+  return out;
+}
+
+}  // namespace polhode

@@ -1,0 +1,98 @@
+#include "experiments/modified_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "statistics/power_series.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double narrow = 1e-4;  // half-width, of a parameter at the coarsest dt
+
+/// A coefficient of one column, times dt^power at the coarsest dt, in the column's scale.
+struct found_term {
+  std::string_view column;
+  std::size_t power;
+  interval_estimate share;
+  double allowed;  ///< half-width
+
+  double half() const { return (share.high - share.low) / 2; }
+  double clear() const { return std::fabs(share.value) / std::max(half(), 1e-300); }  // above one: not zero
+  double width() const { return half() / allowed; }
+};
+
+/// One column over the levels, in its scale; of the residual, a norm, the square, which has a power series where the
+/// norm has none.
+struct column_values {
+  std::vector<double> value, uncertainty;
+  column_values(const modified_columns& columns, const error_table& t, Eigen::Index j) {
+    for (std::size_t i = 0; i < t.dt.size(); ++i) {
+      const double y = t.error[i][j] / columns.scale[j], u = t.uncertainty[i][j] / columns.scale[j];
+      const bool square = j == modified_columns::residual;
+      value.push_back(square ? y * y : y);
+      uncertainty.push_back(square ? (2 * std::fabs(y) + u) * u : u);
+    }
+  }
+};
+
+/// The coefficients that have to vanish: below dt^order, and of the square below dt^(2 order), the first three of them.
+std::vector<found_term> terms_of(const modified_columns& columns, const error_table& t, int order) {
+  std::vector<found_term> out;
+  const double coarsest = std::ranges::max(t.dt);
+  for (Eigen::Index j = 0; j < modified_columns::count; ++j) {
+    const bool square = j == modified_columns::residual;
+    const auto count = static_cast<std::size_t>(square ? std::min(2 * order, 3) : order);
+    const column_values c(columns, t, j);
+    const auto series = series_coefficients(t.dt, c.value, c.uncertainty, count);
+    for (std::size_t power = 0; power < count; ++power) {
+      const double unit = std::pow(coarsest, static_cast<double>(power));
+      const auto& s = series[power];
+      out.push_back({square ? "square of the residual" : modified_columns::names()[static_cast<std::size_t>(j)],
+                     power,
+                     {unit * s.value, unit * s.low, unit * s.high},
+                     square ? narrow * narrow : narrow});
+    }
+  }
+  return out;
+}
+
+std::string shown(const found_term& f) {
+  return fmt::format("{} at {}: {:.2e} [{:.1e}, {:.1e}] of its size", f.column,
+                     f.power == 0 ? std::string("dt = 0") : fmt::format("order dt^{}", f.power), f.share.value,
+                     f.share.low, f.share.high);
+}
+
+}  // namespace
+
+report::verdict judge_parameters(const modified_columns& columns, const error_table& t, int order) {
+  report::verdict v{"modified", t.scheme, "parameters converge to the scene's", 0.0, {},
+                    {},         {},       report::verdict_kind::inconclusive,   ""};
+  const auto needed = static_cast<std::size_t>(order + 3);
+  if (t.dt.size() < needed) {
+    v.reason = fmt::format("the logarithm is found at {} step sizes, and {} are needed", t.dt.size(), needed);
+    return v;
+  }
+  const auto terms = terms_of(columns, t, order);
+  const auto worst = *std::ranges::max_element(terms, {}, &found_term::clear);
+  const auto widest = *std::ranges::max_element(terms, {}, &found_term::width);
+  const bool refuted = worst.clear() > 1;
+  const auto& decisive = refuted ? worst : widest;
+  v.estimate = decisive.share.value;
+  v.low = decisive.share.low;
+  v.high = decisive.share.high;
+  if (refuted)
+    v.kind = report::verdict_kind::refuted;
+  else if (widest.width() <= 1)
+    v.kind = report::verdict_kind::holds;
+  v.reason = fmt::format("{}; {}", shown(decisive),
+                         refuted ? "not zero"
+                                 : fmt::format("the least certain of {} terms below dt^{}, all of which "
+                                               "include zero",
+                                               terms.size(), order));
+  return v;
+}
+
+}  // namespace polhode

@@ -1,0 +1,198 @@
+// Which equation a scheme solves: known answers, and defects that have to be refuted.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <ostream>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "experiments/modified_table.hpp"
+#include "experiments/modified_verdict.hpp"
+#include "experiments/transfer.hpp"
+#include "references/logarithm_action.hpp"
+#include "registry/run_experiment.hpp"
+#include "registry/scene.hpp"
+#include "registry/verify.hpp"
+
+namespace polhode {
+namespace {
+
+scheme_entry scheme_of(const subject& s, std::string_view name) {
+  return *std::ranges::find(s.schemes, name, [](const scheme_entry& e) { return e.info.name; });
+}
+
+nearest_body effective(std::string_view scheme, double dt) {
+  const auto s = bind_scene(load_scene("paper"));
+  const auto op = make_transfer(s, scheme_of(s, scheme), dt, 1, {{12, 1, 0}, {8, 2}});
+  return generator_family(sphere_problem_of(s)->radius).nearest(*generator_of_step(op.matrix, dt));
+}
+
+struct known {
+  const char* scheme;
+  double dt;
+  Eigen::Vector3d k, theta_k, q;
+  double residual, digits;  // of the residual
+};
+
+// Written apart from this project (numpy, dense logarithm), to four decimals; MODEL.md, section 10.
+TEST(Modified, EffectiveParametersAreTheKnownOnes) {
+  for (const auto& a : {known{"lie_euler",
+                              0.1,
+                              {0.4054, -0.1152, -0.2902},
+                              {0.1930, -0.0580, -0.1351},
+                              {0.2526, 0.2498, 0.2491},
+                              1.67e-2,
+                              1e-4},
+                        known{"lie_euler",
+                              0.05,
+                              {0.3971, -0.1131, -0.2840},
+                              {0.1938, -0.0567, -0.1370},
+                              {0.2513, 0.2500, 0.2496},
+                              8.3e-3,
+                              1e-4},
+                        known{"strang_weak2",
+                              0.1,
+                              {0.3890, -0.1111, -0.2779},
+                              {0.1947, -0.0556, -0.1391},
+                              {0.2500, 0.2500, 0.2499},
+                              2.7e-4,
+                              1e-5}}) {
+    const auto body = effective(a.scheme, a.dt);
+    EXPECT_LT((body.parameters.inverse_inertia - a.k).cwiseAbs().maxCoeff(), 6e-5) << a.scheme << ' ' << a.dt;
+    EXPECT_LT((body.parameters.dissipation - a.theta_k).cwiseAbs().maxCoeff(), 6e-5) << a.scheme << ' ' << a.dt;
+    EXPECT_LT((body.parameters.noise.diagonal() - a.q).cwiseAbs().maxCoeff(), 6e-5) << a.scheme << ' ' << a.dt;
+    EXPECT_NEAR(body.residual, a.residual, a.digits) << a.scheme << ' ' << a.dt;
+  }
+}
+
+sphere_problem general_problem() {
+  sphere_problem p{{0.7, 1.9, 2.6}, 0.3, 1.4, {}};
+  p.covariance << 0.5, 0.1, -0.05, 0.1, 0.3, 0.08, -0.05, 0.08, 0.4;
+  return p;
+}
+
+TEST(Modified, TheFamilyHoldsItsOwnGenerators) {
+  const auto p = general_problem();
+  const Eigen::MatrixXd generator = backward_operator(p, 8);
+  const auto body = generator_family(p.radius).nearest(generator.middleCols(1, 8));
+  const auto exact = parameters_of(p);
+  EXPECT_LT((body.parameters.inverse_inertia - exact.inverse_inertia).norm(), 1e-13);
+  EXPECT_LT((body.parameters.dissipation - exact.dissipation).norm(), 1e-13);
+  EXPECT_LT((body.parameters.noise - exact.noise).norm(), 1e-13);
+  EXPECT_LT(body.residual, 1e-14);
+}
+
+// Where the principal logarithm of the whole matrix exists, Krylov's method finds its columns.
+TEST(Modified, LogarithmIsTheDenseOne) {
+  const Eigen::MatrixXd generator = backward_operator(general_problem(), 6);
+  const Eigen::MatrixXd step = (0.05 * generator).exp(), whole = step.log();
+  const auto columns = logarithm_action(step, Eigen::MatrixXd::Identity(step.rows(), 9));
+  ASSERT_TRUE(columns);
+  EXPECT_LT((*columns - whole.leftCols(9)).norm(), 1e-11 * whole.norm());
+  EXPECT_LT((*columns - 0.05 * generator.leftCols(9)).norm(), 1e-11 * generator.norm());
+  const Eigen::MatrixXd reflection = -Eigen::MatrixXd::Identity(4, 4);
+  EXPECT_FALSE(logarithm_action(reflection, Eigen::MatrixXd::Identity(4, 4)));
+  EXPECT_FALSE(logarithm_action(Eigen::MatrixXd::Constant(4, 4, NAN), Eigen::MatrixXd::Identity(4, 4)));
+}
+
+report::results quick(const subject& s) {
+  verify_options options;
+  options.experiments = {"modified"};
+  options.effort = effort::quick;
+  options.threads = 2;
+  return verify_subject(s, options);
+}
+
+const report::verdict& verdict_of(const report::results& r, std::string_view claim) {
+  return *std::ranges::find(r.verdicts, claim, &report::verdict::claim);
+}
+constexpr std::string_view parameters = "parameters converge to the scene's",
+                           residual = "residual falls at the weak order";
+
+using change = void (*)(report::scene&);
+
+/// The scheme as it is on one scene, held to another: what a wrong number in its code would be.
+subject planted(const report::scene& scene, std::string_view scheme, change wrong) {
+  auto changed = scene;
+  wrong(changed);
+  auto s = bind_scene(scene);
+  s.schemes = {scheme_of(bind_scene(changed), scheme)};
+  s.with = [s](const report::scene&) { return s; };
+  return s;
+}
+
+template <int Percent>
+void stronger_noise(report::scene& s) {
+  for (auto& v : s.sigma)
+    for (auto& x : v) x *= 1 + Percent / 1000.0;
+}
+
+struct defect {
+  const char *name, *scheme;
+  change wrong;
+};
+void PrintTo(const defect& d, std::ostream* out) { *out << d.name << ", " << d.scheme; }
+
+struct ModifiedDefects : testing::TestWithParam<defect> {};
+
+TEST_P(ModifiedDefects, AreRefuted) {
+  const auto r = quick(planted(load_scene("paper"), GetParam().scheme, GetParam().wrong));
+  EXPECT_EQ(verdict_of(r, parameters).kind, report::verdict_kind::refuted) << verdict_of(r, parameters).reason;
+}
+
+constexpr change noise_strong = stronger_noise<1>, noise_weak = stronger_noise<-1>,
+                 theta_large = [](report::scene&s) { s.theta *= 1.001; },
+                 inertia_one = [](report::scene&s) { s.inertia[0] *= 1.01; },
+                 inertia_two = [](report::scene&s) { s.inertia[1] *= 0.999; },
+                 inertia_three = [](report::scene&s) { s.inertia[2] *= 1.001; }, turned_noise = [](report::scene&s) {
+                   s.sigma[0] = {0.5, 0.0005, 0};
+                 };
+
+INSTANTIATE_TEST_SUITE_P(Planted, ModifiedDefects,
+                         testing::Values(defect{"noise 0.1 % strong", "lie_euler", noise_strong},
+                                         defect{"noise 0.1 % strong", "strang_weak2", noise_strong},
+                                         defect{"noise 0.1 % weak", "lie_euler", noise_weak},
+                                         defect{"noise 0.1 % weak", "strang_weak2", noise_weak},
+                                         defect{"theta 0.1 % large", "lie_euler", theta_large},
+                                         defect{"theta 0.1 % large", "strang_weak2", theta_large},
+                                         defect{"I_1 1 % large", "lie_euler", inertia_one},
+                                         defect{"I_1 1 % large", "strang_weak2", inertia_one},
+                                         defect{"I_2 0.1 % small", "lie_euler", inertia_two},
+                                         defect{"I_2 0.1 % small", "strang_weak2", inertia_two},
+                                         defect{"I_3 0.1 % large", "lie_euler", inertia_three},
+                                         defect{"I_3 0.1 % large", "strang_weak2", inertia_three},
+                                         defect{"channels correlated by 0.001", "lie_heun", turned_noise},
+                                         defect{"channels correlated by 0.001", "implicit_midpoint", turned_noise}));
+
+// Weak noise hides dt behind dt^2 in every slope; the coefficient of dt is seen all the same.
+TEST(Modified, WeakOrderTwoOverclaimedIsRefutedUnderWeakNoise) {
+  for (const double sigma : {0.5, 0.1, 0.05}) {
+    auto scene = load_scene("paper");
+    scene.sigma = {{sigma, 0, 0}, {0, sigma, 0}, {0, 0, sigma}};
+    auto s = bind_scene(scene);
+    const auto healthy = scheme_of(s, "strang_weak2");
+    auto poser = scheme_of(s, "strang");
+    poser.info = healthy.info;
+    s.schemes = {poser};
+    const auto r = quick(s);
+    EXPECT_EQ(verdict_of(r, parameters).kind, report::verdict_kind::refuted)
+        << sigma << verdict_of(r, parameters).reason;
+    s.schemes = {healthy};
+    for (const auto claim : {parameters, residual})
+      EXPECT_EQ(verdict_of(quick(s), claim).kind, report::verdict_kind::holds) << sigma << claim;
+  }
+}
+
+TEST(Modified, HealthySchemesHoldAndThoseOffTheSphereAreSkipped) {
+  const auto r = quick(bind_scene(load_scene("paper")));
+  int holding = 0, skipped = 0;
+  for (const auto& v : r.verdicts) {
+    holding += v.kind == report::verdict_kind::holds;
+    skipped += v.kind == report::verdict_kind::skipped;
+  }
+  EXPECT_EQ(holding, 18);
+  EXPECT_EQ(skipped, 4);
+  EXPECT_EQ(r.verdicts.size(), 22u);
+}
+
+}  // namespace
+}  // namespace polhode
