@@ -28,8 +28,9 @@ struct claim {
   std::string experiment, scheme, text;
 };
 
-/// Verdict on an order; `at_least`: faster than claimed holds too (a scene can be kinder than the claim). Refuted only
-/// where the slope has settled and the two finest levels refute it too; else inconclusive.
+/// Verdict on an order; `at_least`: faster than claimed holds too (a scene can be kinder than the claim). Refuted
+/// where the slope has settled and the two finest levels refute it too, or where they lie no nearer to the claim than
+/// the slope does; a slope that still nears the claim is inconclusive.
 report::verdict judge_order(const claim&, double expected, const std::optional<order_fit>&, bool at_least);
 
 /// Verdict on a distance that should vanish: holds below `bound`, refuted above it.
