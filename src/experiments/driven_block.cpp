@@ -42,7 +42,8 @@ void driven_block::start(std::uint64_t first_path) {
 }
 
 void driven_block::advance(int chunk) {
-  reference_.advance(truth_, ladder_.fill(context_.seed, first_path_, chunk));
+  fine_ = ladder_.fill(context_.seed, first_path_, chunk);
+  reference_.advance(truth_, fine_);
   for (std::size_t l = 0; l < twins_.size(); ++l) reference_.advance(twins_[l], ladder_.level(l));
   advance_varied(ladder_.level(varied_level()));
 }

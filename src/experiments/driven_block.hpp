@@ -40,7 +40,7 @@ class driven_block {
 
   /// Of the last chunk; coarsest level first.
   const increment_view& increments(std::size_t level) const { return ladder_.level(level); }
-  const increment_ladder& ladder() const { return ladder_; }
+  const increment_view& fine() const { return fine_; }
 
   const std::vector<double>& truth() const { return truth_; }
   const std::vector<double>& twin(std::size_t level) const { return twins_[level]; }
@@ -54,6 +54,7 @@ class driven_block {
 
   const context& context_;
   increment_ladder ladder_;
+  increment_view fine_;
   const kernel& reference_;
   const std::vector<direction>& directions_;
   std::uint64_t first_path_ = 0;

@@ -10,6 +10,7 @@
 #include "experiments/experiment.hpp"
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
+#include "experiments/noise_verdict.hpp"
 #include "experiments/path_limit.hpp"
 #include "experiments/sequential.hpp"
 #include "experiments/vectors.hpp"
@@ -33,6 +34,7 @@ struct strong_run {
   std::vector<direction> directions;
   std::vector<path_record> records;  ///< [scheme]
   noise_effect noise;
+  noise_log& log;
 };
 
 /// Runs one block of paths of the open schemes and keeps their errors.
@@ -47,6 +49,8 @@ void run_block(strong_run& r, std::span<const int> open, int block) {
   truth.start(static_cast<std::uint64_t>(first_path));
   for (int chunk = 0; chunk < r.grid.steps.front(); ++chunk) {
     truth.advance(chunk);
+    r.log.add(block, truth.fine());
+    r.log.add(block, truth.increments(levels - 1), 1);
     for (const auto k : indices)
       for (std::size_t l = 0; l < levels; ++l) r.kernels[k][l]->advance(states[k][l], truth.increments(l));
   }
@@ -126,13 +130,15 @@ void run(const context& c, report::results& out) {
   const auto& s = c.subject;
   const sampling_plan plan{320, by_effort(c.effort, 640, 2048, 8192)};
   const int paths = blocks_of(plan.most) * block_lanes;
+  noise_log log(*s.model, blocks_of(plan.most), {{"", 0}, {"finest steps", fine_per_step}});
   strong_run r{c,
                asymptotic_levels(s, by_effort(c.effort, 256.0, 256.0, 512.0)),
                kernel_table(s.schemes.size()),
                s.model->reference(),
                directions_of(s),
                {},
-               {std::vector<double>(static_cast<std::size_t>(paths))}};
+               {std::vector<double>(static_cast<std::size_t>(paths))},
+               log};
   const auto dt = r.grid.dt();
   r.records.assign(s.schemes.size(),
                    path_record(paths, static_cast<int>(dt.size()), static_cast<int>(r.directions.size())));
@@ -152,6 +158,7 @@ void run(const context& c, report::results& out) {
     report_scheme(r, k, found[k], out);
     note_sample_size(out, "strong", s.schemes[k].info.name, sizes[k]);
   }
+  log.report("strong", out);
 }
 
 }  // namespace
