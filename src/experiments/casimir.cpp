@@ -12,6 +12,7 @@
 #include "experiments/experiment.hpp"
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
+#include "experiments/noise_verdict.hpp"
 #include "experiments/sequential.hpp"
 #include "statistics/order_fit.hpp"
 
@@ -21,6 +22,8 @@ namespace {
 constexpr double rounding_bound = 1e-12;  // relative drift allowed after a million steps
 constexpr double judged_steps = 1e6;
 constexpr int chunk_steps = 1000;
+
+int most_paths(const context& c) { return by_effort(c.effort, 640, 2048, 8192); }
 
 /// The largest relative change among the Casimirs, per lane.
 std::vector<double> drifts(const model& m, std::span<const double> states, std::span<const double> start) {
@@ -83,7 +86,7 @@ void report_long_run(const long_run& run, double dt, report::results& out) {
                                  run.steps.back(), growth ? fmt::format("; grows like n^{:.2f}", growth->order) : "")));
 }
 
-void run_exact(const context& c, report::results& out) {
+void run_exact(const context& c, noise_log& log, report::results& out) {
   const auto& s = c.subject;
   const int chunks = by_effort(c.effort, 1000, 2500, 10'000);
   const double dt = s.scene.horizon / static_cast<double>(s.scene.steps.back());
@@ -97,6 +100,7 @@ void run_exact(const context& c, report::results& out) {
     const auto first = static_cast<std::uint64_t>(chunk) * chunk_steps;
     const auto view =
         s.model->active_channels() > 0 ? noise.fill(c.seed, 0, first, chunk_steps, dt) : silence(chunk_steps, dt);
+    if (!view.silent()) log.add(0, view);
     parallel_for(c.threads, static_cast<int>(runs.size()), [&](int k) {
       auto& r = runs[static_cast<std::size_t>(k)];
       r.stepper->advance(r.states, view);
@@ -124,7 +128,7 @@ struct drift_sample {
 
 /// Squared drifts of one block of paths of the open schemes.
 void run_block(const context& c, const level_grid& grid, std::span<const int> open, int block,
-               std::vector<drift_sample>& samples) {
+               std::vector<drift_sample>& samples, noise_log& log) {
   const auto& m = *c.subject.model;
   const bool areas =
       std::ranges::any_of(open, [&](int k) { return samples[static_cast<std::size_t>(k)].scheme->needs_areas; });
@@ -135,6 +139,7 @@ void run_block(const context& c, const level_grid& grid, std::span<const int> op
     const double dt = grid.horizon / n;
     const auto view =
         m.active_channels() > 0 ? noise.fill(c.seed, static_cast<std::uint64_t>(first_path), 0, n, dt) : silence(n, dt);
+    if (l + 1 == grid.steps.size() && !view.silent()) log.add(block, view, 1);  // the others have the same normals
     for (const int k : open) {
       auto& sample = samples[static_cast<std::size_t>(k)];
       auto states = replicated(c.subject.scene.momentum);
@@ -162,12 +167,12 @@ void report_drift(const drift_sample& sample, std::span<const double> dt, bool n
                                      true));
 }
 
-void run_drifting(const context& c, report::results& out) {
+void run_drifting(const context& c, noise_log& log, report::results& out) {
   constexpr double floor = 1e-13;
   const bool noisy = c.subject.model->noise() != noise_class::none;
   const auto grid = asymptotic_levels(c.subject, 256);
   const auto dt = grid.dt();
-  const sampling_plan plan{noisy ? 320 : 1, noisy ? by_effort(c.effort, 640, 2048, 8192) : 1};
+  const sampling_plan plan{noisy ? 320 : 1, noisy ? most_paths(c) : 1};
   const int paths = blocks_of(plan.most) * block_lanes, levels = static_cast<int>(dt.size());
   std::vector<drift_sample> samples;
   for (const auto& scheme : c.subject.schemes) {
@@ -178,7 +183,7 @@ void run_drifting(const context& c, report::results& out) {
   }
   const auto sizes = sample_until_tight(
       c, plan, static_cast<int>(samples.size()),
-      [&](int block, std::span<const int> open) { run_block(c, grid, open, block, samples); },
+      [&](int block, std::span<const int> open) { run_block(c, grid, open, block, samples, log); },
       [&](int scheme, int so_far) {
         auto& [_, kernels, squares, fit] = samples[static_cast<std::size_t>(scheme)];
         squares.paths = so_far;
@@ -194,8 +199,10 @@ void run_drifting(const context& c, report::results& out) {
 }
 
 void run(const context& c, report::results& out) {
-  run_exact(c, out);
-  run_drifting(c, out);
+  noise_log log(*c.subject.model, blocks_of(most_paths(c)), {{"", 0}, {"precise", 0}});
+  run_exact(c, log, out);
+  run_drifting(c, log, out);
+  log.report("casimir", out);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "experiments/experiment.hpp"
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
+#include "experiments/noise_verdict.hpp"
 #include "experiments/progress_counter.hpp"
 #include "experiments/sequential.hpp"
 #include "experiments/stationary_bias.hpp"
@@ -85,7 +86,7 @@ void observe(const model& m, std::span<const double> states, int block, observed
 /// Runs one block of paths of the open schemes through the same noise.
 void run_block(const context& c, const design& d, std::span<const scheme_entry> schemes,
                std::span<const std::unique_ptr<kernel>> kernels, std::span<const int> open, int block,
-               std::vector<observed>& out) {
+               std::vector<observed>& out, noise_log& log) {
   constexpr int chunk = 200;
   const auto& s = c.subject;
   const std::vector<std::size_t> indices(open.begin(), open.end());
@@ -98,6 +99,7 @@ void run_block(const context& c, const design& d, std::span<const scheme_entry> 
     for (int left = std::max(1, static_cast<int>(time / d.dt)); left > 0;) {
       const int n = std::min(left, chunk);
       const auto view = noise.fill(c.seed, first_path, step, n, d.dt);
+      log.add(block, view);
       for (const auto k : indices) kernels[k]->advance(states[k], view);
       step += static_cast<std::uint64_t>(n);
       left -= n;
@@ -190,10 +192,11 @@ void report_samples(const context& c, report::results& out) {
   std::vector<observed> samples(kernels.size(),
                                 observed(static_cast<std::size_t>(blocks_of(paths.most) * block_lanes)));
   const auto moments = moments_of(law, radius);
+  noise_log log(*s.model, blocks_of(paths.most));
   std::vector<finding> found(kernels.size());
   const auto sizes = sample_until_tight(
       c, paths, static_cast<int>(kernels.size()),
-      [&](int block, std::span<const int> open) { run_block(c, d, schemes, kernels, open, block, samples); },
+      [&](int block, std::span<const int> open) { run_block(c, d, schemes, kernels, open, block, samples, log); },
       [&](int scheme, int so_far) {
         const auto k = static_cast<std::size_t>(scheme);
         found[k] = find(law, moments, samples[k], so_far);
@@ -204,6 +207,7 @@ void report_samples(const context& c, report::results& out) {
     report_scheme(moments, name, d.dt, found[k], out);
     note_sample_size(out, "gibbs", name, sizes[k]);
   }
+  log.report("gibbs", out);
 }
 
 std::optional<std::string> cannot_say(const subject& s) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace polhode {
@@ -14,6 +15,15 @@ verdict_kind judge(double expected, double low, double high, double margin) {
   if (low > expected + margin || high < expected - margin) return verdict_kind::refuted;
   return verdict_kind::inconclusive;
 }
+
+namespace {
+
+/// How far an interval lies from an expected order and its margin.
+double gap_to(double expected, double low, double high) {
+  return std::max({0.0, low - expected - order_margin, expected - order_margin - high});
+}
+
+}  // namespace
 
 report::verdict judge_order(const claim& c, double expected, const std::optional<order_fit>& fit, bool at_least) {
   report::verdict v{c.experiment, c.scheme, c.text, expected, {}, {}, {}, verdict_kind::inconclusive, ""};
@@ -35,9 +45,10 @@ report::verdict judge_order(const claim& c, double expected, const std::optional
                          expected, order_margin);
   const bool lasting =
       fit->settled && judge(expected, fit->finest.low, fit->finest.high, order_margin) == verdict_kind::refuted;
-  if (v.kind == verdict_kind::refuted && !lasting) {
+  const bool nearing = gap_to(expected, fit->finest.low, fit->finest.high) < gap_to(expected, fit->low, fit->high);
+  if (v.kind == verdict_kind::refuted && !lasting && nearing) {
     v.kind = verdict_kind::inconclusive;
-    v.reason += fmt::format(", but the slope still changes: [{:.3f}, {:.3f}] between the two finest levels",
+    v.reason += fmt::format(", but the slope still nears the claim: [{:.3f}, {:.3f}] between the two finest levels",
                             fit->finest.low, fit->finest.high);
   }
   return v;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
@@ -36,12 +37,23 @@ class sampled_growth {
       found_.emplace_back(paths);
       kernels_.push_back(scheme.tangent(run_.dt));
     }
+    log_.emplace(*context_.subject.model, blocks_of(plan.most));
     sizes_ = sample_until_tight(
         context_, plan, static_cast<int>(schemes_.size()),
         [&](int block, std::span<const int> open) { run(block, open); },
         [&](int scheme, int so_far) { return is_tight(static_cast<std::size_t>(scheme), so_far, tight); });
   }
 
+  void report_noise(report::results& out) const { log_->report("lyapunov", out); }
+  /// With the noise that the controls take out: their means are zero if the noise has its law, and only then does
+  /// taking them out change nothing but the variance.
+  interval_estimate raw_mean(std::size_t scheme, Eigen::VectorXd growth::*what, int paths) const {
+    const Eigen::VectorXd all = (found_[scheme].*what).head(paths);
+    return mean_interval({all.data(), static_cast<std::size_t>(all.size())});
+  }
+  control_means controls(std::size_t scheme, int paths) const {
+    return means_of_controls(found_[scheme].control.topRows(paths));
+  }
   const sample_size& size(std::size_t scheme) const { return sizes_[scheme]; }
 
   /// Without the noise that can be taken out.
@@ -62,7 +74,7 @@ class sampled_growth {
       out.push_back(&found_[i]);
       areas = areas || schemes_[i].needs_areas;
     }
-    run_tangents(context_, run_, block, kernels, areas, out);
+    run_tangents(context_, run_, block, kernels, areas, out, *log_);
   }
   bool is_tight(std::size_t scheme, int paths, double tight) const {
     for (const auto what : {&growth::length, &growth::area})
@@ -76,6 +88,7 @@ class sampled_growth {
   std::vector<growth> found_;                             // [scheme]
   std::vector<std::unique_ptr<tangent_kernel>> kernels_;  // the same
   std::vector<sample_size> sizes_;
+  std::optional<noise_log> log_;
 };
 
 struct exponent {
@@ -100,6 +113,26 @@ void report_exponent(const exponent& e, const std::string& scheme, double dt, co
                            *e.exact, margin);
   } else {
     v.reason = "not finite: a step of the scheme fails";
+  }
+  out.verdicts.push_back(v);
+}
+
+void report_controls(const std::string& scheme, const control_means& found, report::results& out) {
+  report::verdict v{"lyapunov",
+                    scheme,
+                    "controls have mean zero",
+                    0.0,
+                    {},
+                    {},
+                    {},
+                    report::verdict_kind::inconclusive,
+                    "not finite: a step of the scheme fails"};
+  if (std::isfinite(found.largest)) {
+    const double limit = audit_threshold(static_cast<std::size_t>(found.count));
+    v.estimate = found.largest;
+    v.kind = std::fabs(found.largest) <= limit ? report::verdict_kind::holds : report::verdict_kind::refuted;
+    v.reason = fmt::format("the largest of {} means is {:.1f} standard errors from zero, at most {:.1f}", found.count,
+                           found.largest, limit);
   }
   out.verdicts.push_back(v);
 }
@@ -144,11 +177,18 @@ void report_sampled_exponents(const context& c, const std::vector<scheme_entry>&
   sampled_growth sampled(c, schemes, run);
   sampled.sample({256, by_effort(c.effort, 1024, 2048, 4096)}, tight_value * margin);
   for (std::size_t k = 0; k < schemes.size(); ++k) {
-    for (const auto& e : exponents)
-      report_exponent(e, std::string(schemes[k].info.name), run.dt, sampled.mean(k, e.values, sampled.size(k).used),
-                      margin, out);
+    const std::string name(schemes[k].info.name);
+    const int paths = sampled.size(k).used;
+    for (const auto& e : exponents) {
+      report_exponent(e, name, run.dt, sampled.mean(k, e.values, paths), margin, out);
+      const auto raw = sampled.raw_mean(k, e.values, paths);
+      out.measurements.push_back(measured({"lyapunov", name, e.name + ", no controls", "", "per time", "sampled"},
+                                          run.dt, raw.value, raw.low, raw.high));
+    }
+    report_controls(name, sampled.controls(k, paths), out);
     note_sample_size(out, "lyapunov", schemes[k].info.name, sampled.size(k));
   }
+  sampled.report_noise(out);
 }
 
 }  // namespace polhode

@@ -1,6 +1,11 @@
 #include "statistics/control_variates.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
 
 namespace polhode {
 namespace {
@@ -21,6 +26,23 @@ Eigen::VectorXd controlled(const Eigen::VectorXd& y, const Eigen::MatrixXd& cont
   Eigen::VectorXd out = y;
   out.head(first) -= controls.topRows(first) * coefficients(y.tail(second), controls.bottomRows(second));
   out.tail(second) -= controls.bottomRows(second) * coefficients(y.head(first), controls.topRows(first));
+  return out;
+}
+
+control_means means_of_controls(const Eigen::MatrixXd& controls) {
+  const auto n = static_cast<double>(controls.rows());
+  const boost::math::students_t student(n - 1);
+  control_means out;
+  for (Eigen::Index i = 0; i < controls.cols(); ++i) {
+    const auto y = controls.col(i);
+    const double mean = y.mean(), error = std::sqrt((y.array() - mean).square().sum() / (n - 1) / n);
+    if (!std::isfinite(error)) return {out.count, std::numeric_limits<double>::quiet_NaN()};
+    if (error == 0) continue;
+    ++out.count;
+    const double beyond = std::max(1e-300, cdf(complement(student, std::fabs(mean / error))));
+    const double deviate = quantile(complement(boost::math::normal(), beyond));
+    if (deviate > std::fabs(out.largest)) out.largest = std::copysign(deviate, mean);
+  }
   return out;
 }
 

@@ -14,4 +14,12 @@ namespace polhode {
 /// Anything not finite spreads to all paths of the other half.
 Eigen::VectorXd controlled(const Eigen::VectorXd& y, const Eigen::MatrixXd& controls);
 
+/// The means of the controls against their standard errors, as normal deviates of Student's law; controls that are not
+/// there are left out. Where one is not zero, neither is what taking the controls out adds to the mean.
+struct control_means {
+  int count = 0;
+  double largest = 0;  ///< by size, with its sign; not finite where a control is not
+};
+control_means means_of_controls(const Eigen::MatrixXd& controls);
+
 }  // namespace polhode

@@ -1,0 +1,100 @@
+#include "statistics/multipliers.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+namespace {
+
+constexpr double least_share = 0.02;  // of a direction's mean square that those before it leave
+
+using square_matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Weights of the values at these dt in the constant of a weighted least-squares polynomial; errors grow like dt.
+Eigen::VectorXd constant_of_polynomial(std::span<const double> dt, int degree) {
+  const auto n = static_cast<Eigen::Index>(dt.size());
+  Eigen::MatrixXd design(n, degree + 1);
+  Eigen::VectorXd weight(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double x = dt[static_cast<std::size_t>(i)] / dt.back();
+    for (int k = 0; k <= degree; ++k) design(i, k) = std::pow(x, k);
+    weight[i] = 1 / x;
+  }
+  const Eigen::MatrixXd weighted = weight.asDiagonal() * design;
+  return (weighted.completeOrthogonalDecomposition().pseudoInverse() * weight.asDiagonal()).row(0);
+}
+
+/// Directions that add something to those before them.
+std::vector<Eigen::Index> independent(const square_matrix& gram) {
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < gram.rows(); ++k) {
+    double left = gram(k, k);
+    if (!kept.empty() && left > 0) {
+      const Eigen::VectorXd across = gram(kept, k);
+      left -= across.dot(square_matrix(gram(kept, kept)).ldlt().solve(across));
+    }
+    if (left > least_share * gram(k, k) && left > 0) kept.push_back(k);
+  }
+  return kept;
+}
+
+/// mean S.error of one path, extrapolated to dt = 0.
+Eigen::VectorXd at_zero(const response_data& d, int path, const Eigen::VectorXd& weights) {
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(d.directions);
+  for (int l = 0; l < d.levels; ++l)
+    out += weights[l] *
+           Eigen::Map<const Eigen::VectorXd>(d.response.data() + (path * d.levels + l) * d.directions, d.directions);
+  return out;
+}
+
+}  // namespace
+
+response_data::response_data(int paths, int count, int finest)
+    : directions(count),
+      levels(finest),
+      gram(static_cast<std::size_t>(paths * count * count)),
+      response(static_cast<std::size_t>(paths * count * finest)) {}
+
+std::vector<multiplier> effective_multipliers(std::span<const double> dt, const response_data& d, int paths,
+                                              int cells) {
+  const auto weights = constant_of_polynomial(dt, 2), fewer = constant_of_polynomial(dt, 1);
+  const Eigen::VectorXd last = Eigen::VectorXd::Unit(d.levels, d.levels - 1);
+  const auto gram_of = [&](int path) {
+    return Eigen::Map<const square_matrix>(d.gram.data() + path * d.directions * d.directions, d.directions,
+                                           d.directions);
+  };
+  square_matrix gram = square_matrix::Zero(d.directions, d.directions);
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(d.directions), other = mean, finest = mean;
+  for (int p = 0; p < paths; ++p) {
+    gram += gram_of(p) / paths;
+    mean += at_zero(d, p, weights) / paths;
+    other += at_zero(d, p, fewer) / paths;
+    finest += at_zero(d, p, last) / paths;
+  }
+  const auto kept = independent(gram);
+  const auto count = static_cast<Eigen::Index>(kept.size());
+  const Eigen::MatrixXd inverse = square_matrix(gram(kept, kept)).inverse();
+  const Eigen::VectorXd eps = inverse * mean(kept), change = inverse * other(kept) - eps,
+                        step = inverse * finest(kept) - eps;
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(count), of_change = variance;
+  for (int p = 0; p < paths; ++p) {
+    const Eigen::VectorXd at = at_zero(d, p, weights)(kept), left = at - square_matrix(gram_of(p)(kept, kept)) * eps;
+    variance += (inverse * left).cwiseAbs2();
+    of_change += (inverse * (at_zero(d, p, fewer)(kept) - at) - change).cwiseAbs2();
+  }
+  std::vector<multiplier> out(static_cast<std::size_t>(d.directions));
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double error = std::sqrt(variance[i]) / paths, cell = std::fabs(step[i]) / cells;
+    const double curved = std::max(0.0, std::fabs(change[i]) - 1.96 * std::sqrt(of_change[i]) / paths);
+    const double half = 1.96 * error + curved + cell;
+    const auto k = kept[static_cast<std::size_t>(i)];
+    out[static_cast<std::size_t>(k)] = {true,
+                                        {eps[i], eps[i] - half, eps[i] + half},
+                                        family_z * error + std::fabs(change[i]) + cell,
+                                        std::sqrt(gram(k, k))};
+  }
+  return out;
+}
+
+}  // namespace polhode
