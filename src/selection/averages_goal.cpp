@@ -41,10 +41,10 @@ class averages_goal : public goal {
   }
 
   error_estimate error(const candidate& c, double dt, std::uint64_t) const override {
-    return resolved_to(c.combination != nullptr ? extrapolated_tolerance : tolerance, c, dt);
+    return resolved_to(tolerance, c, dt);
   }
   error_estimate rough_error(const candidate& c, double dt, std::uint64_t) const override {
-    return resolved_to(c.combination != nullptr ? extrapolated_tolerance : rough_tolerance, c, dt);
+    return resolved_to(rough_tolerance, c, dt);
   }
 
   double floor() const override { return rounding; }
@@ -55,19 +55,25 @@ class averages_goal : public goal {
   virtual law_error law_error_at(const candidate&, double dt, double relative, std::int64_t finer) const = 0;
 
   error_estimate resolved_to(double relative, const candidate& c, double dt) const {
-    const auto answer = [&](int level) { return law_error_at(c, dt / (1 << level), relative, 1 << level); };
-    auto found = answer(0);
-    if (c.combination != nullptr) {
-      error_table table{c.name, {dt}, {found.error}, {found.uncertainty}};
-      for (int i = 1; i < c.combination->levels(); ++i) {
-        const auto finer = answer(i);
-        table.add(dt / (1 << i), {finer.error, finer.uncertainty, true});
-      }
-      table = extrapolate(table, *c.combination);
-      found.error = table.error[0];
-      found.uncertainty = table.uncertainty[0];
+    if (c.combination != nullptr) return worst_asked(combined(relative, c, dt).worst_in_time(observables()));
+    return worst_asked(law_error_at(c, dt, relative, 1).worst_in_time(observables()));
+  }
+
+  /// What is left after the leading powers have dropped out is small against the errors themselves: these are resolved
+  /// to a share of the tolerance asked for.
+  law_error combined(double relative, const candidate& c, double dt) const {
+    auto found = law_error_at(c, dt, rough_tolerance, 1);
+    const double share = relative * question_.tolerance / found.error.cwiseAbs().maxCoeff();
+    const double needed = std::isfinite(share) ? std::clamp(share, extrapolated_tolerance, tolerance) : tolerance;
+    error_table table{c.name, {}, {}, {}};
+    for (int i = 0; i < c.combination->levels(); ++i) {
+      const auto level = law_error_at(c, dt / (1 << i), needed, 1 << i);
+      table.add(dt / (1 << i), {level.error, level.uncertainty, true});
     }
-    return worst_asked(found.worst_in_time(observables()));
+    table = extrapolate(table, *c.combination);
+    found.error = table.error[0];
+    found.uncertainty = table.uncertainty[0];
+    return found;
   }
 
   error_estimate worst_asked(std::vector<observable_error> all) const {
