@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include "reports/writers/numbers.hpp"
 #include "reports/writers/text.hpp"
@@ -43,6 +46,47 @@ std::string line_of(const change& c) {
                               side(c.text_after, c.after, c.after_low, c.after_high)));
 }
 
+namespace {
+
+/// What is told together: an experiment, a scheme, and whether it is a number that has moved. Verdicts stand alone.
+bool together(const change& a, const change& b) {
+  const auto number = [](const change& c) { return c.text_before.empty() && c.text_after.empty(); };
+  return a.experiment == b.experiment && a.scheme == b.scheme && number(a) && number(b);
+}
+
+/// How far a number has moved, as a factor.
+double factor_of(const change& c) {
+  const double ratio = std::fabs(c.after.value_or(0) / c.before.value_or(0));
+  return ratio > 0 && std::isfinite(ratio) ? std::fabs(std::log(ratio)) : HUGE_VAL;
+}
+
+/// One line a cause: of the numbers of a scheme in an experiment the one that moved most, and how many with it.
+std::vector<std::string> lines_of(const comparison& c, change_kind kind) {
+  struct cause {
+    const change* most;
+    std::size_t count = 1;
+  };
+  std::vector<cause> causes;
+  for (const auto& x : c.changes) {
+    if (x.kind != kind) continue;
+    const auto known = std::ranges::find_if(causes, [&](const cause& one) { return together(*one.most, x); });
+    if (known == causes.end()) {
+      causes.push_back({&x});
+      continue;
+    }
+    ++known->count;
+    if (factor_of(x) > factor_of(*known->most)) known->most = &x;
+  }
+  std::vector<std::string> out;
+  for (const auto& one : causes) {
+    out.push_back(line_of(*one.most));
+    if (one.count > 1) out.back() += fmt::format("; and {} more of its numbers", one.count - 1);
+  }
+  return out;
+}
+
+}  // namespace
+
 std::string to_text(const comparison& c, std::size_t most) {
   std::string out = fmt::format("{}: {} claims and {} numbers compared", one_line(c.scene), c.claims, c.numbers);
   if (c.timings > 0) out += fmt::format(", {} timings", c.timings);
@@ -55,10 +99,9 @@ std::string to_text(const comparison& c, std::size_t most) {
     const auto all = std::ranges::count(c.changes, kind, &change::kind);
     if (all == 0) continue;
     out += fmt::format("\n{}: {}\n", heading_of(kind), all);
-    std::size_t shown_lines = 0;
-    for (const auto& x : c.changes)
-      if (x.kind == kind && shown_lines++ < most) out += fmt::format("  {}\n", line_of(x));
-    if (shown_lines > most) out += fmt::format("  … and {} more (--format json has all)\n", shown_lines - most);
+    const auto lines = lines_of(c, kind);
+    for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) out += fmt::format("  {}\n", lines[i]);
+    if (lines.size() > most) out += fmt::format("  … and {} more (--format json has all)\n", lines.size() - most);
   }
   if (c.changes.empty()) out += "nothing has changed beyond noise\n";
   return out;

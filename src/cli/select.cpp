@@ -1,5 +1,6 @@
 // polhode select: the cheapest scheme and step that meet a target on a scene, with the evidence.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <limits>
@@ -17,14 +18,25 @@ namespace {
 constexpr int nothing_meets_it = 3;
 
 struct arguments {
-  std::string scene = "paper", goal, tolerance, observable = "energy", time, require, threads, seed = "1", isa = "auto",
+  std::string scene = "paper", goal, tolerance, observable = "all", time, require, threads, seed = "1", isa = "auto",
               format = "text";
 };
 
 nlohmann::ordered_json json_of(const choice& c) {
-  return {{"scheme", c.scheme},      {"dt", c.dt},       {"predicted", c.predicted},        {"checked", c.checked},
-          {"bound", c.bound},        {"order", c.order}, {"cost_ns_per_unit_time", c.cost}, {"cost_low", c.cost_low},
-          {"cost_high", c.cost_high}};
+  return {{"scheme", c.scheme},
+          {"dt", c.dt},
+          {"predicted", c.predicted},
+          {"checked", c.checked},
+          {"bound", c.bound},
+          {"order", c.order},
+          {"cost_ns_per_unit_time", c.cost},
+          {"cost_low", c.cost_low},
+          {"cost_high", c.cost_high},
+          {"checked_to", c.checked_to}};
+}
+
+nlohmann::ordered_json json_of(const observable_error& e) {
+  return {{"observable", e.observable}, {"error", e.value}, {"bound", e.bound()}, {"time", e.time}};
 }
 
 std::string json_of(const selection& s) {
@@ -32,8 +44,11 @@ std::string json_of(const selection& s) {
                              {"tolerance", s.question.tolerance},
                              {"observable", s.question.observable},
                              {"time", s.question.time},
+                             {"unit", s.unit},
                              {"scheme", nullptr}};
   if (s.winner) out.update(json_of(*s.winner));
+  out["worst_observable"] = s.worst_observable ? json_of(*s.worst_observable) : nlohmann::ordered_json();
+  out["silent_on"] = s.silent_on;
   out["tied"] = s.tied;
   out["runner_up"] = s.runner_up ? json_of(*s.runner_up) : nlohmann::ordered_json();
   if (!s.winner) {
@@ -49,9 +64,22 @@ std::string json_of(const selection& s) {
 
 std::string line_of(const choice& c) {
   return fmt::format(
-      "{} at dt = {:.4g}: error {:.2g}, at most {:.2g} (predicted {:.2g}); {:.3g} ns a path and unit of "
-      "time\n",
-      c.scheme, c.dt, c.checked, c.bound, c.predicted, c.cost);
+      "{} at dt = {:.4g}: error {:.2g}, at most {:.2g} from there down to dt = {:.2g} (predicted {:.2g}); {:.3g} ns a "
+      "path and unit of time\n",
+      c.scheme, c.dt, c.checked, c.bound, c.checked_to, c.predicted, c.cost);
+}
+
+/// What the winner's errors are of, and what they say nothing about.
+std::string scope_of(const selection& s) {
+  if (!s.worst_observable) return "";
+  const auto& w = *s.worst_observable;
+  const auto when = w.time > 0 ? fmt::format(" at t = {:.3g}", w.time) : "";
+  if (s.silent_on.empty()) return fmt::format("the worst observable is {}: {:.2g}{}\n", w.observable, w.bound(), when);
+  return fmt::format("of {} alone; silent on {}, of which the worst is {}: {:.2g}{}{}\n", s.question.observable,
+                     fmt::join(s.silent_on, ", "), w.observable, w.bound(), when,
+                     w.bound() > s.question.tolerance
+                         ? fmt::format(", {:.2g} times the tolerance", w.bound() / s.question.tolerance)
+                         : "");
 }
 
 std::string text_of(const selection& s) {
@@ -68,7 +96,7 @@ std::string text_of(const selection& s) {
   } else {
     out += fmt::format("nothing meets {} {:g}: {}\n", s.question.name, s.question.tolerance, s.reason);
   }
-  out += '\n';
+  out += '\n' + scope_of(s);
   for (const auto& n : s.notes) out += n + '\n';
   for (const auto& r : s.rejected) out += fmt::format("  {:<20} {}\n", r.scheme, r.reason);
   return s.snippet.empty() ? out : out + '\n' + s.snippet;
@@ -99,8 +127,12 @@ command add_select(CLI::App& app) {
   auto* parser = app.add_subcommand("select", "The cheapest scheme and step for a target, measured on a scene");
   parser->add_option("SCENE", given->scene, "A built-in name or a TOML file [paper]")->type_name("");
   parser->add_option("--goal", given->goal, "strong, weak, stationary, energy")->type_name("G");
-  parser->add_option("--tolerance", given->tolerance, "Of the error")->type_name("X");
-  parser->add_option("--observable", given->observable, "Of weak and stationary [energy]")->type_name("NAME");
+  parser
+      ->add_option("--tolerance", given->tolerance,
+                   "Of the error, in units of the observable's size, of |Pi_0| or of h_0")
+      ->type_name("X");
+  parser->add_option("--observable", given->observable, "Of weak and stationary: one alone [all: the worst]")
+      ->type_name("NAME");
   parser->add_option("--time", given->time, "Of strong, weak and energy [the horizon]")->type_name("T");
   parser->add_option("--require", given->require, "casimir-exact,explicit,implicit,no-areas,monotone-energy")
       ->type_name("A,B");

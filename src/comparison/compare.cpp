@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "comparison/timings.hpp"
 #include "reports/model/errors.hpp"
 
 namespace polhode {
@@ -21,7 +22,7 @@ using report::measurement;
 using report::results;
 using report::verdict_kind;
 
-constexpr double level = 0.05, exact_agreement = 1e-9, timing_margin = 0.1;
+constexpr double level = 0.05, exact_agreement = 1e-9;
 
 using series_key = std::tuple<std::string, std::string, std::string, std::string>;
 series_key series_of(const auto& m) { return {m.experiment, m.scheme, m.quantity, m.observable}; }
@@ -70,7 +71,6 @@ bool of_unknown_noise(const pair_of_rows& p) {
 bool beyond_noise(const pair_of_rows& p, double z) {
   const double a = *p.before.value, b = *p.after.value;
   const double u = half_width(p.before), v = half_width(p.after);
-  if (timed(p.after)) return std::fabs(b - a) > u + v + timing_margin * std::max(std::fabs(a), std::fabs(b));
   const double rounding = exact_agreement * std::max(std::fabs(a), std::fabs(b));
   if (!sampled(p.after)) return std::fabs(b - a) > u + v + rounding;
   return std::fabs(b - a) > z / 1.96 * std::hypot(u, v) + rounding;
@@ -108,9 +108,8 @@ void compare_numbers(const results& before, const results& after, comparison& ou
   const double z =
       boost::math::quantile(boost::math::normal(), 1 - level / 2 / static_cast<double>(std::max<long>(n, 1)));
   for (const auto& p : rows) {
-    const bool timing = timed(p.after);
-    if (timing && !out.timings_left_out.empty()) continue;
-    ++(timing ? out.timings : of_unknown_noise(p) ? out.without_interval : out.numbers);
+    if (timed(p.after)) continue;  // timings.hpp
+    ++(of_unknown_noise(p) ? out.without_interval : out.numbers);
     if (of_unknown_noise(p)) continue;
     auto found = row_change(p);
     const bool error = errors.contains(series_of(p.after));
@@ -209,6 +208,7 @@ comparison compare(const results& before, const results& after) {
   compare_settings(before, after, out);
   compare_claims(before, after, out);
   compare_numbers(before, after, out);
+  compare_timings(before, after, out);
   std::ranges::stable_sort(out.changes, {}, &change::kind);
   return out;
 }

@@ -13,8 +13,8 @@ namespace polhode {
 ///              one without an interval is of unknown noise: counted apart, never called changed
 ///   copies     (method: the name of an experiment) are judged where they were measured
 ///   others     changed if their intervals of uncertainty are apart by more than 1e-9 of the number
-///   timings    on the same processor, instruction set, compiler and flags only: changed if their ranges are apart by
-///              more than a tenth; never a regression
+///   timings    on the same processor, instruction set, compiler and flags only, in units of the yardstick of their
+///              run, a scheme's together (timings.hpp); never a regression
 /// A number is an error, and its growth a regression, where its series is one to which an order is fitted.
 /// Throws input_error where the two are not of the same scene.
 report::comparison compare(const report::results& before, const report::results& after);

@@ -19,35 +19,49 @@ origin origin_of(const std::string& scheme) {
   return {scheme};
 }
 
+const scheme_entry* entry_of(const subject& s, const std::string& scheme) {
+  const auto found = std::ranges::find(s.schemes, scheme, [](const scheme_entry& e) { return e.info.name; });
+  return found == s.schemes.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
-price_list::price_list(const context& c) : context_(c), still_(c.subject.without_noise()) {}
+price_list::price_list(const context& c)
+    : still_(c.subject.without_noise()),
+      noisy_context_{c.subject, c.effort, 1, c.seed, c.generator},
+      still_context_{still_, c.effort, 1, c.seed, c.generator} {}
 
-std::optional<price> price_list::of_path(const std::string& scheme, double dt, bool silent) {
+void price_list::want(const std::string& scheme, double dt, bool silent) {
+  const auto from = origin_of(scheme);
+  if (!entry_of(noisy_context_.subject, from.scheme)) return;
+  for (int run = 0; run < from.runs; ++run, dt /= 2) known_.try_emplace({from.scheme, dt, silent});
+}
+
+void price_list::measure() {
+  std::vector<priced_step> steps;
+  for (const auto& [k, _] : known_) {
+    const auto& [scheme, dt, silent] = k;
+    const auto& where = silent ? still_context_ : noisy_context_;
+    steps.push_back({&where, entry_of(where.subject, scheme), dt});
+  }
+  const auto costs = costs_of_steps(steps, &yardstick_);
+  std::size_t i = 0;
+  for (auto& [_, cost] : known_) cost = costs[i++];
+}
+
+std::optional<price> price_list::of_path(const std::string& scheme, double dt, bool silent) const {
   const auto from = origin_of(scheme);
   price sum;
   for (int run = 0; run < from.runs; ++run, dt /= 2) {
-    const auto step = of_step(from.scheme, dt, silent);
-    if (!step) return std::nullopt;
+    const auto step = known_.find({from.scheme, dt, silent});
+    if (step == known_.end()) return std::nullopt;
     sum.steps += 1 / dt;
-    sum.normals += step->normals / dt;
-    sum.ns += step->ns / dt;
-    sum.low += step->low / dt;
-    sum.high += step->high / dt;
+    sum.normals += step->second.normals / dt;
+    sum.ns += step->second.ns / dt;
+    sum.low += step->second.low / dt;
+    sum.high += step->second.high / dt;
   }
   return sum;
-}
-
-std::optional<step_cost> price_list::of_step(const std::string& scheme, double dt, bool silent) {
-  const auto& s = silent ? still_ : context_.subject;
-  const auto entry = std::ranges::find(s.schemes, scheme, [](const scheme_entry& e) { return e.info.name; });
-  if (entry == s.schemes.end()) return std::nullopt;
-  const auto [at, is_new] = known_.try_emplace({scheme, dt, silent});
-  if (is_new) {
-    const context c{s, context_.effort, 1, context_.seed, context_.generator};
-    at->second = cost_of_step(c, *entry, dt);
-  }
-  return at->second;
 }
 
 }  // namespace polhode

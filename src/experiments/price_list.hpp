@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "experiments/step_cost.hpp"
 
@@ -19,15 +20,22 @@ class price_list {
  public:
   explicit price_list(const context&);
 
-  /// A combination over step sizes pays for all its runs, with dt, dt/2, …. None for a scheme that is not run here.
-  std::optional<price> of_path(const std::string& scheme, double dt, bool silent);
+  /// What of_path will be asked; a scheme that is not run here is passed over.
+  void want(const std::string& scheme, double dt, bool silent);
+  /// Measures all that is wanted, interleaved (step_cost.hpp).
+  void measure();
+
+  /// A combination over step sizes pays for all its runs, with dt, dt/2, …. None for what was not wanted.
+  std::optional<price> of_path(const std::string& scheme, double dt, bool silent) const;
+  const yardstick_time& yardstick() const { return yardstick_; }
 
  private:
-  std::optional<step_cost> of_step(const std::string& scheme, double dt, bool silent);
+  using key = std::tuple<std::string, double, bool>;
 
-  const context& context_;
   subject still_;  ///< without noise
-  std::map<std::tuple<std::string, double, bool>, step_cost> known_;
+  context noisy_context_, still_context_;
+  std::map<key, step_cost> known_;
+  yardstick_time yardstick_;
 };
 
 }  // namespace polhode

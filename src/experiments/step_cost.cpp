@@ -7,13 +7,15 @@
 
 #include "ensemble/denormals.hpp"
 #include "ensemble/paths.hpp"
+#include "ensemble/yardstick.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr int chunk = 16,
-              chunks = 64;  // of a run; a fixed amount of work, so that what is counted does not depend on it
-constexpr int runs = 9, left_out = 2;  // of the sorted runs, at either end: those that were disturbed
+              chunks = 32;         // of a run; a fixed amount of work, so that what is counted does not depend on it
+constexpr int slots = 9, end = 1;  // the second of nine and the last but one hold their median in 96 of 100 cases
+constexpr int runs = 2;            // of a slot: the quicker one counts
 
 /// CPU time of this thread in ns: what others do on the machine is not in it.
 double thread_time() {
@@ -62,16 +64,78 @@ double normals_of(const model& m, bool areas) {
   return active + (areas && active > 1 ? pairs : 0);
 }
 
+/// The loop that never changes, on memory of its own.
+class yardstick {
+ public:
+  yardstick() : table_(3 * block_lanes * yardstick_rows), states_(3 * block_lanes, 0.57735), mixed_(2 * block_lanes) {
+    for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = 0.01 + 1e-5 * static_cast<double>(i % 97);
+    for (std::size_t i = 0; i < mixed_.size(); ++i) mixed_[i] = static_cast<std::uint32_t>(i);
+    run();
+  }
+
+  /// ns a path and step.
+  double run() {
+    double best = HUGE_VAL;
+    for (int i = 0; i < runs; ++i) {
+      const double begin = thread_time();
+      run_yardstick({chunk * chunks, table_.data(), states_.data(), mixed_.data()});
+      best = std::min(best, (thread_time() - begin) / (double{chunk} * chunks * block_lanes));
+    }
+    return best;
+  }
+
+ private:
+  std::vector<double> table_, states_;
+  std::vector<std::uint32_t> mixed_;
+};
+
+/// ns a path and step of one slot, its memory at another place than that of the slots before.
+double time_of_slot(const priced_step& step, int slot) {
+  const std::vector<double> elsewhere(static_cast<std::size_t>(1 + 520 * slot));
+  [[maybe_unused]] const volatile double kept = elsewhere.back();
+  timed_block block(*step.where, *step.scheme, step.dt);
+  block.run();  // warms the caches
+  double best = HUGE_VAL;
+  for (int i = 0; i < runs; ++i) best = std::min(best, block.run());
+  return best;
+}
+
+/// Sorts; of nine values the median and its interval.
+std::array<double, 3> median_of(std::array<double, slots>& ratios) {
+  std::ranges::sort(ratios);
+  return {ratios[slots / 2], ratios[end], ratios[slots - 1 - end]};
+}
+
 }  // namespace
 
-step_cost cost_of_step(const context& c, const scheme_entry& scheme, double dt) {
+std::vector<step_cost> costs_of_steps(const std::vector<priced_step>& steps, yardstick_time* time) {
   const flush_denormals flushed;
-  timed_block block(c, scheme, dt);
-  block.run();  // warms the caches
-  std::array<double, runs> ns{};
-  for (double& one : ns) one = block.run();
-  std::ranges::sort(ns);
-  return {ns[runs / 2], ns[left_out], ns[runs - 1 - left_out], normals_of(*c.subject.model, scheme.needs_areas)};
+  std::vector<std::array<double, slots>> ratios(steps.size());
+  std::vector<double> yards;
+  yardstick yard;
+  for (int slot = 0; slot < slots; ++slot) {
+    double before = yard.run();
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const double own = time_of_slot(steps[i], slot), after = yard.run();
+      ratios[i][static_cast<std::size_t>(slot)] = own / std::sqrt(before * after);
+      yards.push_back(before = after);
+    }
+  }
+  if (yards.empty()) return {};
+  std::ranges::sort(yards);
+  const double unit = yards[yards.size() / 2];
+  if (time) *time = {unit, yards[yards.size() / 4], yards[3 * yards.size() / 4]};
+  std::vector<step_cost> out;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const auto [median, low, high] = median_of(ratios[i]);
+    out.push_back({unit * median, unit * low, unit * high,
+                   normals_of(*steps[i].where->subject.model, steps[i].scheme->needs_areas)});
+  }
+  return out;
+}
+
+step_cost cost_of_step(const context& c, const scheme_entry& scheme, double dt) {
+  return costs_of_steps({{&c, &scheme, dt}}).front();
 }
 
 double ns_per_normal(const context& c) {
@@ -79,14 +143,14 @@ double ns_per_normal(const context& c) {
   if (active == 0) return 0;
   const flush_denormals flushed;
   increment_buffer noise(*c.subject.model, chunk, false, {c.generator, noise_quality::fast});
-  std::array<double, runs> ns{};
+  std::array<double, slots> ns{};
   for (double& one : ns) {
     const double begin = thread_time();
     for (int i = 0; i < chunks; ++i) noise.fill(c.seed, 0, static_cast<std::uint64_t>(i) * chunk, chunk, 1);
     one = (thread_time() - begin) / (double{chunk} * chunks * block_lanes * active);
   }
   std::ranges::sort(ns);
-  return ns[runs / 2];
+  return ns[slots / 2];
 }
 
 }  // namespace polhode

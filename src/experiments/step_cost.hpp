@@ -1,17 +1,40 @@
 // What one step of a scheme costs on a scene: measured in this run on this machine, and counted.
+//
+// A machine is never quiet. So every measurement stands between two of a loop that never changes (yardstick.hpp), and
+// is its ratio to them: what slows both drops out. It is repeated in `slots` that lie apart, each with its memory anew,
+// and the interval is that of the median over the slots: it holds what changes from slot to slot, besides what changes
+// inside one. ns are the ratio times the yardstick's own time, the median of the run.
 #pragma once
+
+#include <array>
+#include <vector>
 
 #include "experiments/experiment.hpp"
 
 namespace polhode {
 
 struct step_cost {
-  double ns = 0, low = 0,
-         high = 0;     ///< CPU time a path and step, one thread: the median of several runs, and their range
-  double normals = 0;  ///< drawn a path and step
+  double ns = 0, low = 0, high = 0;  ///< CPU time a path and step, one thread: median over the slots, 95 % interval
+  double normals = 0;                ///< drawn a path and step
 };
 
-/// Of independent paths through the pack kernels, their noise included (fast normals); takes some milliseconds.
+/// The yardstick's own time a path and step, of one run of the program.
+struct yardstick_time {
+  double ns = 0, low = 0, high = 0;  ///< median, and the range of the middle half
+};
+
+/// One scheme at one dt, to be priced.
+struct priced_step {
+  const context* where;
+  const scheme_entry* scheme;
+  double dt;
+};
+
+/// Prices all of them, a slot of each in turn. Of independent paths through the pack kernels, their noise included
+/// (fast normals); a slot takes below a millisecond.
+std::vector<step_cost> costs_of_steps(const std::vector<priced_step>&, yardstick_time* = nullptr);
+
+/// The same of one alone.
 step_cost cost_of_step(const context&, const scheme_entry&, double dt);
 
 /// ns a normal of the scene's noise, drawn alone; 0 without noise.

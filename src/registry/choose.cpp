@@ -30,7 +30,7 @@ selection select(const scene& s, const select_options& o) {
   apply_isa(o.isa);
   if (o.goal.empty()) throw input_error(fmt::format("--goal is missing; accepted: {}", fmt::join(goals, ", ")));
   check_name("--goal", o.goal, goals);
-  std::vector<std::string> observables;
+  std::vector<std::string> observables{std::string(all_observables)};
   for (const auto& entry : list_observables()) observables.push_back(entry.name);
   check_name("--observable", o.observable, observables);
   if (o.time && !(*o.time > 0 && std::isfinite(*o.time)))

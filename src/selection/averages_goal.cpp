@@ -1,6 +1,7 @@
-// Averages, after a time or at equilibrium: by transfer operators, nothing sampled.
+// Averages, up to a time or at equilibrium, each in its own size: by transfer operators, nothing sampled.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "experiments/transfer_report.hpp"
@@ -10,29 +11,23 @@
 namespace polhode {
 namespace {
 
-constexpr double tolerance = 0.02, extrapolated_tolerance = 1e-6;  // of an error
+constexpr double tolerance = 0.02, rough_tolerance = 0.1, extrapolated_tolerance = 1e-6;  // of an error
 constexpr const extrapolation& combination = extrapolations.front();
 constexpr double reference_accuracy = 1e-12, rounding = 1e-12;  // of the observable's size
 
-class averages_goal final : public goal {
+/// What of an observable's truth is uncertain, in units of its size.
+double most_uncertain(const law_observables& all, const Eigen::VectorXd& uncertainty, const std::string& asked) {
+  double out = 0;
+  for (Eigen::Index i = 0; i < all.count(); ++i)
+    if (asked == all_observables || asked == all.names[static_cast<std::size_t>(i)])
+      out = std::max(out, uncertainty[i] / all.size[i]);
+  return out;
+}
+
+/// Weak and stationary: what differs between them is where the errors come from.
+class averages_goal : public goal {
  public:
-  averages_goal(const context& c, const goal_question& q)
-      : context_(c), question_(q), stationary_(q.name == "stationary"), problem_(*sphere_problem_of(c.subject)) {
-    const auto f = named_observable(q.observable, c.subject.scene.inertia);
-    if (!f) throw input_error(fmt::format("--observable '{}': not known; see polhode list observables", q.observable));
-    function_ = *f;
-    const auto& momentum = c.subject.scene.momentum;
-    start_ = Eigen::Map<const Eigen::Vector3d>(momentum.data());
-    scale_ = std::max(std::fabs(function_(start_)), 1e-3 * problem_.radius * problem_.radius);
-    const auto truth = stationary_ ? mean(problem_, stationary(problem_, reference_accuracy), function_)
-                                   : expectation(problem_, function_, start_, q.time, reference_accuracy * scale_);
-    if (q.tolerance >= 10 * floor() && (!truth.value || truth.uncertainty > q.tolerance / 20))
-      throw input_error(fmt::format("scene {}: the true average of {} is {}; a tolerance of {:g} cannot be checked",
-                                    c.subject.scene.name, q.observable,
-                                    truth.value ? fmt::format("known to {:.1e} only", truth.uncertainty) : truth.reason,
-                                    q.tolerance));
-    truth_ = truth;
-  }
+  averages_goal(const context& c, const goal_question& q) : context_(c), question_(q) {}
 
   std::vector<candidate> candidates(const subject& s) const override {
     std::vector<candidate> out;
@@ -45,61 +40,132 @@ class averages_goal final : public goal {
     return out;
   }
 
-  std::optional<std::string> cannot_ask(const candidate& c) const override {
-    if (stationary_ && !c.scheme.info.casimir.exact) return "leaves the sphere, so it has no stationary law there";
-    return std::nullopt;
-  }
-
   error_estimate error(const candidate& c, double dt, std::uint64_t) const override {
-    error_table found{c.name, {}, {}, {}};
-    found.add(dt, answer(c, dt));
-    if (c.combination != nullptr) {
-      for (int i = 1; i < c.combination->levels(); ++i) found.add(dt / (1 << i), answer(c, dt / (1 << i)));
-      found = extrapolate(found, *c.combination);
-    }
-    return {std::fabs(found.error[0][0]), found.uncertainty[0][0] + truth_.uncertainty};
+    return resolved_to(tolerance, c, dt);
+  }
+  error_estimate rough_error(const candidate& c, double dt, std::uint64_t) const override {
+    return resolved_to(rough_tolerance, c, dt);
   }
 
-  double floor() const override { return rounding * scale_; }
-  double longest_step() const override { return stationary_ ? 4 / fastest_rate(context_.subject) : question_.time; }
+  double floor() const override { return rounding; }
+  std::string unit() const override { return "root mean square of each observable over the sphere"; }
 
-  std::vector<std::string> notes() const override {
-    std::vector<std::string> out{fmt::format("true {} of {}: {:.10g} (+- {:.1e})",
-                                             stationary_ ? "stationary mean" : "mean", question_.observable,
-                                             *truth_.value, truth_.uncertainty)};
-    if (stationary_ && context_.subject.model->noise() != noise_class::isotropic)
-      out.push_back(
-          "the noise is not isotropic: no Gibbs law holds, and no temperature; the mean above is that of the "
-          "true stationary law");
+ protected:
+  virtual const law_observables& observables() const = 0;
+  virtual law_error law_error_at(const candidate&, double dt, double relative, std::int64_t finer) const = 0;
+
+  error_estimate resolved_to(double relative, const candidate& c, double dt) const {
+    if (c.combination != nullptr) return worst_asked(combined(relative, c, dt).worst_in_time(observables()));
+    return worst_asked(law_error_at(c, dt, relative, 1).worst_in_time(observables()));
+  }
+
+  /// What is left after the leading powers have dropped out is small against the errors themselves: these are resolved
+  /// to a share of the tolerance asked for.
+  law_error combined(double relative, const candidate& c, double dt) const {
+    auto found = law_error_at(c, dt, rough_tolerance, 1);
+    const double share = relative * question_.tolerance / found.error.cwiseAbs().maxCoeff();
+    const double needed = std::isfinite(share) ? std::clamp(share, extrapolated_tolerance, tolerance) : tolerance;
+    error_table table{c.name, {}, {}, {}};
+    for (int i = 0; i < c.combination->levels(); ++i) {
+      const auto level = law_error_at(c, dt / (1 << i), needed, 1 << i);
+      table.add(dt / (1 << i), {level.error, level.uncertainty, true});
+    }
+    table = extrapolate(table, *c.combination);
+    found.error = table.error[0];
+    found.uncertainty = table.uncertainty[0];
+    return found;
+  }
+
+  error_estimate worst_asked(std::vector<observable_error> all) const {
+    error_estimate out{0, 0, std::move(all)};
+    for (const auto& o : out.observed)
+      if (asked(o.observable) && std::isfinite(out.bound()) && !(o.bound() <= out.bound())) {
+        out.value = o.value;
+        out.uncertainty = o.uncertainty;
+      }
     return out;
   }
 
- private:
-  transfer_answer answer(const candidate& c, double dt) const {
-    const auto steps = static_cast<std::int64_t>(std::lround((stationary_ ? 1 : question_.time) / dt));
-    const transfer_question q{[&](const transfer_operator& op) -> Eigen::VectorXd {
-                                const auto law = stationary_ ? op.stationary_law() : op.law_after(start_, steps);
-                                return Eigen::VectorXd::Constant(1, law.dot(op.basis.coefficients(function_)));
-                              },
-                              {Eigen::VectorXd::Constant(1, *truth_.value), Eigen::VectorXd::Constant(1, scale_),
-                               c.combination != nullptr ? extrapolated_tolerance : tolerance}};
-    return refine(context_.subject, c.scheme, dt, std::max<std::int64_t>(steps, 1), q);
+  bool asked(const std::string& name) const {
+    return question_.observable == all_observables || question_.observable == name;
+  }
+  void refuse_uncertain(double uncertainty, const std::string& reason) const {
+    if (question_.tolerance < 10 * floor() || uncertainty <= question_.tolerance / 20) return;
+    throw input_error(fmt::format(
+        "scene {}: the true averages are {}; a tolerance of {:g} cannot be checked", context_.subject.scene.name,
+        reason.empty() ? fmt::format("known to {:.1e} of their size only", uncertainty) : reason, question_.tolerance));
   }
 
   context context_;
   goal_question question_;
-  bool stationary_;
-  sphere_problem problem_;
-  sphere_function function_;
-  Eigen::Vector3d start_;
-  double scale_ = 1;
-  reference_value truth_;
+};
+
+class weak_goal final : public averages_goal {
+ public:
+  weak_goal(const context& c, const goal_question& q)
+      : averages_goal(c, q), law_(context_.subject, q.time, reference_accuracy) {
+    refuse_uncertain(most_uncertain(law_.observables(), law_.truth().uncertainty(), q.observable),
+                     law_.truth().reason());
+  }
+  double longest_step() const override { return question_.time; }
+  std::vector<std::string> notes() const override {
+    return {
+        fmt::format("the worst of {} at every step up to t = {:g}, each in units of its root mean square over the "
+                    "sphere; true averages known to {:.0e} of that",
+                    question_.observable == all_observables ? "all observables" : question_.observable, question_.time,
+                    most_uncertain(law_.observables(), law_.truth().uncertainty(), question_.observable))};
+  }
+
+ private:
+  const law_observables& observables() const override { return law_.observables(); }
+  law_error law_error_at(const candidate& c, double dt, double relative, std::int64_t finer) const override {
+    return law_.error(c.scheme, dt, relative, finer);
+  }
+  weak_law law_;
+};
+
+class stationary_goal final : public averages_goal {
+ public:
+  stationary_goal(const context& c, const goal_question& q)
+      : averages_goal(c, q), law_(context_.subject, reference_accuracy) {
+    refuse_uncertain(
+        law_.reason().empty() ? most_uncertain(law_.observables(), law_.uncertainty(), q.observable) : HUGE_VAL,
+        law_.reason());
+  }
+  std::optional<std::string> cannot_ask(const candidate& c) const override {
+    if (!c.scheme.info.casimir.exact) return "leaves the sphere, so it has no stationary law there";
+    return std::nullopt;
+  }
+  double longest_step() const override { return 4 / fastest_rate(context_.subject); }
+  std::vector<std::string> notes() const override {
+    std::vector<std::string> out{
+        fmt::format("the worst of {} under the scheme's own stationary law, each in units of its root mean square over "
+                    "the sphere; true averages known to {:.0e} of that",
+                    question_.observable == all_observables ? "all observables" : question_.observable,
+                    most_uncertain(law_.observables(), law_.uncertainty(), question_.observable))};
+    if (context_.subject.model->noise() != noise_class::isotropic)
+      out.push_back(
+          "the noise is not isotropic: no Gibbs law holds, and no temperature; the true averages are those of the true "
+          "stationary law");
+    return out;
+  }
+
+ private:
+  const law_observables& observables() const override { return law_.observables(); }
+  law_error law_error_at(const candidate& c, double dt, double relative, std::int64_t) const override {
+    return law_.error(c.scheme, dt, relative);
+  }
+  equilibrium_law law_;
 };
 
 }  // namespace
 
 std::unique_ptr<goal> make_averages_goal(const context& c, const goal_question& q) {
-  return std::make_unique<averages_goal>(c, q);
+  const auto names = every_observable(c.subject).names;
+  if (q.observable != all_observables && std::ranges::find(names, q.observable) == names.end())
+    throw input_error(fmt::format("--observable '{}': not known; see polhode list observables", q.observable));
+  if (q.name == "weak") return std::make_unique<weak_goal>(c, q);
+  return std::make_unique<stationary_goal>(c, q);
 }
 
 }  // namespace polhode

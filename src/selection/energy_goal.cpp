@@ -1,4 +1,4 @@
-// The energy law without noise: the largest distance of h from that of the true path, at eight times.
+// The energy law without noise: the largest distance of h from that of the true path, at eight times, in units of h_0.
 #include <cmath>
 
 #include "ensemble/paths.hpp"
@@ -10,11 +10,14 @@ namespace polhode {
 namespace {
 
 constexpr int times = 8;
-constexpr double rounding = 1e-13;  // of h
+constexpr double rounding = 1e-13;
 
 class energy_goal final : public goal {
  public:
-  energy_goal(const context& c, const goal_question& q) : still_(c.subject.without_noise()), time_(q.time) {}
+  energy_goal(const context& c, const goal_question& q)
+      : still_(c.subject.without_noise()),
+        time_(q.time),
+        unit_(std::max(std::fabs(still_.model->energy(still_.scene.momentum)), 1e-300)) {}
 
   std::vector<candidate> candidates(const subject&) const override {
     std::vector<candidate> out;
@@ -38,11 +41,12 @@ class energy_goal final : public goal {
       worst = std::isfinite(h) ? std::max(worst, std::fabs(h - true_energy(static_cast<double>(done) * dt))) : h;
       if (!std::isfinite(h)) break;
     }
-    return {worst, floor()};
+    return {worst / unit_, floor()};
   }
 
-  double floor() const override { return rounding * std::fabs(still_.model->energy(still_.scene.momentum)); }
+  double floor() const override { return rounding; }
   double longest_step() const override { return time_; }
+  std::string unit() const override { return "h_0"; }
   std::vector<std::string> notes() const override {
     return {
         "the energy law is that of the motion without noise; what noise does to the energy is goal weak or "
@@ -57,7 +61,7 @@ class energy_goal final : public goal {
   }
 
   subject still_;
-  double time_;
+  double time_, unit_;
 };
 
 }  // namespace

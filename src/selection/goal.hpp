@@ -9,6 +9,7 @@
 
 #include "experiments/experiment.hpp"
 #include "experiments/extrapolation.hpp"
+#include "experiments/law_errors.hpp"
 
 namespace polhode {
 
@@ -23,9 +24,11 @@ struct candidate {
   double runs() const { return combination != nullptr ? combination->runs() : 1; }
 };
 
-/// An error with the half-width of its 95 % interval (0 where nothing is sampled and all is resolved).
+/// An error with the half-width of its 95 % interval (0 where nothing is sampled and all is resolved): the worst of
+/// those asked for.
 struct error_estimate {
   double value = 0, uncertainty = 0;
+  std::vector<observable_error> observed = {};  ///< of averages: every observable, asked for or not
   double bound() const { return value + uncertainty; }
 };
 
@@ -37,20 +40,29 @@ class goal {
   virtual std::optional<std::string> cannot_ask(const candidate&) const { return std::nullopt; }
   /// The error at dt, sampled (where it is) with this seed. Not finite where the scheme fails there.
   virtual error_estimate error(const candidate&, double dt, std::uint64_t seed) const = 0;
+  /// The same, less certain and cheaper: for a first guess, and for whether a shorter step is worse.
+  virtual error_estimate rough_error(const candidate& c, double dt, std::uint64_t seed) const {
+    return error(c, dt, seed);
+  }
+  /// Between a step and a tenth of it: at how many is the error looked at?
+  virtual int rungs() const { return 8; }
   /// Can the error at dt be measured in seconds?
   virtual bool affordable(const candidate&, double dt) const { return longest_step() / dt <= 2e6; }
   /// Normals beyond the scheme's own that a step of it needs: for Levy areas that belong to the path.
   virtual double further_normals(const candidate&, double) const { return 0; }
   virtual double floor() const = 0;         ///< errors below it are rounding
   virtual double longest_step() const = 0;  ///< beyond it a step has no meaning
+  virtual std::string unit() const = 0;     ///< of errors and tolerance
   virtual std::vector<std::string> notes() const { return {}; }
 };
 
+inline constexpr std::string_view all_observables = "all";
+
 struct goal_question {
   std::string name;        ///< strong, weak, stationary or energy
-  std::string observable;  ///< of weak and stationary
+  std::string observable;  ///< of weak and stationary: one, or all
   double time = 0;         ///< of strong, weak and energy
-  double tolerance = 0;
+  double tolerance = 0;    ///< in the goal's unit
 };
 
 /// Throws input_error where the scene leaves the goal without meaning, and says what to ask instead.

@@ -1,4 +1,4 @@
-// The path itself: root-mean-square distance after a time from the path driven by the same noise.
+// The path itself: root-mean-square distance after a time from the path driven by the same noise, in units of |mu_0|.
 #include <algorithm>
 #include <cmath>
 
@@ -10,9 +10,9 @@
 namespace polhode {
 namespace {
 
-constexpr int paths = 512, fewest_cells = 8, plain_cells = 32;
+constexpr int paths = 512, rough_paths = 64, fewest_cells = 8, plain_cells = 32;
 constexpr double most_cells = 4e8;  // of a check: some seconds
-constexpr double rounding = 1e-12;  // of |mu|
+constexpr double rounding = 1e-12;
 constexpr double quantile = 1.96;
 
 class path_goal final : public goal {
@@ -28,19 +28,13 @@ class path_goal final : public goal {
   }
 
   error_estimate error(const candidate& c, double dt, std::uint64_t seed) const override {
-    const auto stepper = c.scheme.make(dt);
-    const level_grid grid{time_, {static_cast<int>(std::lround(time_ / dt))}};
-    std::vector<double> square(paths);
-    parallel_for(context_.threads, paths / block_lanes,
-                 [&](int block) { run_block(*stepper, grid, cells(c, dt), seed, block * block_lanes, square); });
-    double sum = 0, squares = 0;
-    for (const double x : square) {
-      sum += x;
-      squares += x * x;
-    }
-    const double mean = sum / paths, error = std::sqrt(std::max(0.0, squares / paths - mean * mean) / (paths - 1));
-    return {std::sqrt(mean), std::sqrt(mean + quantile * error) - std::sqrt(mean)};
+    return sampled(c, dt, seed, paths);
   }
+  error_estimate rough_error(const candidate& c, double dt, std::uint64_t seed) const override {
+    return sampled(c, dt, seed, rough_paths);
+  }
+  /// A mean square falls with dt but for terms of higher order: a few steps tell.
+  int rungs() const override { return 3; }
 
   bool affordable(const candidate& c, double dt) const override {
     return time_ / dt * cells(c, dt) * paths <= most_cells;
@@ -51,8 +45,9 @@ class path_goal final : public goal {
     return c.scheme.needs_areas && channels > 1 ? (cells(c, dt) - 1.0) * channels : 0;
   }
 
-  double floor() const override { return rounding * length(context_.subject.scene.momentum); }
+  double floor() const override { return rounding; }
   double longest_step() const override { return time_; }
+  std::string unit() const override { return "|Pi_0|"; }
 
   std::vector<std::string> notes() const override {
     return {
@@ -61,6 +56,22 @@ class path_goal final : public goal {
   }
 
  private:
+  error_estimate sampled(const candidate& c, double dt, std::uint64_t seed, int count) const {
+    const auto stepper = c.scheme.make(dt);
+    const level_grid grid{time_, {static_cast<int>(std::lround(time_ / dt))}};
+    std::vector<double> square(static_cast<std::size_t>(count));
+    parallel_for(context_.threads, count / block_lanes,
+                 [&](int block) { run_block(*stepper, grid, cells(c, dt), seed, block * block_lanes, square); });
+    double sum = 0, squares = 0;
+    for (const double x : square) {
+      sum += x;
+      squares += x * x;
+    }
+    const double mean = sum / count, error = std::sqrt(std::max(0.0, squares / count - mean * mean) / (count - 1));
+    const double unit = length(context_.subject.scene.momentum), value = std::sqrt(mean) / unit;
+    return {value, std::sqrt(mean + quantile * error) / unit - value};
+  }
+
   /// Areas of order one need about 1/dt cells, as those of a step are known to dt / sqrt(cells). A scheme without areas
   /// misses what the cells know of them: all but 1/cells of the mean square.
   int cells(const candidate& c, double dt) const {

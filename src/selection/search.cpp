@@ -14,7 +14,8 @@ namespace {
 
 constexpr double coarsest = 0.5;  // of the fastest time scale
 constexpr double share = 0.9;     // of the tolerance that is aimed at
-constexpr int most_tries = 6;
+constexpr int most_tries = 10;
+constexpr double shortest = 0.1;  // of a step: down to there the tolerance is to be met
 constexpr double generous = 0.5;  // of the tolerance: a longer step is worth a try
 
 }  // namespace
@@ -39,7 +40,8 @@ prospect search::predict(const candidate& who) const {
   }
   double dt = whole_steps(coarsest / rate_);
   std::array<double, 3> error{};
-  for (int i = 0; i < 3; ++i) error[static_cast<std::size_t>(i)] = goal_.error(who, dt / (1 << i), context_.seed).value;
+  for (int i = 0; i < 3; ++i)
+    error[static_cast<std::size_t>(i)] = goal_.rough_error(who, dt / (1 << i), context_.seed).value;
   dt /= 4;
   if (!std::isfinite(error[2])) {
     out.fault = fmt::format("not finite at dt = {:.3g}", dt);
@@ -52,6 +54,14 @@ prospect search::predict(const candidate& who) const {
   const double order = faster ? slope : who.order;
   out.law = error_law{std::max(error[2], least) / std::pow(dt, order), order};
   out.dt = whole_steps(out.law->step_for(share * question_.tolerance));
+  // Between measured steps, between what was measured.
+  for (int i = 1; i >= 0 && out.dt > dt; --i) {
+    const double coarse = error[static_cast<std::size_t>(i)], fine = error[static_cast<std::size_t>(i + 1)];
+    const double local = std::log2(coarse / fine), step = dt * (1 << (1 - i)), wanted = share * question_.tolerance;
+    if (!(local > 0) || !(fine <= wanted)) break;
+    if (coarse <= wanted && i > 0) continue;
+    out.dt = whole_steps(std::min(step * std::pow(wanted / fine, 1 / local), coarse <= wanted ? HUGE_VAL : 2 * step));
+  }
   return out;
 }
 
@@ -67,6 +77,43 @@ void search::price(prospect& p) const {
   if (p.fault.empty()) p.cost = priced(p.who, p.dt).cost;
 }
 
+std::vector<double> search::rungs_below(double dt) const {
+  const int rungs = goal_.rungs();
+  std::vector<double> out;
+  for (int i = 0; i <= rungs; ++i) {
+    const double next = whole_steps(dt * std::pow(shortest, static_cast<double>(i) / rungs));
+    if (out.empty() || next < out.back()) out.push_back(next);
+  }
+  return out;
+}
+
+/// Of a parabola through three values at about equal distances, the middle one the largest.
+double peak(double before, double middle, double after) {
+  const double bend = before - 2 * middle + after, slope = (after - before) / 2;
+  return bend < 0 ? middle - slope * slope / (2 * bend) : middle;
+}
+
+descent search::look_below(const candidate& who, double dt, std::uint64_t seed) const {
+  descent out{dt, {}, 0, 0, dt};
+  std::vector<double> bounds;
+  for (const double step : rungs_below(dt)) {
+    if (step < dt && !goal_.affordable(who, step)) break;
+    const auto e = step == dt ? goal_.error(who, step, seed) : goal_.rough_error(who, step, seed);
+    if (step == dt) out.at_longest = e;
+    bounds.push_back(e.bound());
+    const std::size_t n = bounds.size();
+    const bool hill = n > 2 && bounds[n - 2] > bounds[n - 3] && bounds[n - 2] > bounds[n - 1];
+    const double highest = hill ? peak(bounds[n - 3], bounds[n - 2], bounds[n - 1]) : e.bound();
+    out.worst = std::isfinite(highest) ? std::max(out.worst, highest) : highest;
+    out.shortest = step;
+    if (!(highest <= question_.tolerance)) {
+      out.too_long = step;
+      break;
+    }
+  }
+  return out;
+}
+
 std::optional<choice> search::check(const prospect& p, std::string& fault) const {
   std::optional<choice> best;
   double dt = p.dt;
@@ -75,20 +122,23 @@ std::optional<choice> search::check(const prospect& p, std::string& fault) const
       if (!best) fault = fmt::format("needs about {:.1e} steps to be checked", goal_.longest_step() / dt);
       break;
     }
-    const auto e = goal_.error(p.who, dt, context_.seed + 1 + static_cast<std::uint64_t>(i));
-    const bool met = e.bound() <= question_.tolerance;
+    const auto seen = look_below(p.who, dt, context_.seed + 1 + static_cast<std::uint64_t>(i));
+    const bool met = seen.too_long == 0;
     if (met) {
       best = priced(p.who, dt);
       best->predicted = p.law->at(dt);
-      best->checked = e.value;
-      best->bound = e.bound();
+      best->checked = seen.at_longest.value;
+      best->bound = seen.worst;
+      best->checked_to = seen.shortest;
       best->order = p.law->order;
+      best->observed = seen.at_longest.observed;
     }
-    const bool longer = met && e.bound() < generous * question_.tolerance && i == 0 && dt < goal_.longest_step();
+    const bool longer = met && seen.worst < generous * question_.tolerance && i == 0 && dt < goal_.longest_step();
     if (best && !longer) break;
-    const double factor = std::pow(share * question_.tolerance / e.bound(), 1 / p.law->order);
-    dt = whole_steps(dt * (std::isfinite(factor) ? std::clamp(factor, 0.1, 4.0) : 0.25));
-    if (!best) fault = fmt::format("error {:.2g} at dt = {:.3g}", e.bound(), dt);
+    const double factor = std::pow(share * question_.tolerance / seen.worst, 1 / p.law->order);
+    const double from = met ? dt : seen.too_long;
+    if (!best) fault = fmt::format("error {:.2g} at dt = {:.3g}", seen.worst, from);
+    dt = whole_steps(from * (std::isfinite(factor) ? std::clamp(factor, 0.1, 4.0) : 0.25));
     if (best && dt <= best->dt) break;
   }
   return best;

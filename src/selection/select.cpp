@@ -85,6 +85,15 @@ void say_closest(const std::vector<prospect>& prospects, selection& out) {
   out.reason = "no scheme could be asked";
 }
 
+/// What the answer covers: all observables and which is the worst, or what it is silent on and the worst of that.
+void say_observables(const goal_question& q, const choice& winner, selection& out) {
+  for (const auto& o : winner.observed) {
+    const bool asked = q.observable == o.observable;
+    if (q.observable != all_observables && !asked) out.silent_on.push_back(o.observable);
+    if (!asked && (!out.worst_observable || o.bound() > out.worst_observable->bound())) out.worst_observable = o;
+  }
+}
+
 }  // namespace
 
 selection select(const context& c, const goal_question& q, const std::vector<std::string>& require) {
@@ -94,6 +103,7 @@ selection select(const context& c, const goal_question& q, const std::vector<std
   const search s(c, *goal, q);
   selection out;
   out.question = q;
+  out.unit = goal->unit();
   out.notes = goal->notes();
   auto prospects = prospects_of(c, s, candidates, require);
   std::vector<choice> met;
@@ -105,6 +115,7 @@ selection select(const context& c, const goal_question& q, const std::vector<std
   }
   if (met.empty()) say_closest(prospects, out);
   explain(prospects, met, out);
+  if (out.winner) say_observables(q, *out.winner, out);
   if (out.winner) std::ranges::copy(advice(prospects, *out.winner, q.tolerance), std::back_inserter(out.notes));
   if (!out.winner || c.subject.scene.system != "rigid_body") return out;
   const auto who = std::ranges::find(candidates, out.winner->scheme, &candidate::name);

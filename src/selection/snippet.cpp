@@ -43,7 +43,8 @@ std::string stepper_with_areas(const candidate& who, int cells) {
 
 std::string loop_of(const candidate& who, int cells) {
   if (who.scheme.needs_areas) return stepper_with_areas(who, cells);
-  if (who.combination == nullptr) return fmt::format("    energy += body.energy({}) / paths;\n", path_of(who, "dt", "steps"));
+  if (who.combination == nullptr)
+    return fmt::format("    energy += body.energy({}) / paths;\n", path_of(who, "dt", "steps"));
   return fmt::format(
       "    const auto coarse = {};\n    const auto fine = {};\n"
       "    energy += (4 * body.energy(fine) - body.energy(coarse)) / 3 / paths;\n",

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "reports/model/errors.hpp"
+#include "selection/search.hpp"
 #include "support/selection_check.hpp"
 
 namespace polhode {
@@ -12,16 +13,20 @@ namespace {
 
 using namespace test;
 
-TEST(Select, WhatIsChosenMeetsTheTargetOnOtherScenes) {
+/// Schemes whose operators are cheap; the nightly test asks all of them on a hundred scenes.
+const std::vector<std::string> on_the_sphere{"casimir-exact", "explicit", "no-areas"};
+
+TEST(Select, WhatIsChosenMeetsTheTargetAtTheStepAndBelowItForEveryObservable) {
   std::mt19937_64 random(5);
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 2; ++i) {
     const auto s = random_scene(random, i);
-    for (const auto& o :
-         {asking("weak", 1e-4), asking("stationary", 1e-4), asking("energy", 1e-5), asking("strong", 3e-2)}) {
-      if (o.goal == "strong" && i >= 2) continue;  // the dearest to check
+    for (auto o : {asking("weak", 1e-3), asking("stationary", 1e-3), asking("energy", 1e-5), asking("strong", 0.2)}) {
+      if (o.goal == "strong" && i >= 1) continue;  // the dearest to check
+      o.require = on_the_sphere;
       const auto found = select(s, o);
       ASSERT_TRUE(found.winner) << o.goal << ": " << found.reason;
       EXPECT_LE(found.winner->bound, o.tolerance);
+      EXPECT_LE(found.winner->checked_to, 0.101 * found.winner->dt);
       EXPECT_LE(measured_again(s, o, *found.winner), o.tolerance) << o.goal << ' ' << found.winner->scheme;
       ASSERT_TRUE(found.runner_up);
       EXPECT_LE(found.winner->cost, found.runner_up->cost);
@@ -31,17 +36,82 @@ TEST(Select, WhatIsChosenMeetsTheTargetOnOtherScenes) {
   }
 }
 
+/// cayley_heun's E[h] happens to err by 9.6e-5 at dt = 0.25, on its way to the other sign; its E[Pi_2] by a hundred
+/// times that.
+TEST(Select, ALuckyObservableIsNoAnswer) {
+  auto o = asking("weak", 1e-4);
+  o.require = on_the_sphere;
+  auto found = select(load_scene("paper"), o);
+  ASSERT_TRUE(found.winner);
+  EXPECT_TRUE((std::set<std::string>{"strang_weak2", "strang_extrapolated"}.contains(found.winner->scheme)));
+  EXPECT_LE(found.worst_observable.value().bound(), 1e-4);
+  EXPECT_TRUE(found.silent_on.empty());
+  o.observable = "energy";
+  found = select(load_scene("paper"), o);
+  ASSERT_TRUE(found.winner);
+  EXPECT_FALSE(found.winner->scheme == "cayley_heun" && found.winner->dt > 0.1);
+  EXPECT_LE(measured_again(load_scene("paper"), o, *found.winner), 1e-4);
+  EXPECT_EQ(found.silent_on.size(), 8u);
+  EXPECT_GT(found.worst_observable.value().bound(), 1e-3) << "of the others, and it is said";
+}
+
+/// |dt^p (1 - dt / lucky)|: vanishes at `lucky`, and is at most p^p / (p + 1)^(p + 1) lucky^p below it.
+class crossing_goal final : public goal {
+ public:
+  crossing_goal(double lucky, double order) : lucky_(lucky), order_(order) {}
+  std::vector<candidate> candidates(const subject& s) const override {
+    return {{std::string(s.schemes.front().info.name), s.schemes.front(), nullptr, order_}};
+  }
+  error_estimate error(const candidate&, double dt, std::uint64_t) const override {
+    return {std::fabs(std::pow(dt, order_) * (1 - dt / lucky_)), 0};
+  }
+  double highest() const {
+    return std::pow(order_, order_) / std::pow(order_ + 1, order_ + 1) * std::pow(lucky_, order_);
+  }
+  double floor() const override { return 1e-14; }
+  double longest_step() const override { return 2; }
+  std::string unit() const override { return "1"; }
+
+ private:
+  double lucky_, order_;
+};
+
+TEST(Select, AnErrorThatChangesSignIsMetBelowTheCrossingOrBeyondItsHighestPoint) {
+  std::mt19937_64 random(11);
+  const auto bound = bind_scene(load_scene("paper"));
+  const context c{bound, effort::quick, 1, 1};
+  for (int i = 0; i < 100; ++i) {
+    const double order = 1 + i % 2, lucky = std::uniform_real_distribution(0.02, 1.0)(random);
+    const crossing_goal g(lucky, order);
+    const double tolerance = g.highest() * std::exp(std::uniform_real_distribution(-5.0, 0.5)(random));
+    const goal_question q{"weak", "all", 2, tolerance};
+    const search s(c, g, q);
+    const auto who = g.candidates(bound).front();
+    auto p = s.predict(who);
+    std::string fault;
+    const auto found = s.check(p, fault);
+    ASSERT_TRUE(found) << fault;
+    double worst = 0;
+    for (double dt = found->dt; dt > found->dt / 10; dt /= 1.001) worst = std::max(worst, g.error(who, dt, 0).value);
+    EXPECT_LE(worst, 1.01 * tolerance) << "crossing at " << lucky << ", order " << order << ", dt = " << found->dt;
+  }
+}
+
 TEST(Select, TightTargetsLeadToHighOrders) {
-  const auto chosen = [](const std::string& goal, double tolerance) {
-    return select(load_scene("paper"), asking(goal, tolerance)).winner.value().scheme;
+  const auto chosen = [](const std::string& goal, double tolerance, std::vector<std::string> require) {
+    auto o = asking(goal, tolerance);
+    o.require = std::move(require);
+    return select(load_scene("paper"), o).winner.value().scheme;
   };
-  EXPECT_TRUE((std::set<std::string>{"magnus", "milstein"}.contains(chosen("strong", 5e-3))));
+  EXPECT_TRUE((std::set<std::string>{"magnus", "milstein"}.contains(chosen("strong", 1e-2, {}))));
   for (const auto* goal : {"weak", "stationary"})
-    EXPECT_TRUE((std::set<std::string>{"strang_weak2", "strang_extrapolated"}.contains(chosen(goal, 1e-6)))) << goal;
+    EXPECT_TRUE(
+        (std::set<std::string>{"strang_weak2", "strang_extrapolated"}.contains(chosen(goal, 1e-6, on_the_sphere))))
+        << goal;
 }
 
 TEST(Select, RequirementsAreKept) {
-  auto o = asking("strong", 5e-2);
+  auto o = asking("strong", 1e-1);
   o.require = {"no-areas", "casimir-exact"};
   const auto found = select(load_scene("paper"), o);
   ASSERT_TRUE(found.winner);
@@ -57,7 +127,9 @@ TEST(Select, RequirementsAreKept) {
 TEST(Select, NoiseThatIsNotIsotropicHasNoGibbsLaw) {
   auto s = load_scene("paper");
   s.sigma = {{0.4, 0, 0}, {0, 0.6, 0}, {0, 0, 0.8}};
-  const auto found = select(s, asking("stationary", 1e-4));
+  auto o = asking("stationary", 1e-3);
+  o.require = on_the_sphere;
+  const auto found = select(s, o);
   ASSERT_TRUE(found.winner);
   bool said = false;
   for (const auto& n : found.notes) said = said || n.find("no Gibbs law") != std::string::npos;
@@ -91,6 +163,9 @@ TEST(Select, WhatCannotBeAskedIsRefusedByName) {
   o = asking("weak", 1e-3);
   o.observable = "energi";
   expect(paper, o, "energy");
+  o = asking("strong", 1e-2);
+  o.observable = "energy";
+  expect(paper, o, "weak and stationary");
   auto still = paper;
   still.sigma.clear();
   expect(still, asking("weak", 1e-3), "--goal energy");

@@ -1,0 +1,165 @@
+#include "comparison/timings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace polhode {
+namespace {
+
+using report::measurement;
+using report::results;
+
+constexpr double false_alarms = 0.01;  // of a comparison
+constexpr double quantile = 1.96;      // of the intervals
+
+/// A cost at one dt, before and after, in units of the yardsticks: its change and the standard error of that.
+struct cost_change {
+  double dt, change, error;
+};
+
+/// The costs of one scheme, with noise or without it.
+struct cost_group {
+  std::vector<cost_change> rows;
+  double median = 0, threshold = 0;
+  bool moved() const { return std::fabs(median) > threshold; }
+};
+
+using group_key = std::tuple<std::string, bool>;  // scheme, without noise
+
+bool is_cost(const measurement& m) { return m.method == "timed" && m.quantity == "cost" && m.value && m.dt; }
+bool without_noise(const measurement& m) { return m.observable == "energy_law"; }
+
+std::optional<double> yardstick_of(const results& r) {
+  for (const auto& m : r.measurements)
+    if (m.quantity == "yardstick" && m.method == "timed" && m.value && *m.value > 0) return m.value;
+  return std::nullopt;
+}
+
+/// Standard error of log(value).
+double relative_error(const measurement& m) {
+  if (!m.low || !m.high || !(*m.low > 0)) return 0;
+  return std::log(*m.high / *m.low) / (2 * quantile);
+}
+
+double median_of(std::vector<double> x) {
+  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
+  std::ranges::nth_element(x, middle);
+  return *middle;
+}
+
+/// A step is timed once, whatever kinds of errors it is held against.
+std::map<group_key, cost_group> groups_of(const results& before, const results& after, double unit) {
+  using row_key = std::tuple<std::string, bool, std::string>;
+  const auto key_of = [](const measurement& m) {
+    return row_key{m.scheme, without_noise(m), fmt::format("{:.12g}", *m.dt)};
+  };
+  std::map<row_key, const measurement*> old, now;
+  for (const auto& m : before.measurements)
+    if (is_cost(m)) old.emplace(key_of(m), &m);
+  for (const auto& m : after.measurements)
+    if (is_cost(m)) now.emplace(key_of(m), &m);
+  std::map<group_key, cost_group> out;
+  for (const auto& [key, m] : now) {
+    const auto found = old.find(key);
+    if (found == old.end() || !(*found->second->value > 0) || !(*m->value > 0)) continue;
+    out[{m->scheme, without_noise(*m)}].rows.push_back(
+        {*m->dt, std::log(*m->value / *found->second->value) - unit,
+         std::hypot(relative_error(*m), relative_error(*found->second))});
+  }
+  return out;
+}
+
+void judge(cost_group& g, double z) {
+  std::vector<double> changes, errors, distances;
+  for (const auto& r : g.rows) {
+    changes.push_back(r.change);
+    errors.push_back(r.error);
+  }
+  g.median = median_of(changes);
+  for (const double x : changes) distances.push_back(std::fabs(x - g.median));
+  const double n = static_cast<double>(g.rows.size()), of_median = 1.2533 / std::sqrt(n);
+  const double scatter = 1.4826 * median_of(distances) * of_median, own = median_of(errors) / std::sqrt(n);
+  g.threshold = between_runs + z * std::hypot(scatter, own);
+}
+
+double two_sided(double level) { return boost::math::quantile(boost::math::normal(), 1 - level / 2); }
+
+std::string percent(double log_change) { return fmt::format("{:+.1f} %", 100 * std::expm1(log_change)); }
+
+report::change change_of(const std::string& scheme, const std::string& what, double median, double half) {
+  report::change out;
+  out.experiment = "work_precision";
+  out.scheme = scheme;
+  out.what = what;
+  out.before = 1;
+  out.after = std::exp(median);
+  out.after_low = std::exp(median - half);
+  out.after_high = std::exp(median + half);
+  return out;
+}
+
+/// One line a scheme: its costs with noise, or without, or both.
+void tell_moved(const std::string& scheme, const cost_group* noisy, const cost_group* still, report::comparison& out) {
+  const auto moved = [](const cost_group* g) { return g && g->moved(); };
+  if (!moved(noisy) && !moved(still)) return;
+  const auto& main = moved(noisy) ? *noisy : *still;
+  std::string what = "cost of a step against the yardstick";
+  if (!moved(noisy)) what += ", without noise";
+  what += fmt::format(", the median of {} dt", main.rows.size());
+  if (moved(noisy) && moved(still)) what += fmt::format(" (without noise {})", percent(still->median));
+  out.changes.push_back(change_of(scheme, what, main.median, main.threshold));
+}
+
+/// Costs that have moved otherwise than their scheme's, the farthest with their number.
+void tell_apart(const std::string& scheme, const cost_group& g, bool silent, double z, report::comparison& out) {
+  const cost_change* farthest = nullptr;
+  int count = 0;
+  for (const auto& r : g.rows) {
+    const double distance = std::fabs(r.change - g.median);
+    if (!(distance > apart + z * r.error)) continue;
+    ++count;
+    if (!farthest || distance > std::fabs(farthest->change - g.median)) farthest = &r;
+  }
+  if (!farthest) return;
+  auto found =
+      change_of(scheme,
+                fmt::format("cost of a step against the yardstick{}, apart from the other dt{}",
+                            silent ? ", without noise" : "", count > 1 ? fmt::format(", and {} more", count - 1) : ""),
+                farthest->change, apart + z * farthest->error);
+  found.dt = farthest->dt;
+  out.changes.push_back(found);
+}
+
+}  // namespace
+
+void compare_timings(const results& before, const results& after, report::comparison& out) {
+  const auto timed = [](const results& r) { return std::ranges::any_of(r.measurements, is_cost); };
+  if (!out.timings_left_out.empty() || !timed(before) || !timed(after)) return;
+  const auto a = yardstick_of(before), b = yardstick_of(after);
+  if (!a || !b) {
+    out.timings_left_out =
+        fmt::format("{} has no yardstick beside its timings", a ? "the later run" : "the earlier run");
+    return;
+  }
+  auto groups = groups_of(before, after, std::log(*b / *a));
+  for (const auto& [_, g] : groups) out.timings += g.rows.size();
+  const double per_group = two_sided(false_alarms / static_cast<double>(std::max<std::size_t>(1, groups.size())));
+  const double per_row = two_sided(false_alarms / static_cast<double>(std::max<std::size_t>(1, out.timings)));
+  for (auto& [_, g] : groups) judge(g, per_group);
+  for (auto& [key, g] : groups) {
+    const auto& [scheme, silent] = key;
+    const auto other = groups.find({scheme, !silent});
+    const auto* twin = other == groups.end() ? nullptr : &other->second;
+    if (!silent || !twin) tell_moved(scheme, silent ? twin : &g, silent ? &g : twin, out);
+    tell_apart(scheme, g, silent, per_row, out);
+  }
+}
+
+}  // namespace polhode

@@ -1,0 +1,9 @@
+#include "ensemble/yardstick.hpp"
+
+#include "ensemble/isa_entry.hpp"
+
+namespace polhode {
+
+void run_yardstick(const yardstick_loop& loop) { by_isa(POLHODE_ENTRIES(polhode_yardstick_))(loop); }
+
+}  // namespace polhode
