@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "references/deterministic.hpp"
 #include "references/exponential_action.hpp"
+#include "references/poisson.hpp"
 #include "references/raise_degree.hpp"
 #include "references/sparse_blocks.hpp"
 
@@ -15,9 +17,11 @@ namespace polhode {
 namespace {
 
 constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64, 96, 128};
+constexpr std::array stationary_degrees{8, 12, 16, 24, 32, 48, 64, 96};
 constexpr double affordable = 1e10;  // multiplications
 constexpr double rounding = 1e-14;   // of what is added up
 constexpr double long_ago = 60;      // relaxation times: exp(-60) hides any constant before it
+constexpr int most_sparse = 5000;    // unknowns in a block: seconds
 
 // Coefficients of a smooth function that are rounding only would tie together blocks that do not talk to each other.
 Eigen::VectorXd observable_coefficients(const sphere_problem& problem, const sphere_function& f, int degree) {
@@ -26,16 +30,47 @@ Eigen::VectorXd observable_coefficients(const sphere_problem& problem, const sph
   return c.unaryExpr([&](double x) { return std::fabs(x) < least ? 0 : x; });
 }
 
+/// The generator from the functions of that degree to those two degrees higher: exact.
+sparse_matrix tall_operator(const sphere_problem& problem, int degree) {
+  return backward_operator(problem, degree + 2).leftCols(harmonic_count(degree));
+}
+
+/// About the supremum of what the degree cuts off from f: no more than its last two degrees hold.
+double cut_off(const Eigen::VectorXd& coefficients, int degree) {
+  const int first = std::max(0, degree - 1), from = first * first;
+  return harmonic_supremum(coefficients.tail(coefficients.size() - from), first);
+}
+
 /// The stationary mean, where by then every other mode has died; the rate of noise bounds the cost of asking.
 std::optional<reference_value> expectation_long_after(const sphere_problem& problem, const sphere_function& f,
                                                       double time, double tolerance, int wanted) {
   if (time * problem.covariance.trace() < long_ago) return std::nullopt;
-  const auto gap = spectral_gap(problem, 1e-3 * problem.covariance.trace());
-  if (!gap.converged() || *gap.value * time < long_ago || gap.uncertainty > 0.1 * *gap.value) return std::nullopt;
-  auto late = mean(problem, stationary(problem, tolerance, wanted), f);
+  const auto gap = spectral_gap(problem, unbounded);
+  if (!gap.converged() || (*gap.value - gap.uncertainty) * time < long_ago) return std::nullopt;
+  auto late = stationary_mean(problem, f, tolerance, wanted);
   if (!late.converged()) return std::nullopt;
   late.forgotten = true;
   return late;
+}
+
+/// exp(time A) f at y. The remainder (A - A_L) g of the Galerkin solution g, summed over the time, bounds its error.
+std::optional<projected_value> propagated(const sparse_matrix& tall, const Eigen::VectorXd& f, const Eigen::VectorXd& y,
+                                          double time, int degree) {
+  const sparse_matrix whole = tall.topRows(tall.cols());
+  const index_set block = blocks_of(whole, f);
+  const sparse_matrix part = submatrix(whole, block);
+  if (exponential_action_products(part, time) * static_cast<double>(part.nonZeros()) > affordable) return {};
+  const sparse_matrix beyond = columns_of(tall, block).bottomRows(tall.rows() - tall.cols());
+  const auto remainder = [&](const Eigen::VectorXd& g) { return harmonic_supremum(beyond * g, degree + 1); };
+  const Eigen::VectorXd start = f(block);
+  double before = remainder(start), bound = 0, steps = 0;
+  const auto g = exponential_action(part, time, start, [&](const Eigen::VectorXd& now, double dt) {
+    const double after = remainder(now);
+    bound += dt * std::max(std::exchange(before, after), after);
+    ++steps;
+  });
+  const double floor = rounding * std::max(1.0, std::sqrt(steps) / 10) * f.norm() / std::sqrt(4 * std::numbers::pi);
+  return projected_value{y(block).dot(g), floor, bound + cut_off(f, degree) + floor};
 }
 
 }  // namespace
@@ -84,25 +119,43 @@ reference_value expectation(const sphere_problem& problem, const sphere_function
                             double time, double tolerance, int wanted) {
   if (problem.covariance.isZero(0)) return on_the_path(problem, f, start, time);
   if (auto late = expectation_long_after(problem, f, time, tolerance, wanted)) return *late;
-  const double needed = needed_degree(problem);
-  const auto value_at = [&](int degree) -> std::optional<projected_value> {
-    const Eigen::VectorXd coefficients = observable_coefficients(problem, f, degree);
-    const sparse_matrix whole = backward_operator(problem, degree);
-    const index_set block = blocks_of(whole, coefficients);
-    const sparse_matrix part = submatrix(whole, block);
-    if (exponential_action_products(part, time) * static_cast<double>(part.nonZeros()) > affordable) return {};
-    const Eigen::VectorXd y = harmonics_at(start.normalized(), degree)(block);
-    return projected_value{y.dot(exponential_action(part, time, coefficients(block))),
-                           rounding * coefficients.norm() / std::sqrt(4 * std::numbers::pi)};
+  const auto value_at = [&](int degree) {
+    return propagated(tall_operator(problem, degree), observable_coefficients(problem, f, degree),
+                      harmonics_at(start.normalized(), degree), time, degree);
   };
-  return raise_degree(degrees_to_try(degrees, wanted), tolerance, needed, value_at);
+  const std::vector<int> chosen{wanted};
+  return raise_degree(wanted > 0 ? std::span<const int>(chosen) : degrees, {tolerance}, needed_degree(problem),
+                      value_at);
+}
+
+reference_value stationary_mean(const sphere_problem& problem, const sphere_function& f, double tolerance, int wanted) {
+  if (const auto reason = no_unique_law(problem); !reason.empty()) return {.reason = reason};
+  const double unit = std::sqrt(4 * std::numbers::pi);
+  const auto value_at = [&](int degree) {
+    const Eigen::VectorXd c = observable_coefficients(problem, f, degree);
+    const projected_value uniform{c[0], 0, 0};
+    auto found = problem.theta == 0 ? std::optional(uniform)
+                                    : poisson_mean(tall_operator(problem, degree), c, most_sparse,
+                                                   [](const Eigen::VectorXd& r) { return harmonic_supremum(r); });
+    if (found) {
+      found->value /= unit;
+      found->floor = std::max(found->floor, rounding * c.norm() / unit);
+      found->bound += cut_off(c, degree) + found->floor;
+    }
+    return found;
+  };
+  const double size = observable_coefficients(problem, f, stationary_degrees[0]).norm() / unit;
+  const double needed = problem.theta == 0 ? 0 : needed_degree(problem);
+  return raise_degree(degrees_to_try(stationary_degrees, wanted), {.absolute = tolerance, .size = size}, needed,
+                      value_at);
 }
 
 reference_value mean(const sphere_problem& problem, const stationary_law& law, const sphere_function& f) {
   if (!law.density) return {.degree = law.degree, .reason = law.reason};
   const Eigen::VectorXd c = observable_coefficients(problem, f, law.degree);
+  const double changed = law.change.norm(), beyond = law.uncertainty > changed ? law.uncertainty / changed : 1;
   return {.value = c.dot(*law.density),
-          .uncertainty = std::max(std::fabs(c.dot(law.change)), rounding * c.norm()),
+          .uncertainty = std::max(std::fabs(c.dot(law.change)) * beyond, rounding * c.norm()),
           .degree = law.degree,
           .reason = law.reason};
 }

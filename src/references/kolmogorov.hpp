@@ -4,8 +4,10 @@
 //   L = -sum_i M[a_i] L_i + 1/2 sum_jk Q_jk L_j L_k,   a = Omega + theta Pi x Omega,   Q = sum_i sigma_i sigma_i^T,
 //   E[f(Pi_T)] = (exp(T L) f)(Pi_0),   L^T rho = 0,   gap = least |Re lambda| besides the constant's 0.
 //
-// L_i = (x cross grad)_i. A Galerkin projection: the degree is raised until two successive answers agree, and the last
-// difference is the uncertainty (the coefficients fall faster than any power for noise that reaches every direction).
+// L_i = (x cross grad)_i. A Galerkin projection of degree L leaves a remainder in degrees L + 1 and L + 2, known
+// exactly. The semigroup is a contraction in the supremum norm, so the remainder proves a bar for expectations and
+// stationary means (references/poisson.hpp). Density and gap: three successive degrees agree, the last of them high
+// enough for the width of the noise (references/raise_degree.hpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -30,7 +32,7 @@ struct sphere_problem {
 
 struct reference_value {
   std::optional<double> value{};  ///< absent where the question has no answer of this kind
-  double uncertainty = 0;         ///< difference of the last two degrees; never below rounding
+  double uncertainty = 0;         ///< proved, or what three degrees say; never below rounding
   int degree = 0;
   std::string reason{};    ///< empty if converged to the tolerance; else one sentence
   bool forgotten = false;  ///< an expectation after so long a time that it is the stationary one
@@ -46,7 +48,7 @@ std::optional<sphere_function> named_observable(std::string_view name, const std
 /// The generator on harmonics up to the degree; column 0 vanishes.
 sparse_matrix backward_operator(const sphere_problem& problem, int degree);
 
-// degree: 0 lets the program choose; any other is taken as it is, with a lower one to tell how much it still changes.
+// degree: 0 lets the program choose; any other is taken as it is, with two lower ones where they tell the uncertainty.
 
 /// About the degree at which answers of any time settle: ten over the width to which the noise blurs what the drift
 /// draws out, the root of noise over rate of shear. A rule of thumb, for messages. Infinite without noise.
@@ -57,11 +59,15 @@ double needed_degree(const sphere_problem& problem);
 reference_value expectation(const sphere_problem& problem, const sphere_function& f, const Eigen::Vector3d& start,
                             double time, double tolerance, int degree = 0);
 
+/// E[f] under every stationary law, to an absolute tolerance; nothing where laws differ in it.
+reference_value stationary_mean(const sphere_problem& problem, const sphere_function& f, double tolerance,
+                                int degree = 0);
+
 /// Density against the area of the unit sphere, in harmonics.
 struct stationary_law {
   std::optional<Eigen::VectorXd> density{};
   Eigen::VectorXd change{};  ///< what the last degree added to it
-  double uncertainty = 0;    ///< its L2 norm: bounds the change of E[f] over |f|_2
+  double uncertainty = 0;    ///< in L2, by three degrees: bounds the change of E[f] over |f|_2
   int degree = 0;
   std::string reason{};
 };
@@ -70,7 +76,16 @@ stationary_law stationary(const sphere_problem& problem, double tolerance, int d
 /// E[f] under the law, uncertain by what the last degree changed.
 reference_value mean(const sphere_problem& problem, const stationary_law& law, const sphere_function& f);
 
-/// The slowest rate at which expectations relax. 0 where a further function is conserved (then no law is unique).
+/// Whether Pi along some axis, and functions of it, never change: one noise vector on the figure axis of a body of
+/// revolution without dissipation, or any one vector on a spherical body. No other smooth function is conserved.
+bool conserves_a_component(const sphere_problem& problem);
+
+/// Why there is more than one stationary law; empty where no reason is known. One noise vector on a principal axis
+/// leaves the body at rest there, so that a point mass is stationary too.
+std::string no_unique_law(const sphere_problem& problem);
+
+/// The slowest rate at which expectations relax, to an absolute tolerance and to a hundredth of itself. 0 where a
+/// further function is conserved (then no law is unique).
 reference_value spectral_gap(const sphere_problem& problem, double tolerance, int degree = 0);
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "references/poisson.hpp"
 #include "references/raise_degree.hpp"
 #include "references/sparse_blocks.hpp"
 #include "references/wigner.hpp"
@@ -19,12 +20,12 @@ sparse_matrix bracket(const sparse_matrix& a, const sparse_matrix& b) {
 }
 
 struct frame_operator {
-  sparse_matrix generator;
+  sparse_matrix generator;     // from one degree to those two degrees higher: exact
   Eigen::VectorXd stretching;  // coefficients of s
 };
 
 frame_operator operator_on_frames(const sphere_problem& problem, int degree) {
-  const int inside = degree + 1;  // so that products of two coordinates are exact up to the degree
+  const int inside = degree + 3;  // so that products of two coordinates are exact up to two degrees higher
   const auto turn = wigner_generators(inside);
   const auto x = wigner_coordinates(inside, turn);
   const double c = problem.radius, t = problem.theta * c;
@@ -47,9 +48,22 @@ frame_operator operator_on_frames(const sphere_problem& problem, int degree) {
   const sparse_matrix omega = vv - t * wv, stretching = t * (xx - vv) - wv;
   generator += sparse_matrix(omega * turn.right[2]);
   const int size = wigner_count(degree);
-  sparse_matrix corner = generator.block(0, 0, size, size);
-  corner.prune(corner.coeffs().cwiseAbs().maxCoeff(), 1e-15);  // what cancelled
-  return {corner, Eigen::VectorXd(stretching.col(0)).head(size)};
+  sparse_matrix tall = generator.block(0, 0, wigner_count(degree + 2), size);
+  tall.prune(tall.coeffs().cwiseAbs().maxCoeff(), 1e-15);  // what cancelled
+  return {tall, Eigen::VectorXd(stretching.col(0)).head(size)};
+}
+
+/// A bound of |f| over all frames: functions of one l and right index b are at most sqrt(2 l + 1) |f_lb|, as the rows
+/// of a rotation are unit vectors.
+double frame_supremum(const Eigen::VectorXd& f) {
+  double sum = 0;
+  for (int l = 0; wigner_count(l) <= f.size(); ++l)
+    for (int b = -l; b <= l; ++b) {
+      double square = 0;
+      for (int a = -l; a <= l; ++a) square += std::pow(f[wigner_index(l, a, b)], 2);
+      sum += std::sqrt((2 * l + 1) * square);
+    }
+  return sum;
 }
 
 }  // namespace
@@ -60,17 +74,19 @@ double kaplan_yorke(double lambda1, double sum) {
 }
 
 lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance, int wanted) {
-  const auto law = stationary(problem, tolerance / 10);
-  const auto energy = mean(problem, law, *named_observable("energy", problem.inertia));
+  if (problem.covariance.isZero(0)) return {.reason = "no noise: no random flow"};
+  const double energy_tolerance = tolerance / (60 * std::max(problem.theta, 1e-300));
+  const auto energy = stationary_mean(problem, *named_observable("energy", problem.inertia), energy_tolerance);
   if (!energy.value) return {.reason = energy.reason};
-  const double needed = needed_degree(problem);
+  const double needed = needed_degree(problem), size = operator_on_frames(problem, degrees[0]).stretching.norm();
   const auto lambda1_at = [&](int degree) -> std::optional<projected_value> {
     const auto frames = operator_on_frames(problem, degree);
-    const auto nu = left_null_vector(frames.generator, affordable);
-    if (!nu) return {};
-    return projected_value{nu->dot(frames.stretching), rounding * frames.stretching.norm()};
+    auto found = poisson_mean(frames.generator, frames.stretching, affordable, frame_supremum);
+    if (found) found->floor = std::max(found->floor, rounding * frames.stretching.norm());
+    return found;
   };
-  const auto lambda1 = raise_degree(degrees_to_try(degrees, wanted), tolerance, needed, lambda1_at);
+  const auto lambda1 =
+      raise_degree(degrees_to_try(degrees, wanted), {.absolute = tolerance, .size = size}, needed, lambda1_at);
   const double c = problem.radius, trace = Eigen::Array3d(problem.inertia.data()).inverse().sum();
   lyapunov_exponents found;
   found.lambda1 = lambda1.value;

@@ -57,6 +57,12 @@ sparse_matrix submatrix(const sparse_matrix& a, const index_set& indices) {
   return part;
 }
 
+sparse_matrix columns_of(const sparse_matrix& a, const index_set& columns) {
+  sparse_matrix part(a.rows(), std::ssize(columns));
+  for (int k = 0; k < std::ssize(columns); ++k) part.col(k) = a.col(columns[k]);
+  return part;
+}
+
 std::optional<Eigen::VectorXd> left_null_vector(const sparse_matrix& a, int most) {
   Eigen::VectorXd nu = Eigen::VectorXd::Unit(a.rows(), 0);
   index_set rest = blocks_of(a, nu);

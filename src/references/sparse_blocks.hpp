@@ -18,6 +18,7 @@ std::vector<index_set> connected_blocks(const sparse_matrix& a);
 index_set blocks_of(const sparse_matrix& a, const Eigen::VectorXd& vector);
 
 sparse_matrix submatrix(const sparse_matrix& a, const index_set& indices);
+sparse_matrix columns_of(const sparse_matrix& a, const index_set& columns);
 
 /// nu with nu A = 0 and nu_0 = 1, for an A whose column 0 vanishes (A 1 = 0, the constant function being the first of
 /// the basis), inside the block of index 0. Nothing if A is singular beyond that, or that block has more than `most`

@@ -70,15 +70,18 @@ double shear_of(const sphere_problem& p) {
   return std::max(1.0, p.radius * (1 / least - 1 / most));
 }
 
-/// The moments of the Gibbs law that have a closed form.
-std::optional<double> closed_form(const sphere_problem& p, const std::string& observable) {
+/// Of the Gibbs law, where they have a closed form.
+std::optional<reference_value> closed_form(const sphere_problem& p, const std::string& observable) {
   const auto& i = p.inertia;
   if (i[0] == i[1] && i[1] == i[2]) return std::nullopt;
   const gibbs_law law(i, p.radius, 2 * p.theta / p.covariance(0, 0));
-  if (observable == "energy") return law.mean_energy();
-  if (observable == "pi1^2") return law.mean_square(0);
-  if (observable == "pi2^2") return law.mean_square(1);
-  if (observable == "pi3^2") return law.mean_square(2);
+  const auto certain = [&](double value) {
+    return reference_value{value, law.relative_uncertainty() * std::fabs(value)};
+  };
+  if (observable == "energy") return certain(law.mean_energy());
+  if (observable == "pi1^2") return certain(law.mean_square(0));
+  if (observable == "pi2^2") return certain(law.mean_square(1));
+  if (observable == "pi3^2") return certain(law.mean_square(2));
   return std::nullopt;
 }
 
@@ -117,18 +120,13 @@ void answer_gibbs(const scene& s, const sphere_problem& p, const reference_optio
   const auto f = observable_of(s, out.observable);
   const bool isotropic = bind_scene(s).model->noise() == noise_class::isotropic;
   if (const auto value = isotropic && o.degree == 0 ? closed_form(p, out.observable) : std::nullopt) {
-    out.value = *value;
-    out.uncertainty = 1e-11 * std::max(1.0, std::fabs(*value));
-    out.method = "the Gibbs law exp(-2 theta h / sigma^2), by complete elliptic integrals";
-    return;
+    out.method = "the Gibbs law exp(-2 theta h / sigma^2), by Bessel functions and adaptive quadrature";
+    return take(s, *value, out);
   }
   out.method = isotropic
                    ? "the stationary density, here the Gibbs law, in spherical harmonics"
                    : "the stationary density in spherical harmonics; the noise is not isotropic, so it is no Gibbs law";
-  auto found = mean(p, stationary(p, value_tolerance, o.degree), f);
-  if (found.value && found.uncertainty <= value_tolerance * size_of(p, f))
-    found.reason.clear();  // this moment settles before others
-  take(s, found, out);
+  take(s, stationary_mean(p, f, value_tolerance * size_of(p, f), o.degree), out);
 }
 
 void answer_lyapunov(const scene& s, const sphere_problem& p, const reference_options& o, reference_answer& out) {
