@@ -1,0 +1,130 @@
+#include "mutants/score.hpp"
+
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "ensemble/paths.hpp"
+#include "registry/verify.hpp"
+
+namespace polhode::test {
+namespace {
+
+/// Of the calling thread.
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::vector<row> twins_of(const std::vector<row>& rows) {
+  std::set<std::pair<std::string_view, std::string_view>> seen;
+  std::vector<row> twins;
+  for (const auto& r : rows)
+    if (seen.insert({r.scheme, r.scene}).second) twins.push_back({{kind::none, 0}, r.scheme, r.scene, false});
+  return twins;
+}
+
+std::string refuters(const score& s) {
+  std::set<std::string> by;
+  for (const auto& v : s.refuted) by.insert(fmt::format("{}: {}", v.experiment, v.claim));
+  return fmt::format("{}", fmt::join(by, "; "));
+}
+
+std::string verdict_word(const score& s) { return s.refutes() ? "refuted" : s.of.asked ? "**survives**" : "survives"; }
+
+/// Of one kind: the sizes at which every row is refuted, from the grossest down to the first that is not.
+struct kind_summary {
+  int rows = 0, refuted = 0;
+  std::map<double, bool> whole;  ///< by |size|: all its rows refuted
+};
+
+/// Larger is milder where noise is cut off beyond a size.
+bool milder_if_larger(kind k) { return k == kind::clip || k == kind::branch; }
+
+std::string smallest_refuted(kind k, const kind_summary& s) {
+  std::vector<std::pair<double, bool>> sizes(s.whole.begin(), s.whole.end());
+  if (!milder_if_larger(k)) std::ranges::reverse(sizes);
+  std::string found = "none";
+  for (const auto& [size, whole] : sizes) {
+    if (!whole) break;
+    found = fmt::format("{:g}", size);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> table_experiments() {
+  std::vector<std::string> out;
+  for (const auto& e : list_experiments()) {
+    const auto left_out = {"attractor", "lyapunov", "stability", "work_precision"};
+    if (std::ranges::find(left_out, e.name) == left_out.end()) out.push_back(e.name);
+  }
+  return out;
+}
+
+score run_row(const row& r) {
+  verify_options options;
+  options.experiments = table_experiments();
+  options.effort = effort::quick;
+  const double start = cpu_seconds();
+  const auto result = verify_subject(planted(scene_named(r.scene), r.scheme, r.planted), options);
+  score out{r, {}};
+  for (const auto& v : result.verdicts) {
+    if (v.kind == report::verdict_kind::inconclusive) ++out.inconclusive;
+    if (v.kind == report::verdict_kind::refuted && v.claim.find(claim_of(r.planted.kind)) != std::string::npos)
+      out.refuted.push_back(v);
+  }
+  out.seconds = cpu_seconds() - start;
+  return out;
+}
+
+scores run_rows(const std::vector<row>& rows, int threads) {
+  const auto twins = twins_of(rows);
+  scores out{std::vector<score>(rows.size()), std::vector<score>(twins.size())};
+  parallel_for(threads, static_cast<int>(twins.size() + rows.size()), [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (k < twins.size())
+      out.twins[k] = run_row(twins[k]);
+    else
+      out.defects[k - twins.size()] = run_row(rows[k - twins.size()]);
+  });
+  return out;
+}
+
+std::string table_text(const scores& all) {
+  std::string text = "| defect | scheme | scene | verdict | by | inconclusive | s |\n|---|---|---|---|---|---|---|\n";
+  for (const auto* list : {&all.twins, &all.defects})
+    for (const auto& s : *list)
+      text +=
+          fmt::format("| {} | {} | {} | {} | {} | {} | {:.1f} |\n", described(s.of.planted), s.of.scheme, s.of.scene,
+                      s.of.planted.kind == kind::none ? (s.refutes() ? "**refuted**" : "") : verdict_word(s),
+                      refuters(s), s.inconclusive, s.seconds);
+  return text;
+}
+
+std::string summary_text(const scores& all) {
+  std::vector<std::pair<std::string_view, kind>> order;
+  std::map<std::string_view, kind_summary> kinds;
+  for (const auto& s : all.defects) {
+    const auto k = s.of.planted.kind;
+    auto& sum = kinds[name_of(k)];
+    if (sum.rows++ == 0) order.emplace_back(name_of(k), k);
+    sum.refuted += s.refutes();
+    const auto size = sum.whole.emplace(std::fabs(s.of.planted.size), true).first;
+    size->second = size->second && s.refutes();
+  }
+  std::string text = "| kind | rows | refuted | refuted throughout down to |\n|---|---|---|---|\n";
+  for (const auto& [name, k] : order)
+    text += fmt::format("| {} | {} | {} | {} |\n", name, kinds[name].rows, kinds[name].refuted,
+                        smallest_refuted(k, kinds[name]));
+  return text;
+}
+
+}  // namespace polhode::test

@@ -1,0 +1,23 @@
+// Every planted defect at every size: who refutes it, and where refutation ends.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "mutants/score.hpp"
+
+namespace polhode::test {
+namespace {
+
+TEST(MutantsTable, WhatIsAskedForIsRefutedAndNoTwinIs) {
+  const auto all = run_rows(table(), 2);
+  std::fputs((table_text(all) + '\n' + summary_text(all)).c_str(), stdout);
+  for (const auto& s : all.twins)
+    for (const auto& v : s.refuted)
+      ADD_FAILURE() << "healthy " << s.of.scheme << " on " << s.of.scene << ": " << v.claim << ": " << v.reason;
+  for (const auto& s : all.defects)
+    EXPECT_TRUE(s.refutes() || !s.of.asked)
+        << described(s.of.planted) << ", " << s.of.scheme << ", " << s.of.scene << " survives";
+}
+
+}  // namespace
+}  // namespace polhode::test
