@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <set>
 #include <utility>
 
@@ -85,27 +86,31 @@ score run_row(const row& r) {
   return out;
 }
 
-scores run_rows(const std::vector<row>& rows, int threads) {
+scores run_rows(const std::vector<row>& rows, int threads, const std::function<void(const score&)>& done) {
   const auto twins = twins_of(rows);
   scores out{std::vector<score>(rows.size()), std::vector<score>(twins.size())};
+  std::mutex telling;
   parallel_for(threads, static_cast<int>(twins.size() + rows.size()), [&](int i) {
     const auto k = static_cast<std::size_t>(i);
-    if (k < twins.size())
-      out.twins[k] = run_row(twins[k]);
-    else
-      out.defects[k - twins.size()] = run_row(rows[k - twins.size()]);
+    auto& to = k < twins.size() ? out.twins[k] : out.defects[k - twins.size()];
+    to = run_row(k < twins.size() ? twins[k] : rows[k - twins.size()]);
+    const std::lock_guard lock(telling);
+    if (done) done(to);
   });
   return out;
+}
+
+std::string line_of(const score& s) {
+  const bool twin = s.of.planted.kind == kind::none;
+  return fmt::format("| {} | {} | {} | {} | {} | {} | {:.1f} |\n", described(s.of.planted), s.of.scheme, s.of.scene,
+                     twin ? (s.refutes() ? "**refuted**" : "") : verdict_word(s), refuters(s), s.inconclusive,
+                     s.seconds);
 }
 
 std::string table_text(const scores& all) {
   std::string text = "| defect | scheme | scene | verdict | by | inconclusive | s |\n|---|---|---|---|---|---|---|\n";
   for (const auto* list : {&all.twins, &all.defects})
-    for (const auto& s : *list)
-      text +=
-          fmt::format("| {} | {} | {} | {} | {} | {} | {:.1f} |\n", described(s.of.planted), s.of.scheme, s.of.scene,
-                      s.of.planted.kind == kind::none ? (s.refutes() ? "**refuted**" : "") : verdict_word(s),
-                      refuters(s), s.inconclusive, s.seconds);
+    for (const auto& s : *list) text += line_of(s);
   return text;
 }
 

@@ -1,6 +1,7 @@
 // Runs rows of the table, and prints who refutes what.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,15 @@ std::vector<std::string> table_experiments();
 /// One row at effort quick, one thread, a fixed seed.
 score run_row(const row&);
 
-/// All rows, and the healthy twin of each scheme and scene among them, `threads` at a time, in the order given.
+/// All rows, and the healthy twin of each scheme and scene among them, `threads` at a time; in the order given. `done`
+/// is told of each as it comes, from one thread at a time.
 struct scores {
   std::vector<score> defects, twins;
 };
-scores run_rows(const std::vector<row>&, int threads);
+scores run_rows(const std::vector<row>&, int threads, const std::function<void(const score&)>& done = {});
+
+/// A line of the table.
+std::string line_of(const score&);
 
 /// Markdown: a line a row, then a line a kind.
 std::string table_text(const scores&);

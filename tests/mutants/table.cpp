@@ -19,63 +19,61 @@ struct block {
 const names all = {"euler_maruyama",    "heun",      "heun_projected", "milstein",    "milstein_no_area",
                    "implicit_midpoint", "lie_euler", "lie_heun",       "cayley_heun", "magnus",
                    "lie_trotter",       "strang",    "strang_weak2"};
-const names orders = {"lie_trotter", "lie_heun", "strang_weak2"};  // weak orders 1, 1 and 2; splitting and not
-const names paper = {"paper"}, others = {"weak noise", "anisotropic"}, three = {"paper", "weak noise", "anisotropic"};
+const names three = {"lie_trotter", "lie_heun", "strang_weak2"};  // weak orders 1, 1 and 2, splitting and not
+const names two = {"lie_heun", "strang_weak2"};
+const names drifting = {"euler_maruyama", "heun", "milstein", "milstein_no_area"};
+const names paper = {"paper"}, others = {"weak noise", "anisotropic"}, scenes = {"paper", "weak noise", "anisotropic"};
 
 std::vector<block> blocks() {
   return {
       // Parameters: of the noise and of the dissipation for all schemes, as each claims a weak order.
       {kind::noise, {-0.001, 0.001, 0.01, 0.05}, {}, all, paper},
-      {kind::noise, {0.001, 0.01, 0.05}, {}, orders, others},
-      {kind::noise, {0.001, 0.01, 0.05, 0.5}, {}, {"strang", "heun"}, {"hard"}},
+      {kind::noise, {0.001, 0.01, 0.05}, {}, two, others},
+      {kind::noise, {0.01, 0.05, 0.5}, {0.001}, {"strang"}, {"hard"}},
       {kind::theta, {-0.001, 0.001, 0.01, 0.05}, {}, all, paper},
-      {kind::theta, {0.001, 0.01, 0.05}, {}, orders, others},
-      {kind::theta, {0.001, 0.01, 0.05, 0.2}, {}, {"strang", "heun"}, {"hard"}},
-      {kind::inertia_1, {0.01, 0.05}, {0.001}, orders, three},
-      {kind::inertia_2, {0.01, 0.05}, {0.001}, orders, three},
-      {kind::inertia_3, {0.01, 0.05}, {0.001}, orders, three},
-      {kind::channel_1, {0.01, 0.05}, {0.001}, orders, three},
+      {kind::theta, {0.001, 0.01, 0.05}, {}, two, others},
+      {kind::theta, {0.01, 0.05, 0.2}, {0.001}, {"strang"}, {"hard"}},
+      {kind::inertia_1, {0.01, 0.05}, {0.001}, three, paper},
+      {kind::inertia_2, {0.01, 0.05}, {0.001}, two, scenes},
+      {kind::inertia_3, {0.01, 0.05}, {0.001}, three, paper},
+      {kind::channel_1, {0.01, 0.05}, {0.001}, two, scenes},
       // Time.
-      {kind::sub_flow, {0.01, 0.05}, {0.001}, {"lie_trotter", "strang", "strang_weak2"}, three},
-      {kind::horizon, {-0.01, 0.01}, {-0.001, 0.001}, orders, three},
-      {kind::step_count,
-       {-1, 1},
-       {},
-       {"euler_maruyama", "lie_euler", "lie_trotter", "lie_heun", "strang_weak2"},
-       three},
+      {kind::sub_flow, {0.01, 0.05}, {0.001}, {"lie_trotter", "strang"}, scenes},
+      {kind::horizon, {-0.01, 0.01}, {-0.001, 0.001}, two, scenes},
+      {kind::step_count, {-1, 1}, {}, {"euler_maruyama", "lie_euler", "lie_trotter", "strang_weak2"}, scenes},
       // Increments.
-      {kind::dw, {0.01, 0.05}, {0.001}, {"magnus", "cayley_heun", "heun"}, three},
-      {kind::area, {-2, 0.05}, {0.01}, {"magnus", "milstein"}, {"paper", "anisotropic"}},
+      {kind::dw, {0.01, 0.05}, {0.001}, {"magnus", "heun"}, paper},
+      {kind::dw, {0.01}, {0.001}, {"cayley_heun"}, others},
+      {kind::area, {-2, 0.05}, {0.01}, {"magnus", "milstein"}, paper},
+      {kind::area, {-2, 0.05}, {0.01}, {"magnus"}, {"anisotropic"}},
       {kind::area_mixed, {1}, {}, {"magnus"}, {"paper", "anisotropic"}},
-      {kind::channels, {1, 0.3, 0.05, 0.01}, {0.001}, {"lie_heun", "strang_weak2"}, three},
+      {kind::channels, {1, 0.3, 0.05, 0.01}, {0.001}, two, {"paper", "anisotropic"}},
       {kind::lanes, {32, 1}, {}, {"lie_heun", "strang"}, paper},
       {kind::steps, {1}, {}, {"lie_heun", "strang"}, paper},
-      {kind::clip, {2, 3}, {4, 5}, {"lie_heun", "strang_weak2"}, {"paper", "anisotropic"}},
-      {kind::branch, {3, 5}, {4}, {"lie_heun", "strang_weak2"}, {"paper", "anisotropic"}},
+      {kind::clip, {2, 3}, {4, 5}, two, {"paper", "anisotropic"}},
+      {kind::branch, {3, 4, 5}, {}, two, {"paper", "anisotropic"}},
       // States.
       {kind::float_state, {1}, {}, {"lie_heun", "strang", "heun"}, paper},
       {kind::float_projected, {1}, {}, {"lie_heun", "strang"}, {"paper", "weak noise"}},
-      {kind::turn, {0.01, 0.05}, {0.001}, orders, three},
+      {kind::turn, {0.01, 0.05}, {0.001}, two, scenes},
       {kind::shrink, {0.01}, {0.001, 1e-6}, {"heun", "lie_heun"}, paper},
-      {kind::ito_drift,
-       {-1, 1, -0.05, 0.05, 0.01},
-       {0.001},
-       {"euler_maruyama", "milstein", "heun"},
-       {"paper", "anisotropic"}},
+      {kind::ito_drift, {-1, 1, 0.05, 0.01}, {0.001}, {"euler_maruyama", "heun"}, paper},
+      {kind::ito_drift, {-1, 0.05, 0.01}, {}, {"milstein"}, {"anisotropic"}},
       // Inside the step.
-      {kind::dissipation_sign, {1}, {}, {"lie_heun"}, three},
-      {kind::weights, {0.01, 0.05, 0.5}, {0.001}, {"lie_heun"}, three},
-      {kind::half_missing, {0.01, 0.05, 1}, {0.001}, {"heun"}, {"paper", "anisotropic"}},
-      {kind::stage, {0.01, 0.05, 1}, {0.001}, {"lie_heun"}, three},
-      {kind::halves, {0.01, 0.05, 1}, {0.001}, {"strang"}, three},
-      {kind::exponential, {1}, {}, {"lie_euler"}, three},
+      {kind::dissipation_sign, {1}, {}, {"lie_heun"}, scenes},
+      {kind::weights, {0.01, 0.05, 0.5}, {0.001}, {"lie_heun"}, scenes},
+      {kind::half_missing, {0.01, 0.05, 1}, {0.001}, {"heun"}, paper},
+      {kind::stage, {0.01, 0.05, 1}, {0.001}, {"lie_heun"}, scenes},
+      {kind::halves, {0.01, 0.05, 1}, {0.001}, {"strang"}, scenes},
+      {kind::exponential, {1}, {}, {"lie_euler"}, scenes},
       // Claims.
-      {kind::strong_claim, {0.5}, {}, all, {"paper", "weak noise", "single"}},
+      {kind::strong_claim, {0.5}, {}, all, paper},
+      {kind::strong_claim, {0.5}, {}, three, {"weak noise", "single"}},
       {kind::weak_claim, {1}, {}, all, paper},
-      {kind::weak_claim, {1}, {}, {"strang", "lie_heun", "lie_trotter"}, {"sigma 0.1", "weak noise", "anisotropic"}},
+      {kind::weak_claim, {1}, {}, {"strang", "lie_heun"}, {"sigma 0.1", "weak noise", "anisotropic"}},
       {kind::path_claim, {1}, {}, all, paper},
-      {kind::drift_claim, {0.5}, {}, {"euler_maruyama", "heun", "milstein", "milstein_no_area"}, paper},
-      {kind::casimir_claim, {1}, {}, {"euler_maruyama", "heun", "milstein", "milstein_no_area"}, three},
+      {kind::drift_claim, {0.5}, {}, drifting, paper},
+      {kind::casimir_claim, {1}, {}, drifting, {"paper", "weak noise"}},
   };
 }
 

@@ -9,8 +9,11 @@ namespace polhode::test {
 namespace {
 
 TEST(MutantsTable, WhatIsAskedForIsRefutedAndNoTwinIs) {
-  const auto all = run_rows(table(), 2);
-  std::fputs((table_text(all) + '\n' + summary_text(all)).c_str(), stdout);
+  const auto all = run_rows(table(), 2, [](const score& s) {
+    std::fputs(line_of(s).c_str(), stdout);
+    std::fflush(stdout);
+  });
+  std::fputs(('\n' + table_text(all) + '\n' + summary_text(all)).c_str(), stdout);
   for (const auto& s : all.twins)
     for (const auto& v : s.refuted)
       ADD_FAILURE() << "healthy " << s.of.scheme << " on " << s.of.scene << ": " << v.claim << ": " << v.reason;
