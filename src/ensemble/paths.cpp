@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "ensemble/denormals.hpp"
+#include "ensemble/noise_defect.hpp"
 #include "ensemble/normal_block.hpp"
 #include "ensemble/work_counters.hpp"
 
@@ -46,6 +47,8 @@ increment_buffer::increment_buffer(const model& m, int steps, bool with_areas, n
 
 increment_view increment_buffer::fill(std::uint64_t seed, std::uint64_t first_path, std::uint64_t first_step, int steps,
                                       double dt) {
+  const auto* defect = noise_defect_in_force();
+  if (defect) first_path = defect->path(first_path);
   const auto draw = [&](noise_kind kind, int rows, int wanted, double scale, std::vector<double>& out, float* singles) {
     fill_normals({seed, kind, first_path, first_step, steps, rows, wanted, scale, out.data(), source_, singles});
     count_normals(static_cast<std::uint64_t>(steps) * static_cast<std::uint64_t>(wanted) * block_lanes);
@@ -53,6 +56,7 @@ increment_view increment_buffer::fill(std::uint64_t seed, std::uint64_t first_pa
   const double scale = std::sqrt(dt);
   draw(noise_kind::increment, channels_, active_, scale, dw_, singles_.empty() ? nullptr : singles_.data());
   if (!area_.empty()) draw(noise_kind::area, pairs_, active_ < 2 ? 0 : pairs_, dt / 2, area_, nullptr);
+  if (defect) defect->spoil({first_path, first_step, block_lanes, steps, channels_, pairs_, dt, dw_, singles_, area_});
   return {dt, steps, dw_, area_, singles_, scale};
 }
 

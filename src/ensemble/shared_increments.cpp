@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ensemble/noise_defect.hpp"
 #include "ensemble/paths.hpp"
 #include "ensemble/work_counters.hpp"
 
@@ -34,6 +35,8 @@ shared_increments::shared_increments(const model& m, std::uint64_t seed, std::in
   const int active = m.active_channels(), areas = with_areas && active > 1 ? pairs_ : 0;
   drawn_ = static_cast<std::uint64_t>(steps) * static_cast<std::uint64_t>(active + areas);
   count_normals(drawn_);
+  const auto* defect = noise_defect_in_force();
+  if (defect) path = defect->path(path);
   parallel_for(threads, static_cast<int>((steps + piece - 1) / piece), [&](int p) {
     for (std::int64_t i = p * piece; i < std::min(steps, (p + 1) * piece); ++i) {
       const auto step = static_cast<std::uint64_t>(i);
@@ -41,6 +44,7 @@ shared_increments::shared_increments(const model& m, std::uint64_t seed, std::in
       if (areas > 0) draw({seed, noise_kind::area, path, step}, areas, dt / 2, source, area_.data() + i * pairs_);
     }
   });
+  if (defect) defect->spoil({path, 0, 1, static_cast<int>(steps), channels_, pairs_, dt, dw_, {}, area_});
 }
 
 increment_view shared_increments::view(std::int64_t first_step, int steps) const {

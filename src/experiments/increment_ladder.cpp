@@ -1,5 +1,7 @@
 #include "experiments/increment_ladder.hpp"
 
+#include "ensemble/noise_defect.hpp"
+
 namespace polhode {
 
 increment_ladder::increment_ladder(const model& m, const level_grid& grid, int cells, noise_source source)
@@ -23,6 +25,13 @@ increment_view increment_ladder::fill(std::uint64_t seed, std::uint64_t first_pa
   model_.coarsen(fine, cells_, levels_.back().dw, levels_.back().area);
   for (std::size_t l = levels_.size() - 1; l-- > 0;)
     model_.coarsen(levels_[l + 1].view, 2, levels_[l].dw, levels_[l].area);
+  if (const auto* defect = noise_defect_in_force())
+    for (auto& level : levels_) {
+      const auto& v = level.view;
+      const auto first = static_cast<std::uint64_t>(chunk) * static_cast<std::uint64_t>(v.steps);
+      const int channels = model_.channels(), pairs = channels * (channels - 1) / 2;
+      defect->spoil({first_path, first, block_lanes, v.steps, channels, pairs, v.dt, level.dw, {}, level.area, true});
+    }
   return fine;
 }
 
