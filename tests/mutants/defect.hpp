@@ -45,6 +45,14 @@ enum class kind {
   stage,             ///< the second stage this far at the state of the first
   halves,            ///< of Strang (1 + size) dt/2 and (1 - size) dt/2
   exponential,       ///< cut after the second power
+  // The generator, for the whole run: schemes and references alike.
+  generator_dw,        ///< increments × (1 + size)
+  generator_channels,  ///< as channels
+  generator_lanes,     ///< as lanes
+  generator_steps,     ///< as steps
+  generator_clip,      ///< as clip
+  generator_paths,     ///< after `size` blocks the paths begin again
+  generator_area,      ///< areas × (1 + size), drawn or coarsened
   // The claims alone.
   strong_claim,   ///< + size
   weak_claim,     ///< + size
@@ -60,7 +68,7 @@ struct defect {
   double size = 0;
 };
 
-/// "noise × 1.01", as the table prints it.
+/// "sigma x 1.01", as the table prints it.
 std::string described(const defect&);
 
 /// The scene's system with this one scheme, the defect planted; model, reference and claims stay those of the healthy

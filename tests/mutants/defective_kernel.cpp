@@ -5,6 +5,8 @@
 #include <cmath>
 #include <polhode/noise/normal.hpp>
 
+#include "mutants/spoilt_noise.hpp"
+
 namespace polhode::test {
 namespace {
 
@@ -19,68 +21,6 @@ double time_factor(const defect& d, const report::scene& scene, double dt) {
     case kind::horizon: return 1 + d.size;
     case kind::step_count: return 1 + d.size * dt / scene.horizon;
     default: return 1;
-  }
-}
-
-/// Numbers [step][row][lane], in units of `unit`.
-template <class Real>
-struct noise_rows {
-  std::vector<Real>& values;
-  std::size_t rows, lanes, steps;
-  double unit;
-  Real& at(std::size_t step, std::size_t row, std::size_t lane) { return values[(step * rows + row) * lanes + lane]; }
-
-  template <class Change>
-  void each(Change change) {
-    for (std::size_t i = 0; i < steps; ++i)
-      for (std::size_t lane = 0; lane < lanes; ++lane) change(i, lane);
-  }
-  void scale(double by) {
-    for (Real& x : values) x = static_cast<Real>(x * by);
-  }
-  void mix_channels(double correlation) {
-    const double rest = std::sqrt(1 - correlation * correlation);
-    each([&](auto i, auto lane) {
-      at(i, 1, lane) = static_cast<Real>(correlation * at(i, 0, lane) + rest * at(i, 1, lane));
-    });
-  }
-  void clip(double most) {
-    const auto bound = static_cast<Real>(most * unit);
-    for (Real& x : values) x = std::clamp(x, -bound, bound);
-  }
-  void drop_beyond(double most) {
-    each([&](auto i, auto lane) {
-      const Real a = at(i, 0, lane), b = at(i, 1, lane), c = at(i, 2, lane);
-      if (a * a + b * b + c * c <= most * most * unit * unit) return;
-      for (std::size_t k = 0; k < rows; ++k) at(i, k, lane) = 0;
-    });
-  }
-  /// Of a block alone: the nodes of a quadrature and a common path have one lane.
-  void repeat_lanes(std::size_t last) {
-    if (lanes == 1) return;
-    each([&](auto i, auto lane) {
-      if (lane < lanes - last) return;
-      for (std::size_t k = 0; k < rows; ++k) at(i, k, lane) = at(i, k, lane - (lanes - last));
-    });
-  }
-  /// Of a block alone: the steps of a quadrature are nodes.
-  void repeat_steps() {
-    if (lanes == 1) return;
-    for (std::size_t i = 1; i < steps; i += 2)
-      std::copy_n(values.data() + (i - 1) * rows * lanes, rows * lanes, values.data() + i * rows * lanes);
-  }
-};
-
-template <class Real>
-void spoil_increments(const defect& d, noise_rows<Real> noise) {
-  switch (d.kind) {
-    case kind::dw: return noise.scale(1 + d.size);
-    case kind::channels: return noise.mix_channels(d.size);
-    case kind::clip: return noise.clip(d.size);
-    case kind::branch: return noise.drop_beyond(d.size);
-    case kind::lanes: return noise.repeat_lanes(static_cast<std::size_t>(d.size));
-    case kind::steps: return noise.repeat_steps();
-    default: return;
   }
 }
 
@@ -204,7 +144,7 @@ class defective_kernel final : public kernel {
     const auto taken = [&]<class Real>(std::span<const Real>& from, std::vector<Real>& into, double unit) {
       if (from.empty()) return;
       into.assign(from.begin(), from.end());
-      noise_rows<Real> rows{into, from.size() / steps / lanes, lanes, steps, unit};
+      noise_rows<Real> rows{std::span(into), from.size() / steps / lanes, lanes, steps, unit};
       if (with_time != 1) rows.scale(with_time);
       spoil_increments(defect_, rows);
       from = into;

@@ -20,6 +20,9 @@ report::scene scene_named(std::string_view);
 /// All rows; each block of the source is a kind at several sizes, on several schemes and scenes.
 std::vector<row> table();
 
+/// Those of the generator, which are in force in the whole process: one at a time.
+std::vector<row> generator_table();
+
 /// The few that every push tries: one of each kind, at the smallest size that is cheap to refute.
 std::vector<row> sharpest();
 

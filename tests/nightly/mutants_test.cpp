@@ -8,8 +8,8 @@
 namespace polhode::test {
 namespace {
 
-TEST(MutantsTable, WhatIsAskedForIsRefutedAndNoTwinIs) {
-  const auto all = run_rows(table(), 2, [](const score& s) {
+void expect_refuted(const std::vector<row>& rows, int threads) {
+  const auto all = run_rows(rows, threads, [](const score& s) {
     std::fputs(line_of(s).c_str(), stdout);
     std::fflush(stdout);
   });
@@ -21,6 +21,11 @@ TEST(MutantsTable, WhatIsAskedForIsRefutedAndNoTwinIs) {
     EXPECT_TRUE(s.refutes() || !s.of.asked)
         << described(s.of.planted) << ", " << s.of.scheme << ", " << s.of.scene << " survives";
 }
+
+TEST(MutantsTable, WhatIsAskedForIsRefutedAndNoTwinIs) { expect_refuted(table(), 2); }
+
+// One at a time: a defect of the generator is in force in the whole process.
+TEST(MutantsTable, DefectsOfTheGeneratorAreRefuted) { expect_refuted(generator_table(), 1); }
 
 }  // namespace
 }  // namespace polhode::test
