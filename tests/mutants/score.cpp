@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -26,16 +27,18 @@ double cpu_seconds() {
 }
 
 std::vector<row> twins_of(const std::vector<row>& rows) {
-  std::set<std::pair<std::string_view, std::string_view>> seen;
+  std::set<std::array<std::string_view, 3>> seen;
   std::vector<row> twins;
   for (const auto& r : rows)
-    if (seen.insert({r.scheme, r.scene}).second) twins.push_back({{kind::none, 0}, r.scheme, r.scene, false});
+    if (seen.insert({r.scheme, r.scene, r.experiment}).second)
+      twins.push_back({{kind::none, 0}, r.scheme, r.scene, false, r.experiment});
   return twins;
 }
 
-/// An over-claim is held against the experiment of its claim alone.
-std::vector<std::string> experiments_of(kind k) {
-  switch (k) {
+/// The one that the row names; else an over-claim is held against the experiment of its claim alone.
+std::vector<std::string> experiments_of(const row& r) {
+  if (!r.experiment.empty()) return {std::string(r.experiment)};
+  switch (r.planted.kind) {
     case kind::strong_claim: return {"strong"};
     case kind::weak_claim: return {"weak"};
     case kind::path_claim: return {"energy"};
@@ -43,6 +46,10 @@ std::vector<std::string> experiments_of(kind k) {
     case kind::casimir_claim: return {"casimir"};
     default: return table_experiments();
   }
+}
+
+bool counts(const row& r, const report::verdict& v) {
+  return !r.experiment.empty() || v.claim.find(claim_of(r.planted.kind)) != std::string::npos;
 }
 
 std::string refuters(const score& s) {
@@ -91,14 +98,13 @@ score run_row(const row& r) {
   if (generator) in_force.emplace(*generator);
   const auto subject = planted(scene_named(r.scene), r.scheme, r.planted);
   score out{r, {}};
-  for (const auto& experiment : experiments_of(r.planted.kind)) {
+  for (const auto& experiment : experiments_of(r)) {
     verify_options options;
     options.experiments = {experiment};
     options.effort = effort::quick;
     for (const auto& v : verify_subject(subject, options).verdicts) {
       if (v.kind == report::verdict_kind::inconclusive) ++out.inconclusive;
-      if (v.kind == report::verdict_kind::refuted && v.claim.find(claim_of(r.planted.kind)) != std::string::npos)
-        out.refuted.push_back(v);
+      if (v.kind == report::verdict_kind::refuted && counts(r, v)) out.refuted.push_back(v);
     }
     if (out.refutes() && r.planted.kind != kind::none) break;
   }

@@ -11,7 +11,8 @@ namespace polhode::test {
 struct row {
   defect planted;
   std::string_view scheme, scene;
-  bool asked;  ///< to be refuted; else the size is there to find where refutation ends
+  bool asked = true;                 ///< to be refuted; else the size is there to find where refutation ends
+  std::string_view experiment = {};  ///< the one that must refute it; empty: any
 };
 
 /// Built-in scenes, and those of the table's own: "weak noise", "hard".
@@ -23,7 +24,7 @@ std::vector<row> table();
 /// Those of the generator, which are in force in the whole process: one at a time.
 std::vector<row> generator_table();
 
-/// The few that every push tries: one of each kind, at the smallest size that is cheap to refute.
+/// The few that every push tries: of each kind the smallest size that is cheap to refute, by the experiment named.
 std::vector<row> sharpest();
 
 /// What of a verdict's claim must stand there for it to count; empty: any refuted claim is a refutation.
