@@ -1,0 +1,189 @@
+#include "mutants/table.hpp"
+
+#include <algorithm>
+
+#include "registry/scene.hpp"
+
+namespace polhode::test {
+namespace {
+
+using names = std::vector<std::string_view>;
+
+/// Sizes `asked` for and `beyond`, each on every scheme and scene.
+struct block {
+  test::kind kind;
+  std::vector<double> asked, beyond;
+  names schemes, scenes;
+};
+
+const names all = {"euler_maruyama",    "heun",      "heun_projected", "milstein",    "milstein_no_area",
+                   "implicit_midpoint", "lie_euler", "lie_heun",       "cayley_heun", "magnus",
+                   "lie_trotter",       "strang",    "strang_weak2"};
+const names three = {"lie_trotter", "lie_heun", "strang_weak2"};  // weak orders 1, 1 and 2, splitting and not
+const names two = {"lie_heun", "strang_weak2"};
+const names drifting = {"euler_maruyama", "heun", "milstein", "milstein_no_area"};
+const names paper = {"paper"}, others = {"weak noise", "anisotropic"}, scenes = {"paper", "weak noise", "anisotropic"};
+
+std::vector<block> blocks() {
+  return {
+      // Parameters: of the noise and of the dissipation for all schemes, as each claims a weak order.
+      {kind::noise, {-0.001, 0.001, 0.01, 0.05}, {}, all, paper},
+      {kind::noise, {0.001, 0.01, 0.05}, {}, two, others},
+      {kind::theta, {-0.001, 0.001, 0.01, 0.05}, {}, all, paper},
+      {kind::theta, {0.001, 0.01, 0.05}, {}, two, others},
+      {kind::inertia_1, {0.01, 0.05}, {0.001}, three, paper},
+      {kind::inertia_2, {0.01, 0.05}, {0.001}, two, scenes},
+      {kind::inertia_3, {0.01, 0.05}, {0.001}, three, paper},
+      {kind::channel_1, {0.01, 0.05}, {0.001}, two, scenes},
+      // Time.
+      {kind::sub_flow, {0.01, 0.05}, {0.001}, {"lie_trotter", "strang"}, scenes},
+      {kind::horizon, {-0.01, 0.01}, {-0.001, 0.001}, two, scenes},
+      {kind::step_count, {-1, 1}, {}, {"euler_maruyama", "lie_euler", "lie_trotter", "strang_weak2"}, scenes},
+      // Increments.
+      {kind::dw, {0.01, 0.05}, {0.001}, {"magnus", "heun"}, paper},
+      {kind::dw, {0.01}, {0.001}, {"cayley_heun"}, others},
+      {kind::area, {-2, 0.05}, {0.01}, {"magnus", "milstein"}, paper},
+      {kind::area, {-2, 0.05}, {0.01}, {"magnus"}, {"anisotropic"}},
+      {kind::area_mixed, {1}, {}, {"magnus"}, {"paper", "anisotropic"}},
+      {kind::channels, {1, 0.3, 0.05, 0.01}, {0.001}, two, {"paper", "anisotropic"}},
+      {kind::lanes, {32, 1}, {}, {"lie_heun", "strang"}, paper},
+      {kind::steps, {1}, {}, {"lie_heun", "strang"}, paper},
+      {kind::clip, {2, 3}, {4, 5}, two, {"paper", "anisotropic"}},
+      {kind::branch, {3, 4, 5}, {}, two, {"paper", "anisotropic"}},
+      // States.
+      {kind::float_state, {1}, {}, {"lie_heun", "strang", "heun"}, paper},
+      {kind::float_projected, {1}, {}, {"lie_heun", "strang"}, {"paper", "weak noise"}},
+      {kind::turn, {0.01, 0.05}, {0.001}, two, scenes},
+      {kind::shrink, {0.01}, {0.001, 1e-6}, {"heun", "lie_heun"}, paper},
+      {kind::ito_drift, {-1, 1, 0.05, 0.01}, {0.001}, {"euler_maruyama", "heun"}, paper},
+      {kind::ito_drift, {-1, 0.05, 0.01}, {}, {"milstein"}, {"anisotropic"}},
+      // Inside the step.
+      {kind::dissipation_sign, {1}, {}, {"lie_heun"}, scenes},
+      {kind::weights, {0.01, 0.05, 0.5}, {0.001}, {"lie_heun"}, scenes},
+      {kind::half_missing, {0.01, 0.05, 1}, {0.001}, {"heun"}, paper},
+      {kind::stage, {0.01, 0.05, 1}, {0.001}, {"lie_heun"}, scenes},
+      {kind::halves, {0.01, 0.05, 1}, {0.001}, {"strang"}, scenes},
+      {kind::exponential, {1}, {}, {"lie_euler"}, scenes},
+      // Claims.
+      {kind::strong_claim, {0.5}, {}, all, paper},
+      {kind::strong_claim, {0.5}, {}, three, {"weak noise", "single"}},
+      {kind::weak_claim, {1}, {}, all, paper},
+      {kind::weak_claim, {1}, {}, {"strang", "lie_heun"}, {"sigma 0.1", "weak noise", "anisotropic"}},
+      {kind::path_claim, {1}, {}, all, paper},
+      {kind::drift_claim, {0.5}, {}, drifting, paper},
+      {kind::casimir_claim, {1}, {}, drifting, {"paper", "weak noise"}},
+      // Where nothing exact is affordable; half a minute each.
+      {kind::noise, {0.5}, {}, {"strang"}, {"hard"}},
+      {kind::theta, {0.2}, {}, {"strang"}, {"hard"}},
+  };
+}
+
+std::vector<block> generator_blocks() {
+  const names broad = {"heun", "magnus", "strang"};
+  return {
+      {kind::generator_dw, {0.02, 0.05}, {0.01, 0.001}, broad, paper},
+      {kind::generator_channels, {1, 0.3, 0.05}, {0.01}, broad, paper},
+      {kind::generator_lanes, {32, 1}, {}, broad, paper},
+      {kind::generator_steps, {1}, {}, broad, paper},
+      {kind::generator_clip, {2, 3}, {4}, broad, paper},
+      {kind::generator_paths, {1, 2}, {}, broad, paper},
+      {kind::generator_area, {-2, -1, 0.05}, {0.01}, {"magnus", "milstein"}, paper},
+  };
+}
+
+std::vector<row> rows_of(const std::vector<block>& blocks) {
+  std::vector<row> rows;
+  for (const auto& b : blocks)
+    for (const auto scheme : b.schemes)
+      for (const auto scene : b.scenes) {
+        for (const double size : b.asked) rows.push_back({{b.kind, size}, scheme, scene, true});
+        for (const double size : b.beyond) rows.push_back({{b.kind, size}, scheme, scene, false});
+      }
+  return rows;
+}
+
+report::scene with_noise(double sigma, std::string name) {
+  auto s = load_scene("paper");
+  s.name = std::move(name);
+  for (std::size_t i = 0; i < 3; ++i) s.sigma[i][i] = sigma;
+  return s;
+}
+
+/// Fast and noisy: no transfer operator of a scheme that leaves the sphere resolves it, so that weak errors are
+/// sampled.
+report::scene hard() {
+  auto s = load_scene("anisotropic");
+  s.name = "hard";
+  s.momentum = {3, 2.4, 3.2};
+  s.sigma = {{1.0, 0, 0}, {0, 1.5, 0}, {0.5, 0, 2.0}};
+  return s;
+}
+
+}  // namespace
+
+report::scene scene_named(std::string_view name) {
+  if (name == "weak noise") return with_noise(0.05, "weak noise");
+  if (name == "sigma 0.1") return with_noise(0.1, "sigma 0.1");
+  if (name == "hard") return hard();
+  return load_scene(name);
+}
+
+std::vector<row> table() { return rows_of(blocks()); }
+std::vector<row> generator_table() { return rows_of(generator_blocks()); }
+
+std::vector<row> sharpest() {
+  return {
+      {{kind::noise, 0.001}, "heun_projected", "paper", true, "gibbs"},
+      {{kind::noise, 0.001}, "lie_heun", "paper", true, "weak"},
+      {{kind::noise, 0.05}, "heun", "paper", true, "strong"},
+      {{kind::theta, 0.001}, "strang", "paper", true, "energy"},
+      {{kind::theta, 0.001}, "strang_weak2", "paper", true, "gibbs"},
+      {{kind::theta, 0.01}, "lie_trotter", "paper", true, "weak"},
+      {{kind::inertia_1, 0.001}, "lie_heun", "paper", true, "energy"},
+      {{kind::inertia_2, 0.001}, "strang", "paper", true, "energy"},
+      {{kind::inertia_3, 0.001}, "strang_weak2", "paper", true, "weak"},
+      {{kind::channel_1, 0.01}, "strang_weak2", "paper", true, "gibbs"},
+      {{kind::sub_flow, 0.001}, "strang", "paper", true, "energy"},
+      {{kind::horizon, -0.001}, "lie_heun", "paper", true, "energy"},
+      {{kind::step_count, -1}, "strang_weak2", "paper", true, "weak"},
+      {{kind::dw, 0.01}, "cayley_heun", "paper", true, "gibbs"},
+      {{kind::area, -2}, "magnus", "paper", true, "strong"},
+      {{kind::area, -2}, "milstein", "paper", true, "strong"},
+      {{kind::area_mixed, 1}, "magnus", "paper", true, "strong"},
+      {{kind::channels, 0.3}, "lie_heun", "paper", true, "strong"},
+      {{kind::channels, 0.01}, "strang_weak2", "paper", true, "gibbs"},
+      {{kind::steps, 1}, "strang", "paper", true, "strong"},
+      {{kind::clip, 2}, "strang_weak2", "paper", true, "strong"},
+      {{kind::float_state, 1}, "lie_heun", "paper", true, "casimir"},
+      {{kind::turn, 0.001}, "lie_heun", "paper", true, "energy"},
+      {{kind::shrink, 1e-6}, "lie_heun", "paper", true, "casimir"},
+      {{kind::ito_drift, -1}, "euler_maruyama", "paper", true, "strong"},
+      {{kind::ito_drift, 1}, "heun", "paper", true, "strong"},
+      {{kind::dissipation_sign, 1}, "lie_heun", "paper", true, "energy"},
+      {{kind::dissipation_sign, 1}, "lie_heun", "paper", true, "gibbs"},
+      {{kind::weights, 0.01}, "lie_heun", "paper", true, "energy"},
+      {{kind::half_missing, 0.01}, "heun", "paper", true, "energy"},
+      {{kind::stage, 0.01}, "lie_heun", "paper", true, "energy"},
+      {{kind::halves, 0.01}, "strang", "paper", true, "energy"},
+      {{kind::exponential, 1}, "lie_euler", "paper", true, "casimir"},
+      {{kind::strong_claim, 0.5}, "lie_heun", "paper", true, "strong"},
+      {{kind::weak_claim, 1}, "strang", "paper", true, "weak"},
+      {{kind::weak_claim, 1}, "strang", "paper", true, "gibbs"},
+      {{kind::path_claim, 1}, "lie_trotter", "paper", true, "energy"},
+      {{kind::drift_claim, 0.5}, "heun", "paper", true, "casimir"},
+      {{kind::casimir_claim, 1}, "heun", "paper", true, "casimir"},
+  };
+}
+
+std::string_view claim_of(kind k) {
+  switch (k) {
+    case kind::strong_claim: return "strong order";
+    case kind::weak_claim: return "weak order";
+    case kind::path_claim: return "order of the";
+    case kind::drift_claim: return "order of the Casimir drift";
+    case kind::casimir_claim: return "Casimirs kept to rounding";
+    default: return "";
+  }
+}
+
+}  // namespace polhode::test
