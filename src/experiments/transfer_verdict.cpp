@@ -122,6 +122,36 @@ std::optional<verdict> hidden_term(const verdict& empty, const std::vector<error
                              term.value, term.certainty(), power));
 }
 
+/// A step that is not smooth in its increment: its law is not what the quadrature over few nodes makes of it.
+std::optional<verdict> rare_branch(const verdict& empty, const std::vector<error_column>& columns,
+                                   const std::vector<column_finding>& found, const error_table& t) {
+  const auto level = std::ranges::find(t.dt, t.far_noise.dt) - t.dt.begin();
+  const double tolerated = tolerated_limit(columns);
+  std::optional<std::size_t> worst;
+  double most = 1;
+  for (Eigen::Index k = 0; k < t.far_noise.change.size(); ++k) {
+    const double uncertain = t.uncertainty[static_cast<std::size_t>(level)][k];
+    const double allowed = 3 * uncertain + tolerated * columns[static_cast<std::size_t>(k)].scale;
+    if (const double out = t.far_noise.change[k] / allowed; out > most) {
+      worst = static_cast<std::size_t>(k);
+      most = out;
+    }
+  }
+  if (!worst) return std::nullopt;
+  return refuted(
+      empty, found[*worst],
+      fmt::format("not smooth in its noise: increments out to 8 sqrt(dt) move {} at dt = {:.3g} by {:.2g}, "
+                  "so rare ones take another branch of the step",
+                  columns[*worst].observable, t.far_noise.dt, t.far_noise.change[static_cast<Eigen::Index>(*worst)]));
+}
+
+/// How many paths the claim does not speak of.
+std::string rejected(const error_table& t) {
+  double most = 0;
+  for (const double share : t.taken_back) most = std::max(most, share);
+  return most > 0 ? fmt::format("; of paths that stay near the sphere, all but a share of at most {:.1g}", most) : "";
+}
+
 verdict without_fit(verdict v, double largest) {
   if (!std::isfinite(largest)) {
     v.reason = "not finite: a step of the scheme fails";
@@ -180,17 +210,34 @@ double tolerated_limit(const std::vector<error_column>& columns) {
   return std::isfinite(least) ? std::max(least, negligible_error) : negligible_error;
 }
 
+namespace {
+
+/// The slope of what is left above the limit has settled, or nothing is left at the finest level.
+bool approaches_its_limit(const error_table& t, std::vector<double> error, std::vector<double> uncertainty,
+                          const expansion_term& limit) {
+  for (double& e : error) e -= limit.value;
+  for (double& u : uncertainty) u += limit.certainty();
+  if (std::fabs(error.back()) < clear * uncertainty.back()) return true;
+  const auto fit = fit_finest_order(t.dt, error, uncertainty, clear);
+  return fit && fit->settled;
+}
+
+}  // namespace
+
 std::vector<column_finding> find_columns(const order_question& q, double expected, const error_table& t) {
   std::vector<column_finding> out(q.columns.size());
   for (std::size_t k = 0; k < out.size(); ++k) {
     const auto error = column_of(t.error, k), uncertainty = column_of(t.uncertainty, k);
     out[k].fit = fit_finest_order(t.dt, error, uncertainty, clear);
     out[k].finest_is_clear = !error.empty() && std::fabs(error.back()) >= clear * uncertainty.back();
-    for (int power = 0; power < std::ceil(expected); ++power) {
+    for (int power = 0; power < std::ceil(expected) && !q.columns[k].distance; ++power) {
       const auto term = expansion_coefficient(t.dt, error, uncertainty, power);
       if (!term) break;
       out[k].terms.push_back(*term);
     }
+    const bool settled = out[k].fit && out[k].fit->settled;
+    out[k].approaches = !out[k].finest_is_clear || settled ||
+                        (has_terms(out[k]) && approaches_its_limit(t, error, uncertainty, out[k].terms[0]));
   }
   return out;
 }
@@ -198,7 +245,7 @@ std::vector<column_finding> find_columns(const order_question& q, double expecte
 bool too_wide(const order_question& q, double expected, const error_table& t) {
   if (unresolved(t, q.columns)) return false;
   const auto found = find_columns(q, expected, t);
-  const auto open = [](const column_finding& f) { return f.finest_is_clear && !(f.fit && f.fit->settled); };
+  const auto open = [](const column_finding& f) { return !f.approaches; };
   const auto cut_off = [](const column_finding& f) {
     return has_terms(f) && f.terms[0].truncated > f.terms[0].propagated;
   };
@@ -229,11 +276,13 @@ verdict judge_table(const order_question& q, double expected, const error_table&
   const auto found = find_columns(q, expected, t);
   const double largest = largest_error(t, q.columns);
   if (!std::isfinite(largest)) return without_fit(empty, largest);
+  if (auto v = rare_branch(empty, q.columns, found, t)) return *v;
   if (auto v = wrong_limit(empty, q.columns, found)) return *v;
   if (auto v = hidden_term(empty, q.columns, found)) return *v;
   if (std::ranges::none_of(found, has_fit)) return without_fit(empty, largest);
   auto v = judge_columns(q, expected, t.scheme, counting_fits(found));
   if (expected > 0) ask_for_certainty(v, noticed_by(q.columns, found));
+  v.reason += rejected(t);
   return v;
 }
 
