@@ -23,7 +23,7 @@ inline constexpr double negligible_error = 1e-9;  ///< of the observable's size
 struct column_finding {
   std::optional<order_fit> fit;       ///< of its clear levels
   std::vector<expansion_term> terms;  ///< a_0, a_1, … below the claimed order; fewer where there are too few levels
-  bool finest_is_clear = false;
+  bool finest_is_clear = false;       ///< of its uncertainty and of that of the limit
   bool approaches = false;  ///< how fast it nears its own limit, whatever that is, is known, or as good as reached
 };
 std::vector<column_finding> find_columns(const order_question&, double expected, const error_table&);
