@@ -81,13 +81,17 @@ std::optional<verdict> hidden_term(const verdict& empty, const std::vector<error
 
 std::optional<verdict> rare_branch(const verdict& empty, const std::vector<error_column>& columns,
                                    const std::vector<column_finding>& found, const error_table& t) {
+  double noise = 0;
+  for (const auto& c : columns) noise = std::max(noise, tolerated_share * std::fabs(c.by_noise) / c.scale);
   const auto level = std::ranges::find(t.dt, t.far_noise.dt) - t.dt.begin();
   const double tolerated = tolerated_limit(columns);
   std::optional<std::size_t> worst;
   double most = 1;
   for (Eigen::Index k = 0; k < t.far_noise.change.size(); ++k) {
-    const double uncertain = t.uncertainty[static_cast<std::size_t>(level)][k];
-    const double allowed = 3 * uncertain + tolerated * columns[static_cast<std::size_t>(k)].scale;
+    const double scale = columns[static_cast<std::size_t>(k)].scale;
+    const double allowed = noise > negligible_error
+                               ? noise * scale
+                               : 3 * t.uncertainty[static_cast<std::size_t>(level)][k] + tolerated * scale;
     if (const double out = t.far_noise.change[k] / allowed; out > most) {
       worst = static_cast<std::size_t>(k);
       most = out;

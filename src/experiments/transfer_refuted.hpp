@@ -19,8 +19,8 @@ std::optional<report::verdict> wrong_limit(const report::verdict& empty, const s
 std::optional<report::verdict> hidden_term(const report::verdict& empty, const std::vector<error_column>&,
                                            const std::vector<column_finding>&);
 
-/// A step that is not smooth in its increment: its law is not what the quadrature over few nodes makes of it. Three
-/// times the uncertainty of the level and what a limit may be.
+/// A step that is not smooth in its increment: its law is not what the quadrature over few nodes makes of it. More
+/// than a ten-thousandth of the noise moves; where noise moves nothing, three times the uncertainty of the level.
 std::optional<report::verdict> rare_branch(const report::verdict& empty, const std::vector<error_column>&,
                                            const std::vector<column_finding>&, const error_table&);
 

