@@ -259,7 +259,8 @@ experiment gibbs_experiment() {
         "Without dissipation the law is uniform for any noise that reaches every direction.",
         "Bias of E[h], E[h^2] and distance of the densities (L2) over dt: the law that the scheme's transfer "
         "operator leaves as it is, nothing sampled (experiment weak). True law: the Gibbs density, or for other "
-        "noise the null vector of the Kolmogorov operator. The slowest of the three decides on the order.",
+        "noise the null vector of the Kolmogorov operator. Judged like the weak errors; the slowest of the three "
+        "decides on the order, and the limit at dt = 0 is asked of both means.",
         "Normals: fast ones (right to 1e-6). Areas are drawn from the weak surrogate (independent normals of variance "
         "dt^2/4)."}},
       4,

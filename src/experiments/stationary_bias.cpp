@@ -75,7 +75,7 @@ std::vector<error_column> columns_of(const asked_of_law& asked, const sphere_pro
                         dissipation = moved(with_more_dissipation(p, sensitivity_share));
   return {{"bias", "energy", scale[0], noise[0], dissipation[0]},
           {"bias", "energy^2", scale[1], noise[1], dissipation[1]},
-          {"distance", "density", scale[2], noise[2], dissipation[2]}};
+          {.quantity = "distance", .observable = "density", .scale = scale[2], .distance = true}};
 }
 
 }  // namespace
@@ -105,8 +105,14 @@ void report_stationary_bias(const context& c, report::results& out) {
       columns_of(asked, *problem, s.model->noise() == noise_class::isotropic, *law.density, question.target.scale);
   const auto expected = [&](const scheme_entry& e) { return weak_order_on(e.info, s.model->noise()); };
   const order_question q{
-      "gibbs", "order of the stationary bias", columns, expected,
-      [&](const scheme_entry& e, double dt, std::int64_t steps) { return refine(s, e, dt, steps, question); }};
+      "gibbs",
+      "order of the stationary bias",
+      columns,
+      expected,
+      [&](const scheme_entry& e, double dt, std::int64_t steps) { return refine(s, e, dt, steps, question); },
+      [&](const scheme_entry& e, double dt, std::int64_t steps) {
+        return change_by_far_noise(s, e, dt, steps, question.ask);
+      }};
   auto tables = answer_all(c, schemes, scene_levels(s), q);
   for (auto& table : tables)
     for (auto& u : table.uncertainty) u += law.uncertainty * question.target.scale / law.density->norm();

@@ -23,6 +23,7 @@ constexpr std::array frame_nodes{3, 5, 7, 9, 11};
 constexpr std::array area_nodes{2, 3, 4};
 constexpr double most_multiplications = 3e10;  // of one operator
 constexpr double rounding = 1e-15;             // of a step, relative
+constexpr double range = 4;                    // of what is averaged, in its scale
 
 /// From every point of an operator: nodes of the noise.
 double steps_a_point(const model& m, bool with_areas, const noise_rule& rule) {
@@ -91,7 +92,7 @@ transfer_answer refine(const ladder& l, bool with_areas, const transfer_target& 
   const noise_rule least{nodes[0], area_nodes[0]};
   const asked answers(l, target, steps);
   const Eigen::ArrayXd coarsest = answers.error({bases[0], least});
-  if (!coarsest.allFinite()) return {coarsest, answers.floor(), false};
+  if (!coarsest.allFinite()) return {coarsest, answers.floor(), false, {bases[0], least}};
 
   const auto basis = refine_part(
       answers, coarsest, bases.size(),
@@ -115,11 +116,12 @@ transfer_answer refine(const ladder& l, bool with_areas, const transfer_target& 
 
   // The last change was small, so the choice before it does as well, at a fraction of the cost.
   const std::size_t n = std::max<std::size_t>(channel.used, 1) - 1, m = std::max<std::size_t>(area.used, 1) - 1;
-  const auto error = n + m == 0 ? basis.error : answers.error({bases[basis.used], {nodes[n], area_nodes[m]}});
+  const transfer_rule rule{bases[basis.used], {nodes[n], area_nodes[m]}};
+  const auto error = n + m == 0 ? basis.error : answers.error(rule);
   Eigen::ArrayXd change = basis.change + channel.change;
   if (with_areas) change += area.change;
   change = change.max(answers.floor());
-  return {error, change, error.allFinite() && answers.small(change, error)};
+  return {error, change, error.allFinite() && answers.small(change, error), rule};
 }
 
 }  // namespace
@@ -135,7 +137,11 @@ transfer_answer refine(const subject& s, const scheme_entry& scheme, double dt, 
                         [&](const transfer_rule& rule) -> Eigen::VectorXd {
                           return question.ask(make_transfer(s, scheme, dt, steps, rule));
                         }};
-  return refine(momentum, scheme.needs_areas, question.target, steps);
+  auto answer = refine(momentum, scheme.needs_areas, question.target, steps);
+  if (sphere || !answer.error.allFinite()) return answer;
+  answer.taken_back = taken_back(s, scheme, dt, steps, answer.rule);
+  answer.uncertainty += range * answer.taken_back * question.target.scale;
+  return answer;
 }
 
 transfer_answer refine_exponents(const subject& s, const scheme_entry& scheme, double dt,

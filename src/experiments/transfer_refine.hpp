@@ -26,8 +26,13 @@ struct transfer_question {
 struct transfer_answer {
   Eigen::VectorXd error, uncertainty;  ///< of the answers less the exact ones
   bool resolved = false;               ///< to the tolerance
+  transfer_rule rule{};                ///< by which the answer was found
+  double taken_back = 0;               ///< bound on the probability that a path is taken back to the shell
 };
 
+/// Of a scheme that leaves the sphere: in the law of its paths without those that are taken back to the shell (rejected
+/// as by Milstein and Tretyakov; the moments of all need not exist). Their probability times the range of what is
+/// averaged, four times its scale, is part of the uncertainty.
 transfer_answer refine(const subject&, const scheme_entry&, double dt, std::int64_t steps, const transfer_question&);
 
 /// The same of the exponents of a scheme that keeps the sphere: lambda_1 and lambda_1 + lambda_2. Degrees up to

@@ -38,6 +38,7 @@ void error_table::add(double step, const transfer_answer& answer) {
   dt.push_back(step);
   error.push_back(answer.error);
   uncertainty.push_back(answer.uncertainty);
+  taken_back.push_back(answer.taken_back);
 }
 
 double weak_order_on(const scheme_info& info, noise_class noise) {
@@ -79,6 +80,12 @@ std::vector<error_table> answer_all(const context& c, const std::vector<scheme_e
     for (auto& t : tasks) t.steps = steps;
     answer(tasks, [](double) {});
   }
+  if (q.far_noise)
+    parallel_for(c.threads, static_cast<int>(schemes.size()), [&](int i) {
+      const auto k = static_cast<std::size_t>(i);
+      const double dt = grid.horizon / grid.steps.back();
+      out[k].far_noise = {dt, q.far_noise(schemes[k], dt, grid.steps.back())};
+    });
   return out;
 }
 
@@ -97,7 +104,21 @@ void report_errors(const order_question& q, double expected, const error_table& 
   }
 }
 
+void report_reach(const order_question& q, const error_table& t, report::results& out) {
+  series s{q.experiment, t.scheme, "paths taken back to the shell", "", "share, at most", "transfer"};
+  if (std::ranges::any_of(t.taken_back, [](double share) { return share > 0; }))
+    for (std::size_t i = 0; i < t.taken_back.size(); ++i)
+      out.measurements.push_back(measured(s, t.dt[i], t.taken_back[i]));
+  s.quantity = "change by noise far out";
+  s.unit = "";
+  for (Eigen::Index k = 0; k < t.far_noise.change.size(); ++k) {
+    s.observable = q.columns[static_cast<std::size_t>(k)].observable;
+    out.measurements.push_back(measured(s, t.far_noise.dt, t.far_noise.change[k]));
+  }
+}
+
 void report_orders(const order_question& q, double expected, const error_table& t, report::results& out) {
+  report_reach(q, t, out);
   report_errors(q, expected, t, out);
   out.verdicts.push_back(judge_table(q, expected, t));
 }

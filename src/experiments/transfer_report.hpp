@@ -23,6 +23,11 @@ struct error_table {
   std::string scheme;
   std::vector<double> dt;
   std::vector<Eigen::VectorXd> error, uncertainty;
+  std::vector<double> taken_back{};  ///< transfer_answer::taken_back, of levels that were asked
+  struct far {
+    double dt = 0;
+    Eigen::VectorXd change{};
+  } far_noise{};  ///< what noise far out changes at one level; no change: not asked
 
   void add(double step, const transfer_answer&);
 };
@@ -33,6 +38,7 @@ struct error_column {
   std::string quantity, observable;
   double scale;
   double by_noise = 0, by_dissipation = 0;
+  bool distance = false;  ///< never negative, so no power series where it vanishes: its limit is not asked for
 };
 
 /// The share by which noise and dissipation grow to tell by_noise and by_dissipation: to about as much of them.
@@ -44,10 +50,13 @@ struct order_question {
   std::vector<error_column> columns;
   std::function<double(const scheme_entry&)> expected;
   std::function<transfer_answer(const scheme_entry&, double dt, std::int64_t steps)> answer;
+  /// change_by_far_noise of the columns; empty: not asked.
+  std::function<Eigen::VectorXd(const scheme_entry&, double dt, std::int64_t steps)> far_noise = {};
 };
 
 /// Answers of every scheme at every level, in parallel; the same for any number of threads. While the intervals of a
-/// scheme are too wide for a verdict (transfer_verdict.hpp) its step is halved on, most_halvings times at most.
+/// scheme are too wide for a verdict (transfer_verdict.hpp) its step is halved on, most_halvings times at most. Noise
+/// far out is asked for at the finest level of the grid.
 std::vector<error_table> answer_all(const context&, const std::vector<scheme_entry>&, const level_grid&,
                                     const order_question&);
 inline constexpr int most_halvings = 6;
@@ -56,7 +65,11 @@ inline constexpr int most_halvings = 6;
 /// terms of its series below the order that is expected: the error at dt = 0 first.
 void report_errors(const order_question&, double expected, const error_table&, report::results& out);
 
-/// The same, and the verdict on the order.
+/// Measurements of what the operators leave out: the share of paths taken back to the shell at each level, and what
+/// noise far out changes.
+void report_reach(const order_question&, const error_table&, report::results& out);
+
+/// All of them, and the verdict on the order.
 void report_orders(const order_question&, double expected, const error_table&, report::results& out);
 
 /// The verdict alone (transfer_verdict.hpp). The slowest column decides; an order above the claim holds once the slope

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "experiments/transfer_refuted.hpp"
+
 namespace polhode {
 namespace {
 
@@ -55,71 +57,11 @@ std::optional<double> noticed_share_of(const std::vector<error_column>& columns,
   return least;
 }
 
-std::string per_cent(double share) { return fmt::format("{:.2g} %", 100 * share); }
-
-/// "as noise off by 0.1 %": which change of noise or dissipation would leave that limit in that column.
-std::string equivalent(const error_column& c, double limit) {
-  std::string out;
-  for (const auto& [name, moved] : {std::pair{"noise", c.by_noise}, std::pair{"dissipation", c.by_dissipation}})
-    if (const double share = std::fabs(limit / moved); share < 1)
-      out += fmt::format("{} {} off by {}", out.empty() ? ", as" : " or", name, per_cent(share));
-  return out;
-}
-
-verdict refuted(verdict v, const column_finding& found, std::string reason) {
-  v.kind = verdict_kind::refuted;
-  v.reason = std::move(reason);
-  if (found.fit) {
-    v.estimate = found.fit->order;
-    v.low = found.fit->low;
-    v.high = found.fit->high;
-  }
-  return v;
-}
-
-/// A limit other than zero, in the column where it stands out most.
-std::optional<verdict> wrong_limit(const verdict& empty, const std::vector<error_column>& columns,
-                                   const std::vector<column_finding>& found) {
-  const double tolerated = tolerated_limit(columns);
-  std::optional<std::size_t> worst;
-  double most = 1;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    if (found[k].terms.empty()) continue;
-    const auto& limit = found[k].terms[0];
-    const double out = std::fabs(limit.value) / (limit.certainty() + tolerated * columns[k].scale);
-    if (out > most) {
-      worst = k;
-      most = out;
-    }
-  }
-  if (!worst) return std::nullopt;
-  const auto& limit = found[*worst].terms[0];
-  return refuted(
-      empty, found[*worst],
-      fmt::format("wrong limit: at dt = 0 {} is left with an error of {:.3g} +- {:.1g}{}", columns[*worst].observable,
-                  limit.value, limit.certainty(), equivalent(columns[*worst], limit.value)));
-}
-
-/// A term below the claimed order, in the column where it stands out most. Twice the certainty, as nothing else sets a
-/// scale for it.
-std::optional<verdict> hidden_term(const verdict& empty, const std::vector<error_column>& columns,
-                                   const std::vector<column_finding>& found) {
-  std::optional<std::pair<std::size_t, std::size_t>> worst;
-  double most = 2;
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    for (std::size_t power = 1; power < found[k].terms.size(); ++power) {
-      const auto& term = found[k].terms[power];
-      if (const double out = std::fabs(term.value) / term.certainty(); out > most) {
-        worst = {k, power};
-        most = out;
-      }
-    }
-  if (!worst) return std::nullopt;
-  const auto& [k, power] = *worst;
-  const auto& term = found[k].terms[power];
-  return refuted(empty, found[k],
-                 fmt::format("{} has a term of order {}: {:.3g} +- {:.1g} times dt^{}", columns[k].observable, power,
-                             term.value, term.certainty(), power));
+/// How many paths the claim does not speak of.
+std::string rejected(const error_table& t) {
+  if (std::ranges::none_of(t.taken_back, [](double share) { return share > 0; })) return "";
+  return fmt::format("; of paths near the sphere: all but a share of at most {:.1g} at the finest dt",
+                     t.taken_back.back());
 }
 
 verdict without_fit(verdict v, double largest) {
@@ -180,17 +122,36 @@ double tolerated_limit(const std::vector<error_column>& columns) {
   return std::isfinite(least) ? std::max(least, negligible_error) : negligible_error;
 }
 
+namespace {
+
+/// The slope of what is left above the limit has settled, or nothing is left at the finest level.
+bool approaches_its_limit(const error_table& t, std::vector<double> error, std::vector<double> uncertainty,
+                          const expansion_term& limit) {
+  for (double& e : error) e -= limit.value;
+  for (double& u : uncertainty) u += limit.certainty();
+  if (std::fabs(error.back()) < clear * uncertainty.back()) return true;
+  const auto fit = fit_finest_order(t.dt, error, uncertainty, clear);
+  return fit && fit->settled;
+}
+
+}  // namespace
+
 std::vector<column_finding> find_columns(const order_question& q, double expected, const error_table& t) {
   std::vector<column_finding> out(q.columns.size());
   for (std::size_t k = 0; k < out.size(); ++k) {
     const auto error = column_of(t.error, k), uncertainty = column_of(t.uncertainty, k);
+    if (error.empty()) continue;
     out[k].fit = fit_finest_order(t.dt, error, uncertainty, clear);
-    out[k].finest_is_clear = !error.empty() && std::fabs(error.back()) >= clear * uncertainty.back();
-    for (int power = 0; power < std::ceil(expected); ++power) {
+    for (int power = 0; power < std::ceil(expected) && !q.columns[k].distance; ++power) {
       const auto term = expansion_coefficient(t.dt, error, uncertainty, power);
       if (!term) break;
       out[k].terms.push_back(*term);
     }
+    const double uncertain = uncertainty.back() + (has_terms(out[k]) ? out[k].terms[0].certainty() : 0);
+    out[k].finest_is_clear = std::fabs(error.back()) >= clear * uncertain;
+    const bool settled = out[k].fit && out[k].fit->settled;
+    out[k].approaches = !out[k].finest_is_clear || settled ||
+                        (has_terms(out[k]) && approaches_its_limit(t, error, uncertainty, out[k].terms[0]));
   }
   return out;
 }
@@ -198,7 +159,7 @@ std::vector<column_finding> find_columns(const order_question& q, double expecte
 bool too_wide(const order_question& q, double expected, const error_table& t) {
   if (unresolved(t, q.columns)) return false;
   const auto found = find_columns(q, expected, t);
-  const auto open = [](const column_finding& f) { return f.finest_is_clear && !(f.fit && f.fit->settled); };
+  const auto open = [](const column_finding& f) { return !f.approaches; };
   const auto cut_off = [](const column_finding& f) {
     return has_terms(f) && f.terms[0].truncated > f.terms[0].propagated;
   };
@@ -229,11 +190,13 @@ verdict judge_table(const order_question& q, double expected, const error_table&
   const auto found = find_columns(q, expected, t);
   const double largest = largest_error(t, q.columns);
   if (!std::isfinite(largest)) return without_fit(empty, largest);
+  if (auto v = rare_branch(empty, q.columns, found, t)) return *v;
   if (auto v = wrong_limit(empty, q.columns, found)) return *v;
   if (auto v = hidden_term(empty, q.columns, found)) return *v;
   if (std::ranges::none_of(found, has_fit)) return without_fit(empty, largest);
   auto v = judge_columns(q, expected, t.scheme, counting_fits(found));
   if (expected > 0) ask_for_certainty(v, noticed_by(q.columns, found));
+  v.reason += rejected(t);
   return v;
 }
 

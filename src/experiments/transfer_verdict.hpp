@@ -1,9 +1,10 @@
 // What a table of exact errors says of its scheme.
 //
-// "Order p" has three parts, each of every column: the limit a_0 at dt = 0 vanishes, so do a_1 … a_(p-1), and the slope
-// of the finest levels is p or more (statistics/error_expansion.hpp). A limit vanishes where its interval meets what a
-// ten-thousandth of the noise or of the dissipation would move; and the limits must be certain enough for a thousandth
-// of either to be seen, or nothing is concluded.
+// Where increments far out change the law, it is refuted at once. Else "order p" has three parts, each of every column:
+// the limit a_0 at dt = 0 vanishes, so do a_1 … a_(p-1), and the slope of the finest levels is p or more
+// (statistics/error_expansion.hpp). A limit vanishes where its interval meets what a ten-thousandth of the noise or of
+// the dissipation would move; and the limits must be certain enough for a thousandth of either to be seen, or nothing
+// is concluded.
 #pragma once
 
 #include <optional>
@@ -22,7 +23,8 @@ inline constexpr double negligible_error = 1e-9;  ///< of the observable's size
 struct column_finding {
   std::optional<order_fit> fit;       ///< of its clear levels
   std::vector<expansion_term> terms;  ///< a_0, a_1, … below the claimed order; fewer where there are too few levels
-  bool finest_is_clear = false;
+  bool finest_is_clear = false;       ///< of its uncertainty and of that of the limit
+  bool approaches = false;  ///< how fast it nears its own limit, whatever that is, is known, or as good as reached
 };
 std::vector<column_finding> find_columns(const order_question&, double expected, const error_table&);
 
@@ -37,8 +39,8 @@ struct noticed {
 };
 noticed noticed_by(const std::vector<error_column>&, const std::vector<column_finding>&);
 
-/// Do intervals have to become narrower for a verdict? By their widths, wherever they lie: a slope has not settled in a
-/// column that is clear at the finest level, or the limits are not certain enough for want of terms of the series.
+/// Do intervals have to become narrower for a verdict? By their widths, wherever they lie: a column does not yet show
+/// how it nears its own limit, or the limits are not certain enough for want of terms of the series.
 bool too_wide(const order_question&, double expected, const error_table&);
 
 }  // namespace polhode

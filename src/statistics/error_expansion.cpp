@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -30,19 +29,27 @@ struct value_and_error {
   double value, propagated;
 };
 
+/// The k-th coefficient of the Lagrange polynomial that is one at level i: of prod (x - x_j) / (x_i - x_j), j != i. The
+/// x are positive, so the terms of each coefficient have one sign and nothing cancels.
+double lagrange_coefficient(std::span<const level> levels, std::size_t i, int k) {
+  std::vector<double> product{1};
+  for (std::size_t j = 0; j < levels.size(); ++j) {
+    if (j == i) continue;
+    const double difference = levels[i].dt - levels[j].dt;
+    product.insert(product.begin(), 0);  // times x
+    for (std::size_t m = 0; m + 1 < product.size(); ++m) product[m] -= levels[j].dt * product[m + 1];
+    for (double& c : product) c /= difference;
+  }
+  return product[static_cast<std::size_t>(k)];
+}
+
 /// The k-th coefficient of the polynomial through all of the levels.
 value_and_error interpolated(std::span<const level> levels, int k) {
-  const auto n = static_cast<Eigen::Index>(levels.size());
-  const double unit = levels.front().dt;
-  const Eigen::MatrixXd powers = Eigen::MatrixXd::NullaryExpr(n, n, [&](Eigen::Index i, Eigen::Index j) {
-    return std::pow(levels[static_cast<std::size_t>(i)].dt / unit, static_cast<double>(j));
-  });
-  const Eigen::RowVectorXd weights = powers.fullPivLu().inverse().row(k) / std::pow(unit, k);
   value_and_error out{0, 0};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto& l = levels[static_cast<std::size_t>(i)];
-    out.value += weights[i] * l.error;
-    out.propagated += std::fabs(weights[i]) * l.uncertainty;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const double weight = lagrange_coefficient(levels, i, k);
+    out.value += weight * levels[i].error;
+    out.propagated += std::fabs(weight) * levels[i].uncertainty;
   }
   return out;
 }

@@ -1,0 +1,150 @@
+// Defects of a tenth of a per cent, over-claims and rare branches in what is told without sampling: each refuted by
+// name, and its healthy twin not.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "experiments/stationary_bias.hpp"
+#include "experiments/transfer.hpp"
+#include "experiments/transfer_report.hpp"
+#include "registry/bind.hpp"
+#include "registry/rigid_body.hpp"
+#include "registry/run_experiment.hpp"
+#include "registry/scene.hpp"
+#include "registry/verify.hpp"
+
+namespace polhode {
+namespace {
+
+using report::verdict_kind;
+
+/// The schemes as they ship, with the steps of another scene: what is wrong with them is what differs between the two.
+subject planted(const report::scene& scene, const report::scene& stepped, const std::vector<std::string>& schemes) {
+  auto s = restricted(bind_scene(scene), schemes);
+  s.schemes = restricted(bind_scene(stepped), schemes).schemes;
+  return s;
+}
+
+report::scene scaled(report::scene scene, double noise, double dissipation) {
+  for (auto& v : scene.sigma)
+    for (double& x : v) x *= noise;
+  scene.theta *= dissipation;
+  return scene;
+}
+
+report::scene weak_noise(double sigma) {
+  auto scene = load_scene("paper");
+  scene.sigma = {{sigma, 0, 0}, {0, sigma, 0}, {0, 0, sigma}};
+  return scene;
+}
+
+report::results weak_of(const subject& s) {
+  report::results out;
+  weak_experiment().run({s, effort::quick, 2}, out);
+  return out;
+}
+
+report::results bias_of(const subject& s) {
+  report::results out;
+  report_stationary_bias({s, effort::quick, 2}, out);
+  return out;
+}
+
+/// Every verdict there is; begins: of its reason.
+void expect(const report::results& r, verdict_kind kind, const std::string& begins = "") {
+  EXPECT_FALSE(r.verdicts.empty());
+  for (const auto& v : r.verdicts) {
+    EXPECT_EQ(v.kind, kind) << v.scheme << ": " << v.reason;
+    EXPECT_EQ(v.reason.substr(0, begins.size()), begins);
+  }
+}
+
+struct defect {
+  double noise, dissipation;
+  std::vector<std::string> schemes;
+};
+
+TEST(ExactDefects, AThousandthOfNoiseOrDissipationIsRefutedInTheWeakError) {
+  const auto scene = load_scene("paper");
+  for (const auto& d : {defect{1.001, 1, {"heun"}}, {0.999, 1, {"lie_trotter"}}, {1, 0.999, {"strang_weak2"}}}) {
+    const auto r = weak_of(planted(scene, scaled(scene, d.noise, d.dissipation), d.schemes));
+    ASSERT_FALSE(r.verdicts.empty());
+    EXPECT_EQ(r.verdicts[0].kind, verdict_kind::refuted);
+    EXPECT_EQ(r.verdicts[0].reason.substr(0, 11), "wrong limit") << r.verdicts[0].reason;
+  }
+}
+
+TEST(ExactDefects, AThousandthOfNoiseOrDissipationIsRefutedInTheStationaryLaw) {
+  const auto scene = load_scene("paper");
+  const std::vector<std::string> schemes{"lie_euler", "lie_trotter", "strang", "strang_weak2"};
+  for (const auto& [noise, dissipation] : {std::pair{1.001, 1.0}, {0.999, 1.0}, {0.998, 1.0}, {1.0, 1.001}})
+    expect(bias_of(planted(scene, scaled(scene, noise, dissipation), schemes)), verdict_kind::refuted, "wrong limit");
+  expect(bias_of(planted(scene, scene, schemes)), verdict_kind::holds);
+}
+
+// Noise so weak that the term of order one hides below that of order two.
+TEST(ExactDefects, AnOverclaimedOrderIsRefutedUnderWeakNoise) {
+  for (const double sigma : {0.05, 0.1}) {
+    auto s = restricted(bind_scene(weak_noise(sigma)), {"strang"});
+    s.schemes[0].info.weak_order = {.one_vector = 2, .isotropic = 2, .general = 2};
+    const auto r = weak_of(s);
+    expect(r, verdict_kind::refuted);
+    EXPECT_NE(r.verdicts.at(0).reason.find("term of order 1"), std::string::npos) << r.verdicts.at(0).reason;
+  }
+  const auto healthy = weak_of(restricted(bind_scene(weak_noise(0.05)), {"strang_weak2"}));
+  EXPECT_EQ(healthy.verdicts.at(0).kind, verdict_kind::holds) << healthy.verdicts.at(0).reason;
+}
+
+/// Lie-Euler that mistakes its components after an increment longer than 5 sqrt(dt): 1.5e-5 of all.
+struct rare_branch {
+  static constexpr auto info = [] {
+    auto out = lie_euler::info;
+    out.name = "rare_branch";
+    return out;
+  }();
+  template <class System, class S>
+  static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
+    const auto next = lie_euler::step(system, mu, w);
+    const auto far = dot(w.dw, w.dw) > S(25 * w.dt);
+    auto out = next;
+    for (int i = 0; i < 3; ++i) out[i] = select(far, next[(i + 1) % 3], next[i]);
+    return out;
+  }
+};
+
+TEST(ExactDefects, ARareBranchIsRefuted) {
+  const auto s = bind(load_scene("paper"), make_rigid_body, scheme_list<rare_branch>{});
+  expect(weak_of(s), verdict_kind::refuted, "not smooth in its noise");
+  expect(bias_of(s), verdict_kind::refuted, "not smooth in its noise");
+}
+
+TEST(ExactDefects, NoiseFarOutChangesNothingOfASmoothStep) {
+  for (const char* name : {"paper", "anisotropic", "single"}) {
+    const auto s = bind_scene(load_scene(name));
+    const auto energy = *named_observable("energy", s.scene.inertia);
+    const auto ask = [&](const transfer_operator& op) -> Eigen::VectorXd {
+      const auto law = op.law_after(Eigen::Vector3d(s.scene.momentum.data()), 64);
+      return Eigen::VectorXd::Constant(1, law.dot(op.basis.coefficients(energy)));
+    };
+    for (const auto& e : s.schemes)
+      if (!e.needs_areas) {
+        EXPECT_LT(change_by_far_noise(s, e, 2.0 / 64, 64, ask)[0], 1e-6) << name << ' ' << e.info.name;
+      }
+  }
+}
+
+TEST(ExactDefects, FewPathsAreTakenBackToTheShell) {
+  const auto s = restricted(bind_scene(load_scene("paper")), {"euler_maruyama", "heun", "lie_euler"});
+  const transfer_rule shell{{12, 7, 5}, {5, 2}}, sphere{{12, 1, 0}, {5, 2}};
+  EXPECT_EQ(taken_back(s, s.schemes[2], 2.0 / 64, 64, sphere), 0);
+  for (int k = 0; k < 2; ++k) {
+    const auto& e = s.schemes[static_cast<std::size_t>(k)];
+    const double fine = taken_back(s, e, 2.0 / 64, 64, shell), coarse = taken_back(s, e, 0.5, 4, shell);
+    EXPECT_LT(fine, 1e-4) << e.info.name;
+    EXPECT_LE(coarse, 1) << e.info.name;
+    EXPECT_GE(coarse, 0) << e.info.name;
+  }
+}
+
+}  // namespace
+}  // namespace polhode
