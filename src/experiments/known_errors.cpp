@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ensemble/paths.hpp"
+#include "experiments/energy_error.hpp"
 #include "experiments/levels.hpp"
 #include "experiments/transfer_report.hpp"
 #include "experiments/vectors.hpp"
@@ -88,13 +89,26 @@ void add_kept_casimirs(const context& c, error_kind& kind) {
         kind.errors.push_back(casimir_change(c, scheme, grid.steps[l], dt[l]));
 }
 
+/// By the measure that `select` uses, after the scene's horizon.
+void add_energy_errors(const context& c, error_kind& kind) {
+  constexpr int most_steps = 1024;
+  const auto still = c.subject.without_noise();
+  const energy_truth truth(still, still.scene.horizon);
+  const int first = std::max(1, static_cast<int>(std::ceil(still.scene.horizon * fastest_rate(still) / 2)));
+  for (const auto& scheme : still.schemes)
+    for (int steps = first; steps <= std::max(most_steps, 16 * first); steps *= 2) {
+      const double dt = still.scene.horizon / steps, error = truth.error(scheme, dt);
+      if (std::isfinite(error)) kind.errors.push_back({std::string(scheme.info.name), dt, error, error, error});
+    }
+}
+
 }  // namespace
 
 std::vector<error_kind> known_errors(const context& c) {
   const auto& s = c.subject;
   const auto& before = *c.before;
-  const double momentum = length(s.scene.momentum), energy = std::fabs(s.model->energy(s.scene.momentum));
-  std::vector<error_kind> kinds{{"strong", "strong", "|Pi_0|"},
+  const double momentum = length(s.scene.momentum);
+  std::vector<error_kind> kinds{{"strong", "strong", "|Pi_0|", false, true},
                                 {"weak", "weak", "size of the observable"},
                                 {"stationary", "gibbs", "size of the observable"},
                                 {"energy_law", "energy", "h_0", true},
@@ -102,10 +116,12 @@ std::vector<error_kind> known_errors(const context& c) {
   gather(before, kinds[0], constant("error", momentum));
   gather(before, kinds[1], by_observable(s, "error"));
   gather(before, kinds[2], by_observable(s, "bias"));
-  gather(before, kinds[3], constant(s.scene.theta > 0 ? "law_residual" : "free_law_residual", energy));
   gather(before, kinds[4], constant("drift", 1));
-  const auto asked = [&](const report::experiment& e) { return e.name == "casimir"; };
-  if (std::ranges::any_of(before.experiments, asked)) add_kept_casimirs(c, kinds[4]);
+  const auto ran = [&](const char* name) {
+    return std::ranges::find(before.experiments, name, &report::experiment::name) != before.experiments.end();
+  };
+  if (ran("energy")) add_energy_errors(c, kinds[3]);
+  if (ran("casimir")) add_kept_casimirs(c, kinds[4]);
   return kinds;
 }
 
