@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace polhode {
@@ -90,7 +91,7 @@ void judge(cost_group& g, double z) {
   g.median = median_of(changes);
   for (const double x : changes) distances.push_back(std::fabs(x - g.median));
   const double n = static_cast<double>(g.rows.size()), of_median = 1.2533 / std::sqrt(n);
-  const double scatter = 1.4826 * median_of(distances) * of_median, own = median_of(errors) / std::sqrt(n);
+  const double scatter = 1.4826 * median_of(distances) * of_median, own = shared * median_of(errors);
   g.threshold = between_runs + z * std::hypot(scatter, own);
 }
 
@@ -142,8 +143,9 @@ void tell_apart(const std::string& scheme, const cost_group& g, bool silent, dou
   out.changes.push_back(found);
 }
 
-/// What all schemes have in common is one cause: told once, if it is large, and taken out of each.
+/// What all schemes have in common is one cause: taken out of each, and told once if it is large.
 void take_out_common(std::map<group_key, cost_group>& groups, report::comparison& out) {
+  bool told = false;
   for (const bool silent : {false, true}) {
     std::vector<double> medians;
     for (const auto& [key, g] : groups)
@@ -152,11 +154,11 @@ void take_out_common(std::map<group_key, cost_group>& groups, report::comparison
     const double common = median_of(medians);
     for (auto& [key, g] : groups)
       if (std::get<1>(key) == silent) g.take_out(common);
-    if (std::fabs(common) > of_all)
-      out.changes.push_back(change_of("",
-                                      fmt::format("cost of a step against the yardstick{}, common to {} schemes",
-                                                  silent ? ", without noise" : "", medians.size()),
-                                      common, of_all));
+    if (std::fabs(common) <= of_all || std::exchange(told, true)) continue;
+    out.changes.push_back(change_of("",
+                                    fmt::format("cost of a step against the yardstick{}, common to {} schemes",
+                                                silent ? ", without noise" : "", medians.size()),
+                                    common, of_all));
   }
 }
 

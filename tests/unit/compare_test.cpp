@@ -217,6 +217,19 @@ TEST(CompareTimings, OneStepSizeThatGoesItsOwnWayIsTold) {
   EXPECT_EQ(changes[0].dt, 0.125);
 }
 
+TEST(CompareTimings, WhatAllSchemesHaveInCommonIsOneLine) {
+  machine m{std::mt19937_64(13)};
+  const auto before = m.timed();
+  auto after = m.timed();
+  for (auto& row : after.measurements)
+    if (row.quantity == "cost")
+      for (auto* x : {&row.value, &row.low, &row.high}) **x *= 1.5;
+  const auto changes = compare(before, after).changes;
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].scheme, "");
+  EXPECT_NE(changes[0].what.find("common to 7 schemes"), std::string::npos) << changes[0].what;
+}
+
 TEST(CompareTimings, OfAnotherMachineAreLeftOutAndThatIsSaid) {
   machine m{std::mt19937_64(11)};
   const auto before = m.timed();
