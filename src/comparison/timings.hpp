@@ -15,9 +15,11 @@
 // interval, is told too, all of a scheme in one line. What follows from costs (cost_to_reach, cost_of_next) is not
 // compared again.
 //
-// between_runs and shared come from 40 runs of one program on two processors with a load of 15 to 20: in 20 pairs 2 of
-// 520 groups (4,940 timings) are called changed, and of steps 5 % slower two thirds are found; on a quiet machine the
-// intervals are narrower, and so is the threshold.
+// between_runs and shared come from 60 runs of one program on two processors with a load of 15 to 20: in 20 pairs none
+// of 520 groups (4,940 timings) is called changed, in ten others one of 260; of steps 5 % slower about half are found
+// there. On a quiet machine the intervals are narrower, and so is the threshold. Under a load of 27, timings of seven
+// schemes alone gave 15 of 280, all without noise, before these were timed four times as long.
+
 #pragma once
 
 #include "reports/model/comparison.hpp"
