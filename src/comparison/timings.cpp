@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace polhode {
@@ -16,8 +17,9 @@ namespace {
 using report::measurement;
 using report::results;
 
-constexpr double false_alarms = 0.01;  // of a comparison
-constexpr double quantile = 1.96;      // of the intervals
+constexpr double false_alarms = 0.01;      // of a comparison
+constexpr double quantile = 1.96;          // of the intervals
+constexpr std::size_t fewest_schemes = 5;  // that have something in common
 
 /// A cost at one dt, before and after, in units of the yardsticks: its change and the standard error of that.
 struct cost_change {
@@ -29,6 +31,10 @@ struct cost_group {
   std::vector<cost_change> rows;
   double median = 0, threshold = 0;
   bool moved() const { return std::fabs(median) > threshold; }
+  void take_out(double common) {
+    median -= common;
+    for (auto& r : rows) r.change -= common;
+  }
 };
 
 using group_key = std::tuple<std::string, bool>;  // scheme, without noise
@@ -85,7 +91,7 @@ void judge(cost_group& g, double z) {
   g.median = median_of(changes);
   for (const double x : changes) distances.push_back(std::fabs(x - g.median));
   const double n = static_cast<double>(g.rows.size()), of_median = 1.2533 / std::sqrt(n);
-  const double scatter = 1.4826 * median_of(distances) * of_median, own = median_of(errors) / std::sqrt(n);
+  const double scatter = 1.4826 * median_of(distances) * of_median, own = shared * median_of(errors);
   g.threshold = between_runs + z * std::hypot(scatter, own);
 }
 
@@ -137,6 +143,25 @@ void tell_apart(const std::string& scheme, const cost_group& g, bool silent, dou
   out.changes.push_back(found);
 }
 
+/// What all schemes have in common is one cause: taken out of each, and told once if it is large.
+void take_out_common(std::map<group_key, cost_group>& groups, report::comparison& out) {
+  bool told = false;
+  for (const bool silent : {false, true}) {
+    std::vector<double> medians;
+    for (const auto& [key, g] : groups)
+      if (std::get<1>(key) == silent) medians.push_back(g.median);
+    if (medians.size() < fewest_schemes) continue;
+    const double common = median_of(medians);
+    for (auto& [key, g] : groups)
+      if (std::get<1>(key) == silent) g.take_out(common);
+    if (std::fabs(common) <= of_all || std::exchange(told, true)) continue;
+    out.changes.push_back(change_of("",
+                                    fmt::format("cost of a step against the yardstick{}, common to {} schemes",
+                                                silent ? ", without noise" : "", medians.size()),
+                                    common, of_all));
+  }
+}
+
 }  // namespace
 
 void compare_timings(const results& before, const results& after, report::comparison& out) {
@@ -153,6 +178,7 @@ void compare_timings(const results& before, const results& after, report::compar
   const double per_group = two_sided(false_alarms / static_cast<double>(std::max<std::size_t>(1, groups.size())));
   const double per_row = two_sided(false_alarms / static_cast<double>(std::max<std::size_t>(1, out.timings)));
   for (auto& [_, g] : groups) judge(g, per_group);
+  take_out_common(groups, out);
   for (auto& [key, g] : groups) {
     const auto& [scheme, silent] = key;
     const auto other = groups.find({scheme, !silent});

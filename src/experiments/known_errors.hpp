@@ -17,7 +17,8 @@ struct error_kind {
   std::string name;    ///< strong, weak, stationary, energy_law, casimir
   std::string source;  ///< the experiment that finds it
   std::string unit;
-  bool silent = false;  ///< found without noise, so that its cost is one without noise
+  bool silent = false;       ///< found without noise, so that its cost is one without noise
+  bool along_paths = false;  ///< areas are those of the path, and are paid for
   std::vector<known_error> errors = {};
 };
 

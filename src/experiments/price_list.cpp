@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "experiments/extrapolation.hpp"
+#include "experiments/levels.hpp"
+#include "experiments/path_cells.hpp"
 
 namespace polhode {
 namespace {
@@ -47,6 +49,19 @@ void price_list::measure() {
   const auto costs = costs_of_steps(steps, &yardstick_);
   std::size_t i = 0;
   for (auto& [_, cost] : known_) cost = costs[i++];
+  ns_per_normal_ = ns_per_normal(noisy_context_);
+}
+
+std::optional<price> price_list::of_path_with_cells(const std::string& scheme, double dt) const {
+  auto out = of_path(scheme, dt, false);
+  const auto& s = noisy_context_.subject;
+  const auto* entry = entry_of(s, scheme);
+  const int channels = s.model->active_channels();
+  if (!out || !entry || !entry->needs_areas || channels < 2) return out;
+  const double further = (cells_for_areas(fastest_rate(s), dt) - 1.0) * channels / dt;
+  out->normals += further;
+  for (double* part : {&out->ns, &out->low, &out->high}) *part += further * ns_per_normal_;
+  return out;
 }
 
 std::optional<price> price_list::of_path(const std::string& scheme, double dt, bool silent) const {

@@ -27,6 +27,8 @@ class price_list {
 
   /// A combination over step sizes pays for all its runs, with dt, dt/2, …. None for what was not wanted.
   std::optional<price> of_path(const std::string& scheme, double dt, bool silent) const;
+  /// The same where areas are those of a path: with the normals of the cells that they are made of (path_cells.hpp).
+  std::optional<price> of_path_with_cells(const std::string& scheme, double dt) const;
   const yardstick_time& yardstick() const { return yardstick_; }
 
  private:
@@ -36,6 +38,7 @@ class price_list {
   context noisy_context_, still_context_;
   std::map<key, step_cost> known_;
   yardstick_time yardstick_;
+  double ns_per_normal_ = 0;
 };
 
 }  // namespace polhode

@@ -1,9 +1,10 @@
 // What one step of a scheme costs on a scene: measured in this run on this machine, and counted.
 //
 // A machine is never quiet. So every measurement stands between two of a loop that never changes (yardstick.hpp), and
-// is its ratio to them: what slows both drops out. It is repeated in `slots` that lie apart, each with its memory anew,
-// and the interval is that of the median over the slots: it holds what changes from slot to slot, besides what changes
-// inside one. ns are the ratio times the yardstick's own time, the median of the run.
+// is its ratio to them: what slows both drops out. It is repeated in `slots` that lie apart, all steps in turn, each
+// with its memory anew; the cost is the median over the slots and its 96 % interval. ns are that ratio times the
+// yardstick's own time, the median of the run. (Quickest times instead of medians of ratios: ten times the scatter on a
+// busy machine.)
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@
 namespace polhode {
 
 struct step_cost {
-  double ns = 0, low = 0, high = 0;  ///< CPU time a path and step, one thread: median over the slots, 95 % interval
+  double ns = 0, low = 0, high = 0;  ///< CPU time a path and step, one thread, with its 96 % interval
   double normals = 0;                ///< drawn a path and step
 };
 

@@ -4,13 +4,14 @@
 
 #include "ensemble/paths.hpp"
 #include "experiments/increment_ladder.hpp"
+#include "experiments/path_cells.hpp"
 #include "experiments/vectors.hpp"
 #include "selection/goal.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr int paths = 512, rough_paths = 64, fewest_cells = 8, plain_cells = 32;
+constexpr int paths = 512, rough_paths = 64, plain_cells = 32;
 constexpr double most_cells = 4e8;  // of a check: some seconds
 constexpr double rounding = 1e-12;
 constexpr double quantile = 1.96;
@@ -72,10 +73,9 @@ class path_goal final : public goal {
     return {value, std::sqrt(mean + quantile * error) / unit - value};
   }
 
-  /// Areas of order one need about 1/dt cells, as those of a step are known to dt / sqrt(cells). A scheme without areas
-  /// misses what the cells know of them: all but 1/cells of the mean square.
+  /// A scheme without areas misses what the cells know of them: all but 1/cells of the mean square.
   int cells(const candidate& c, double dt) const {
-    return c.scheme.needs_areas ? std::max(fewest_cells, static_cast<int>(std::ceil(1 / (rate_ * dt)))) : plain_cells;
+    return c.scheme.needs_areas ? cells_for_areas(rate_, dt) : plain_cells;
   }
 
   void run_block(const kernel& stepper, const level_grid& grid, int cells, std::uint64_t seed, int first_path,

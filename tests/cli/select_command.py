@@ -26,7 +26,8 @@ class Select(unittest.TestCase):
         for args, names in (((), ['--tolerance']), (('paper', '--tolerance', '1'), ['--goal', 'stationary']), ((*weak, '0'), ['--tolerance']), ((*weak, '-1'), ['-1']),
                             ((*weak, 'nan'), ['nan']), ((*weak, '1e-3x'), ['1e-3x']), ((*weak, '1e-17'), ['double precision']), (('papr', *goal, '--tolerance', '1'), ['paper']),
                             ((*weak, '1e-3', '--require', 'explicit,implicit'), ['contradictory']), ((*weak, '1e-3', '--require', 'cheap'), ['cheap', 'no-areas']),
-                            ((*weak, '1e-3', '--time', '0'), ['--time']), ((*weak, '1e-3', '--observable', 'pi4'), ['pi4', 'pi3']), ((*weak, '1e-3', '--format', 'xml'), ['xml', 'json'])):
+                            ((*weak, '1e-3', '--time', '0'), ['--time']), ((*weak, '1e-3', '--observable', 'pi4'), ['pi4', 'pi3']), ((*weak, '1e-3', '--format', 'xml'), ['xml', 'json']),
+                            (('paper', '--goal', 'strong', '--tolerance', '1e-1', '--observable', 'energy'), ['energy', 'weak and stationary'])):
             self.refused(*args, names=names)
 
     def answer(self, *args):
@@ -43,19 +44,35 @@ class Select(unittest.TestCase):
             return subprocess.run([source + '.out'], capture_output=True, text=True, check=True, timeout=300).stdout
 
     def test_answers_say_everything_and_their_programs_run(self):
-        for goal, tolerance, schemes in (('weak', '1e-3', None), ('weak', '1e-7', ('strang_extrapolated', 'strang_weak2')), ('strong', '2e-2', ('magnus', 'milstein'))):
-            r = self.answer('--goal', goal, '--tolerance', tolerance)
+        cheap = 'casimir-exact,explicit'
+        for goal, tolerance, schemes, require in (('weak', '1e-3', None, cheap + ',no-areas'), ('stationary', '1e-4', ('strang_extrapolated', 'strang_weak2'), cheap + ',no-areas'),
+                                                  ('strong', '2e-2', ('magnus',), cheap)):
+            r = self.answer('--goal', goal, '--tolerance', tolerance, '--require', require)
             with self.subTest(r=r):
                 self.assertEqual((r['goal'], r['tolerance']), (goal, float(tolerance)))
                 for key in ('dt', 'predicted', 'checked', 'bound', 'cost_ns_per_unit_time'): self.assertGreater(r[key], 0)
                 self.assertLessEqual(r['checked'], r['bound'])
                 self.assertLessEqual(r['bound'], float(tolerance))
                 self.assertNotEqual(r['runner_up']['scheme'], r['scheme'])
+                self.assertLessEqual(r['checked_to'], 0.101 * r['dt'])
+                self.assertTrue(r['unit'])
+                self.assertEqual((r['observable'], r['silent_on']), ('all', []))
+                if goal == 'strong': self.assertIsNone(r['worst_observable'])
+                else: self.assertLessEqual(r['worst_observable']['bound'], float(tolerance))
                 if schemes: self.assertIn(r['scheme'], schemes)
                 self.assertEqual({x['scheme'] for x in r['rejected']} & {r['scheme']}, set())
                 self.assertTrue(all(x['reason'] for x in r['rejected']))
                 # The mean of a thousand paths: true value 0.2812, standard deviation below 0.2.
                 self.assertAlmostEqual(float(self.compiled_and_run(r['snippet']).split()[-1]), 0.2812, delta=0.02)
+
+    def test_one_observable_says_of_what_it_is_silent(self):
+        args = ('--goal', 'weak', '--tolerance', '1e-3', '--observable', 'energy', '--require', 'casimir-exact,explicit,no-areas')
+        r = self.answer(*args)
+        self.assertEqual(len(r['silent_on']), 8)
+        self.assertNotIn('energy', r['silent_on'])
+        self.assertIn(r['worst_observable']['observable'], r['silent_on'])
+        self.assertGreater(r['worst_observable']['bound'], 1e-3)
+        self.assertRegex(run_it('paper', *args)[1], r'of energy alone; silent on pi1, .*of which the worst is pi\d.*times the tolerance')
 
     def test_text_is_short_and_leads_with_the_answer(self):
         rc, out, _ = run_it('paper', '--goal', 'energy', '--tolerance', '1e-4')

@@ -1,0 +1,89 @@
+// Pairs of runs of one program, as they are on this machine now: what `compare` calls changed, and whether a kernel
+// that does one step in twenty twice is found.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "comparison/compare.hpp"
+#include "ensemble/kernel.hpp"
+#include "registry/scene.hpp"
+#include "registry/verify.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr const char* slowed = "lie_heun";
+
+/// Advances as the kernel does, and one step in twenty once more, on a copy.
+class slower_kernel final : public kernel {
+ public:
+  explicit slower_kernel(std::unique_ptr<kernel> own) : own_(std::move(own)) {}
+  void advance(std::span<double> states, const increment_view& w, piece part) const override {
+    if (++calls_ % 5 != 0) {  // of sixteen steps each
+      scratch_.assign(states.begin(), states.end());
+      own_->advance(scratch_, first_step(w), part);
+    }
+    own_->advance(states, w, part);
+  }
+  shared_steps share(const increment_view& w) const override { return own_->share(w); }
+  void advance(std::span<double> states, const shared_steps& noise, std::int64_t first, std::int64_t steps,
+               piece part) const override {
+    own_->advance(states, noise, first, steps, part);
+  }
+  void finish(std::span<double> states, double dt) const override { own_->finish(states, dt); }
+
+ private:
+  static increment_view first_step(increment_view w) {
+    const auto steps = static_cast<std::size_t>(w.steps);
+    w.dw = w.dw.first(w.dw.size() / steps);
+    w.area = w.area.first(w.area.size() / steps);
+    w.singles = w.singles.first(w.singles.size() / steps);
+    w.steps = 1;
+    return w;
+  }
+
+  std::unique_ptr<kernel> own_;
+  mutable std::vector<double> scratch_;
+  mutable int calls_ = 0;
+};
+
+report::results timed(bool slower) {
+  auto subject = bind_scene(load_scene("paper"));
+  const auto with = subject.with;
+  verify_options options;
+  options.schemes = {"heun", "euler_maruyama", "lie_euler", "lie_heun", "cayley_heun", "strang", "magnus"};
+  options.experiments = {"energy", "work_precision"};
+  options.effort = effort::quick;
+  const auto slow = [](polhode::subject s) {
+    for (auto& e : s.schemes)
+      if (e.info.name == slowed)
+        e.make = [make = e.make](double dt) { return std::make_unique<slower_kernel>(make(dt)); };
+    return s;
+  };
+  if (slower) {
+    subject = slow(subject);
+    subject.with = [with, slow](const report::scene& s) { return slow(with(s)); };
+  }
+  return verify_subject(subject, options);
+}
+
+TEST(Timings, OneAlarmInAHundredAtMostAndAFivePerCentSlowerKernelIsFound) {
+  constexpr int pairs = 20;
+  std::size_t compared = 0, alarms = 0;
+  int found = 0;
+  for (int i = 0; i < pairs; ++i) {
+    const auto a = timed(false), b = timed(false), c = timed(true);
+    const auto same = compare(a, b), planted = compare(b, c);
+    compared += same.timings;
+    alarms += same.changes.size();
+    for (const auto& x : same.changes) std::printf("%s: %s: %g\n", x.scheme.c_str(), x.what.c_str(), *x.after);
+    found += std::ranges::any_of(planted.changes, [](const auto& x) { return x.scheme == slowed && *x.after > 1; });
+  }
+  std::printf("%zu alarms over %zu timings in %d pairs; slower kernel found in %d\n", alarms, compared, pairs, found);
+  EXPECT_LE(static_cast<double>(alarms), 0.01 * static_cast<double>(compared));
+  EXPECT_GE(found, pairs - 2);
+}
+
+}  // namespace
+}  // namespace polhode
