@@ -13,6 +13,7 @@
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
 #include "experiments/noise_verdict.hpp"
+#include "experiments/rounding_floor.hpp"
 #include "experiments/sequential.hpp"
 #include "statistics/order_fit.hpp"
 
@@ -203,6 +204,9 @@ void run(const context& c, report::results& out) {
   run_exact(c, log, out);
   run_drifting(c, log, out);
   log.report("casimir", out);
+  for (const auto& scheme : c.subject.schemes)
+    report_floor({"casimir", std::string(scheme.info.name), "state at the rounding floor"},
+                 rounding_floor_of(c, c.subject, scheme).state, out);
 }
 
 }  // namespace
