@@ -72,11 +72,18 @@ struct error_series {
       most_rounding.push_back(std::max(floors.back(), size * 8 * std::numeric_limits<double>::epsilon() * n));
     }
   }
-  /// The fit takes no notice of what is at its floor.
+  /// The first level at its floor after one above it: from there on rounding grows and the error is not seen.
+  std::size_t reaches_floor() const {
+    std::size_t i = 0;
+    while (i < values.size() && values[i] <= floors[i]) ++i;  // a single step has no residual
+    while (i < values.size() && !(values[i] <= floors[i])) ++i;
+    return i;
+  }
+  /// The fit takes no notice of what is at its floor, or finer.
   std::optional<order_fit> fit() const {
     auto above = values;
     for (std::size_t i = 0; i < above.size(); ++i)
-      if (above[i] <= floors[i]) above[i] = 0;
+      if (above[i] <= floors[i] || i > reaches_floor()) above[i] = 0;
     return fit_order(dt, above, 0);
   }
 };
@@ -143,10 +150,10 @@ struct runs_of_levels {
   }
 };
 
-/// By width alone: a slope that has settled and is known well enough, or too little above the floor for one.
+/// By width alone: a slope that has settled and is known well enough, or none to be had by halving on.
 bool order_is_clear(const error_series& e) {
   const auto fit = e.fit();
-  return !fit || (fit->settled && half_width(*fit) <= tight_order);
+  return !fit || e.reaches_floor() < e.values.size() || (fit->settled && half_width(*fit) <= tight_order);
 }
 
 /// One scheme on one scene without noise, against the true end point. Where an order is not clear the steps are halved

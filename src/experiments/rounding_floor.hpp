@@ -19,7 +19,7 @@ struct rounding_floor {
 rounding_floor rounding_floor_of(const context&, const subject&, const scheme_entry&);
 
 /// At most `floor_bound` units: measurement and verdict. Relative to 2^-52 per root of the number of steps.
-inline constexpr double floor_bound = 64;
+inline constexpr double floor_bound = 16;
 void report_floor(const claim&, double units, report::results& out);
 
 }  // namespace polhode
