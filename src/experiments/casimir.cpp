@@ -222,6 +222,7 @@ experiment casimir_experiment() {
         "For the others: root-mean-square relative drift over the horizon against dt. Where a long run needs Levy "
         "areas "
         "they are drawn from a weak surrogate (independent normals of variance dt^2/4).",
+        "Rounding floor: high differences of the state over steps that differ a little are rounding alone.",
         "Normals: fast ones (right to 1e-6) in the long runs, precise ones for the drift."}},
       3,
       [](const subject&) -> std::optional<std::string> { return std::nullopt; },

@@ -269,6 +269,8 @@ experiment energy_experiment() {
        {"sigma = 0 throughout. Path: against Boost.Odeint (Fehlberg 7(8), 1e-14 per step), and for theta = 0 against "
         "Jacobi's elliptic functions.",
         "Energy law: the largest |h(t) - h(0) + integral of theta |Pi x Omega|^2| along the scheme's own path.",
+        "Steps are halved until a slope has settled and is known well, or rounding hides it. Rounding floor of the "
+        "energy: as that of the state in experiment casimir.",
         "An order above the claim holds: some scenes are kinder than the claim."}},
       1,
       [](const subject& s) -> std::optional<std::string> {

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "ensemble/paths.hpp"
+#include "experiments/levels.hpp"
 #include "experiments/vectors.hpp"
 #include "statistics/rounding_noise.hpp"
 
@@ -14,7 +16,7 @@ namespace polhode {
 namespace {
 
 constexpr int steps = 16, values = noise_difference + 1;
-constexpr double spacing = 0x1p-20;
+constexpr double spacing = 0x1p-10;  // in phase, over all steps: its sixth power is below rounding
 
 }  // namespace
 
@@ -24,9 +26,10 @@ rounding_floor rounding_floor_of(const context& c, const subject& s, const schem
   increment_buffer noise(m, steps, scheme.needs_areas, {c.generator, noise_quality::precise});
   auto view = m.active_channels() > 0 ? noise.fill(c.seed, 0, 0, steps, dt) : silence(steps, dt);
   const auto start = replicated(s.scene.momentum);
+  const double apart = spacing / std::max(1e-3, steps * dt * fastest_rate(s));
   std::array<std::vector<double>, values> states, energies;
   for (std::size_t i = 0; i < values; ++i) {
-    view.dt = dt * (1 + spacing * static_cast<double>(i));
+    view.dt = dt * (1 + apart * static_cast<double>(i));
     states[i] = start;
     scheme.make(view.dt)->advance(states[i], view);
     energies[i].resize(block_lanes);

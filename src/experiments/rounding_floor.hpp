@@ -1,9 +1,10 @@
 // The floor below which no error of a scheme falls: what rounding leaves of a state and of its energy.
 //
-// A few steps of the scene's finest dt through fixed noise are repeated at steps that differ by parts in a million. The
-// exact result is smooth in dt, so that high differences over them are rounding alone (statistics/rounding_noise.hpp):
-// no reference is needed, and every kernel is seen at the dt at which it is used. A state kept in single precision lies
-// 10^8 times above the floor of one in double precision, whatever invariants are restored after it.
+// A few steps of the scene's finest dt through fixed noise are repeated at steps that differ a little, by 2^-10 in
+// phase at the end. The exact result is smooth in dt, so that high differences over them are rounding alone
+// (statistics/rounding_noise.hpp): no reference is needed, and every kernel is seen at the dt at which it is used. A
+// state kept in single precision lies 10^8 times above the floor of one in double precision, whatever invariants are
+// restored after it.
 #pragma once
 
 #include "experiments/experiment.hpp"
