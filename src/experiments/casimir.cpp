@@ -13,6 +13,7 @@
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
 #include "experiments/noise_verdict.hpp"
+#include "experiments/rounding_floor.hpp"
 #include "experiments/sequential.hpp"
 #include "statistics/order_fit.hpp"
 
@@ -203,6 +204,9 @@ void run(const context& c, report::results& out) {
   run_exact(c, log, out);
   run_drifting(c, log, out);
   log.report("casimir", out);
+  for (const auto& scheme : c.subject.schemes)
+    report_floor({"casimir", std::string(scheme.info.name), "state at the rounding floor"},
+                 rounding_floor_of(c, c.subject, scheme).state, out);
 }
 
 }  // namespace
@@ -218,6 +222,7 @@ experiment casimir_experiment() {
         "For the others: root-mean-square relative drift over the horizon against dt. Where a long run needs Levy "
         "areas "
         "they are drawn from a weak surrogate (independent normals of variance dt^2/4).",
+        "Rounding floor: high differences of the state over steps that differ a little are rounding alone.",
         "Normals: fast ones (right to 1e-6) in the long runs, precise ones for the drift."}},
       3,
       [](const subject&) -> std::optional<std::string> { return std::nullopt; },

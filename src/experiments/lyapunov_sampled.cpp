@@ -74,7 +74,7 @@ class sampled_growth {
       out.push_back(&found_[i]);
       areas = areas || schemes_[i].needs_areas;
     }
-    run_tangents(context_, run_, block, kernels, areas, out, *log_);
+    run_tangents(context_, run_, block, kernels, areas, out, &*log_);
   }
   bool is_tight(std::size_t scheme, int paths, double tight) const {
     for (const auto what : {&growth::length, &growth::area})

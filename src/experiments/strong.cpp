@@ -164,23 +164,28 @@ void run(const context& c, report::results& out) {
 }  // namespace
 
 experiment strong_experiment() {
-  return {{"strong",
-           "How far is a path from the true path driven by the same noise, and how fast does that fall with dt?",
-           {"Root-mean-square distance at the end of the horizon (at most four of the fastest time scales).",
-            fmt::format(
-                "The driver is piecewise linear, with {} cells in the finest step; the reference solves the ordinary "
-                "differential equation driven by it, and coarse steps get its exact increments and Levy areas.",
-                fine_per_step),
-            "Normals: precise ones. The driver differs from Brownian motion by the areas inside the fine cells, which "
-            "moves no slope while dt is "
-            "well above a cell."}},
-          3,
-          [](const subject& s) -> std::optional<std::string> {
-            if (s.model->noise() == noise_class::none)
-              return "no noise: the experiment energy measures the order for sigma = 0";
-            return std::nullopt;
-          },
-          run};
+  return {
+      {"strong",
+       "How far is a path from the true path driven by the same noise, and how fast does that fall with dt?",
+       {"Root-mean-square distance at the end of the horizon (at most four of the fastest time scales).",
+        fmt::format(
+            "The driver is piecewise linear, with {} cells in the finest step; the reference solves the ordinary "
+            "differential equation driven by it, and coarse steps get its exact increments and Levy areas.",
+            fine_per_step),
+        "Limit: what is left of the distance as dt -> 0, and the strengths at which noise, dissipation and time are "
+        "felt there (projections on the derivatives of the true end point), each against one. A scheme without "
+        "Levy areas is compared with the driven equation on its own increments, which has the same limit.",
+        "Noise: the moments and correlations of all that was drawn, against their law.",
+        "Normals: precise ones. The driver differs from Brownian motion by the areas inside the fine cells, which "
+        "moves no slope while dt is "
+        "well above a cell."}},
+      3,
+      [](const subject& s) -> std::optional<std::string> {
+        if (s.model->noise() == noise_class::none)
+          return "no noise: the experiment energy measures the order for sigma = 0";
+        return std::nullopt;
+      },
+      run};
 }
 
 }  // namespace polhode

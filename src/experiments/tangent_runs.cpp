@@ -140,7 +140,7 @@ run_length run_length_of(double dt, double forgetting, double observed) {
 }
 
 void run_tangents(const context& c, const run_length& run, int block, std::span<const tangent_kernel* const> kernels,
-                  bool with_areas, std::span<growth* const> out, noise_log& log) {
+                  bool with_areas, std::span<growth* const> out, noise_log* log) {
   const int first = block * block_lanes;
   const auto first_path = static_cast<std::uint64_t>(first);
   increment_buffer noise(*c.subject.model, chunk, with_areas, {c.generator, noise_quality::fast});
@@ -153,7 +153,7 @@ void run_tangents(const context& c, const run_length& run, int block, std::span<
              all = forgetting + static_cast<std::uint64_t>(run.observed);
   for (std::uint64_t step = 0; step < all; step += chunk) {
     const auto view = noise.fill(c.seed, first_path, step, chunk, run.dt);
-    log.add(block, view);
+    if (log) log->add(block, view);
     for (std::size_t k = 0; k < kernels.size(); ++k)
       step < forgetting ? blocks[k].forget(*kernels[k], view) : blocks[k].observe(*kernels[k], view);
   }

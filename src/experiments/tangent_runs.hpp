@@ -36,6 +36,6 @@ struct growth {
 
 /// Runs the block of paths of some schemes through one noise; of each, sees only its own kernel and writes only there.
 void run_tangents(const context&, const run_length&, int block, std::span<const tangent_kernel* const> kernels,
-                  bool with_areas, std::span<growth* const> out, noise_log&);
+                  bool with_areas, std::span<growth* const> out, noise_log* = nullptr);
 
 }  // namespace polhode

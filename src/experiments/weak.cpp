@@ -178,8 +178,8 @@ experiment weak_experiment() {
         "seen first. Steps for an error: of the worst observable, in units of its size.",
         fmt::format(
             "While intervals are too wide for a verdict dt is halved on, {} times at most. Where an operator is not "
-            "resolved at an affordable degree, the order is sampled: E[f(X_dt) - f(X_dt/2)] of paths that "
-            "share their noise, with its variance and the path-steps it took.",
+            "resolved at an affordable degree, the order is sampled: E[f(X_dt) - f(X)] of paths that "
+            "share their noise with the driven equation, with its variance and the path-steps it took.",
             most_halvings),
         "Areas are drawn from the weak surrogate (independent normals of variance dt^2/4)."}},
       2,

@@ -157,7 +157,7 @@ TEST(SampledExponents, WithoutAnExactValueNothingIsCompared) {
   const context c{s, effort::quick, 2};
   report::results out;
   report_sampled_exponents(c, s.schemes, {.reason = "not known"}, out);
-  EXPECT_TRUE(out.verdicts.empty());
+  for (const auto& v : out.verdicts) EXPECT_FALSE(v.claim.starts_with("finds")) << v.claim;
   EXPECT_FALSE(out.skipped.empty());
   EXPECT_NE(row_of(out, "lambda_1"), nullptr);
 }

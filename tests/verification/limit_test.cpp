@@ -1,0 +1,166 @@
+// What is left as dt -> 0 decides on a scheme: noise a little too strong, dissipation a little too large, a state that
+// is rounded. On the body and on so(4), where no exact law is there to help.
+#include <gtest/gtest.h>
+
+#include <polhode/noise/normal.hpp>
+
+#include "experiments/rounding_floor.hpp"
+#include "experiments/transfer.hpp"
+#include "experiments/weak_sampled.hpp"
+#include "registry/bind.hpp"
+#include "registry/rigid_body.hpp"
+#include "registry/run_experiment.hpp"
+#include "registry/scene.hpp"
+#include "registry/verify.hpp"
+#include "statistics/rounding_noise.hpp"
+#include "support/so4_body.hpp"
+
+namespace polhode {
+namespace {
+
+using report::verdict_kind;
+constexpr auto limit_claim = "limit is the Stratonovich solution";
+
+/// By what its noise and dissipation are multiplied; one kernel for all, as each costs its compilation.
+struct tuning {
+  double noise = 1, theta = 1;
+};
+tuning planted;
+
+template <class Scheme>
+struct detuned {
+  static constexpr auto info = Scheme::info;
+  template <class System, class S>
+  static auto step(System system, const vec<S, System::dimension>& mu, wiener<S, System::channels> w) {
+    w.dw = S(planted.noise) * w.dw;
+    system.theta *= planted.theta;
+    return Scheme::step(system, mu, w);
+  }
+};
+
+/// The state rounded to single precision, then brought back to its orbit.
+template <class Scheme>
+struct single_precision {
+  static constexpr auto info = Scheme::info;
+  template <class System, class S>
+  static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
+    auto next = Scheme::step(system, mu, w);
+    for (int k = 0; k < System::dimension; ++k)
+      if constexpr (is_pack<S>)
+        next[k] = S([&](auto i) { return static_cast<double>(static_cast<float>(double{next[k][i]})); });
+      else if constexpr (std::is_same_v<S, double>)
+        next[k] = static_cast<float>(next[k]);
+    if constexpr (is_pack<S> || std::is_same_v<S, double>) return System::algebra::orbit_projection(next, mu);
+    return next;
+  }
+};
+
+verify_options quick(const char* experiment, std::uint64_t seed = 1) {
+  return {{}, {experiment}, effort::quick, 2, seed};
+}
+
+report::verdict of(const report::results& r, const std::string& text) {
+  for (const auto& v : r.verdicts)
+    if (v.claim == text) return v;
+  ADD_FAILURE() << "no verdict " << text;
+  return {};
+}
+
+template <class Scheme>
+subject body() {
+  return bind(load_scene("paper"), make_rigid_body, scheme_list<Scheme>{});
+}
+
+template <class Scheme>
+subject so4() {
+  report::scene scene;
+  scene.name = "so4";
+  scene.inertia = {1, 2, 3};
+  scene.theta = 0.4;
+  scene.sigma = {{0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}};
+  scene.momentum = {0.6, 0.48, 0.64, -0.3, 0.8, 0.5};
+  scene.horizon = 1;
+  scene.steps = {4, 8, 16, 32};
+  return bind(
+      scene, [](const report::scene&) { return test::so4_body(); }, scheme_list<Scheme>{});
+}
+
+struct Limit : testing::Test {
+  void TearDown() override { planted = {}; }
+};
+
+TEST_F(Limit, NoiseAndDissipationALittleOffAreRefuted) {
+  const auto expect_refuted = [](const subject& s, tuning defect) {
+    planted = defect;
+    const auto v = of(verify_subject(s, quick("strong")), limit_claim);
+    EXPECT_EQ(v.kind, verdict_kind::refuted) << v.reason;
+  };
+  for (const auto defect : {tuning{1.001, 1}, tuning{0.999, 1}, tuning{1, 1.01}})
+    expect_refuted(body<detuned<lie_heun>>(), defect);
+  expect_refuted(so4<detuned<lie_heun>>(), {1.001, 1});
+}
+
+TEST_F(Limit, HealthyTwinsHold) {
+  for (const auto& s : {body<detuned<lie_heun>>(), so4<detuned<lie_heun>>()})
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      const auto v = of(verify_subject(s, quick("strong", seed)), limit_claim);
+      EXPECT_EQ(v.kind, verdict_kind::holds) << v.reason;
+    }
+}
+
+// Order 1/2 is claimed; noise 4 % off bends the slope away from it, which is no excuse.
+TEST_F(Limit, ASlopeThatLeavesItsClaimIsRefuted) {
+  planted.noise = 1.04;
+  const auto v = of(verify_subject(body<detuned<lie_heun>>(), quick("strong")), "strong order");
+  EXPECT_EQ(v.kind, verdict_kind::refuted) << v.reason;
+}
+
+TEST_F(Limit, WeakFallbackIsHeldAgainstTheTruth) {
+  const auto judged = [](tuning defect) {
+    planted = defect;
+    const auto s = body<detuned<lie_heun>>();
+    const order_question q{
+        "weak", "weak order", {{"difference", "energy", 1}}, [](const scheme_entry&) { return 1; }, {}};
+    report::results out;
+    report_sampled_orders({s, effort::quick, 2, 5}, s.schemes, q, {*named_observable("energy", s.scene.inertia)}, out);
+    return of(out, "limit of the law is that of the Stratonovich solution");
+  };
+  const auto healthy = judged({});
+  EXPECT_EQ(healthy.kind, verdict_kind::holds) << healthy.reason;
+  EXPECT_NE(healthy.reason.find("at time "), std::string::npos) << healthy.reason;
+  EXPECT_EQ(judged({1.5, 1}).kind, verdict_kind::refuted);
+  EXPECT_EQ(judged({1.01, 1}).kind, verdict_kind::refuted);
+  EXPECT_EQ(judged({1, 1.2}).kind, verdict_kind::refuted);
+}
+
+// OPEN: the planted defect comes out at the floor of the healthy scheme (0.2 units): not understood yet.
+TEST(RoundingFloor, DISABLED_ASinglePrecisionStateIsRefuted) {
+  const auto expect = [](const subject& s, verdict_kind kind) {
+    report::results out;
+    const auto found = rounding_floor_of({s}, s, s.schemes[0]);
+    report_floor({"casimir", "", "state"}, found.state, out);
+    report_floor({"energy", "", "energy"}, found.energy, out);
+    for (const auto& v : out.verdicts) EXPECT_EQ(v.kind, kind) << v.claim << ": " << v.reason;
+  };
+  expect(body<single_precision<lie_heun>>(), verdict_kind::refuted);
+  expect(so4<single_precision<lie_heun>>(), verdict_kind::refuted);
+  expect(body<detuned<lie_heun>>(), verdict_kind::holds);
+  expect(so4<detuned<lie_heun>>(), verdict_kind::holds);
+}
+
+TEST(RoundingFloor, DifferencesSeeNoiseAndNotThePolynomial) {
+  double sum = 0;
+  constexpr std::uint64_t many = 4000;
+  for (std::uint64_t i = 0; i < many; ++i) {
+    std::array<double, noise_difference + 1> y{};
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      const auto x = static_cast<double>(k);
+      y[k] = 3 + x - 2 * x * x * x + 0.5 * normals<1>({3, noise_kind::increment, i, k})[0];
+    }
+    sum += squared_rounding_noise(y) / many;
+  }
+  EXPECT_NEAR(sum, 0.25, 4 * 0.25 * std::sqrt(2.0 / many));
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,111 @@
+// Broken noise is found by the audit of the run that it drives, and healthy noise is not.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <polhode/noise/normal.hpp>
+
+#include "experiments/noise_verdict.hpp"
+#include "registry/scene.hpp"
+#include "registry/verify.hpp"
+#include "statistics/control_variates.hpp"
+#include "support/noise_defects.hpp"
+
+namespace polhode {
+namespace {
+
+report::verdict audited(const std::string& experiment, const std::string& scheme, std::uint64_t seed = 1) {
+  const auto r = verify(load_scene("paper"), {{scheme}, {experiment}, effort::quick, 2, seed});
+  for (const auto& v : r.verdicts)
+    if (v.scheme == noise_name) return v;
+  ADD_FAILURE() << experiment << " has no verdict on its noise";
+  return {};
+}
+
+struct planted {
+  const char* what;
+  std::function<std::unique_ptr<noise_defect>()> make;
+};
+void PrintTo(const planted& p, std::ostream* out) { *out << p.what; }
+
+template <class Defect, class... Parameter>
+planted plant(const char* what, Parameter... p) {
+  return {what, [=] { return std::make_unique<Defect>(p...); }};
+}
+
+using namespace test;
+const planted defects[] = {plant<increments_times>("increments x 1.02", 1.02),
+                           plant<increments_times>("increments x 1.002", 1.002),
+                           plant<channels_correlated>("channel 2 is channel 1", 1.0),
+                           plant<channels_correlated>("correlation 0.3", 0.3),
+                           plant<channels_correlated>("correlation 0.01", 0.01),
+                           plant<lanes_repeated>("lanes repeated"),
+                           plant<blocks_repeated>("blocks repeated"),
+                           plant<steps_reused>("steps reused"),
+                           plant<tail_clipped>("clipped at 4 sigma", 4.0),
+                           plant<area_variance_times>("area variance x 1.1", 1.1)};
+
+struct BrokenNoise : testing::TestWithParam<planted> {};
+
+TEST_P(BrokenNoise, IsRefutedByTheAudit) {
+  const auto defect = GetParam().make();
+  const planted_noise_defect in_force(*defect);
+  for (const char* experiment : {"strong", "gibbs"}) {
+    const auto v = audited(experiment, "magnus");
+    EXPECT_EQ(v.kind, report::verdict_kind::refuted) << experiment << ": " << v.reason;
+    std::printf("%-24s | %-8s | %s\n", GetParam().what, experiment, v.reason.c_str());
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Planted, BrokenNoise, testing::ValuesIn(defects));
+
+TEST(HealthyNoise, HasItsLaw) {
+  for (const std::uint64_t seed : {1, 2, 3})
+    for (const char* experiment : {"strong", "gibbs"}) {
+      const auto v = audited(experiment, "magnus", seed);
+      EXPECT_EQ(v.kind, report::verdict_kind::holds) << experiment << ": " << v.reason;
+      EXPECT_LT(std::abs(*v.estimate), 5) << v.reason;
+    }
+}
+
+// The audit's own law of areas made of cells: against areas made of cells.
+TEST(HealthyNoise, AuditKnowsTheLawOfAreas) {
+  for (const int cells : {2, 5, 32}) {
+    noise_audit audit(3, 3, cells);
+    constexpr int steps = 16;
+    std::vector<double> dw(steps * 3 * 64), area(steps * 3 * 64);
+    for (std::uint64_t block = 0; block < 60; ++block) {
+      std::ranges::fill(dw, 0.0);
+      std::ranges::fill(area, 0.0);
+      for (std::uint64_t i = 0; i < steps; ++i)
+        for (std::uint64_t lane = 0; lane < 64; ++lane)
+          for (int cell = 0; cell < cells; ++cell) {
+            const auto z = normals<3>({7, noise_kind::increment, 64 * block + lane,
+                                       i * static_cast<std::uint64_t>(cells) + static_cast<std::uint64_t>(cell)});
+            const auto at = [&](std::vector<double>& v, int k) -> double& {
+              return v[(i * 3 + static_cast<std::uint64_t>(k)) * 64 + lane];
+            };
+            int pair = 0;
+            for (int j = 0; j < 3; ++j)
+              for (int k = j + 1; k < 3; ++k) at(area, pair++) += 0.5 * (at(dw, j) * z[k] - z[j] * at(dw, k));
+            for (int k = 0; k < 3; ++k) at(dw, k) += z[k];
+          }
+      noise_audit one(3, 3, cells);
+      one.add({steps, 3, 3, dw, {}, area, static_cast<double>(cells)});
+      audit.merge(one);
+    }
+    for (const auto& d : audit.deviations()) EXPECT_LT(std::abs(d.z), 4.5) << cells << " cells: " << d.what;
+  }
+}
+
+TEST(Controls, AreSeenToHaveAMean) {
+  Eigen::MatrixXd y(512, 3);
+  for (int i = 0; i < 512; ++i) {
+    const auto z = normals<2>({5, noise_kind::increment, static_cast<std::uint64_t>(i), 0});
+    y.row(i) << z[0], 0, z[1] + 0.4;
+  }
+  EXPECT_LT(std::abs(means_of_controls(y.leftCols(2)).largest), 4);
+  EXPECT_EQ(means_of_controls(y).count, 2);
+  EXPECT_GT(means_of_controls(y).largest, audit_threshold(2));
+}
+
+}  // namespace
+}  // namespace polhode
