@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "experiments/modified_constants.hpp"
+#include "experiments/modified_steps.hpp"
 #include "experiments/modified_table.hpp"
 #include "experiments/modified_verdict.hpp"
 
@@ -106,6 +107,7 @@ void run(const context& c, report::results& out) {
   const auto& s = c.subject;
   const auto columns = columns_on(*sphere_problem_of(s));
   std::vector<scheme_entry> schemes;
+  for (const auto& e : s.schemes) out.verdicts.push_back(judge_steps(c, e));
   for (const auto& e : s.schemes) {
     if (e.info.casimir.exact)
       schemes.push_back(e);
