@@ -117,7 +117,8 @@ void run(const context& c, report::results& out) {
   }
   report_scene(columns, out);
   const auto averages = averages_on(s);
-  const auto tables = modified_tables(c, schemes, columns, averages);
+  const auto variances = ergodic_variances(s, averages);
+  const auto tables = modified_tables(c, schemes, columns, averages, variances);
   std::vector<int> orders;
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     const auto& t = tables[k];
@@ -130,6 +131,7 @@ void run(const context& c, report::results& out) {
       for (Eigen::Index j = g.first; j < g.first + g.count; ++j)
         if (is_shown(columns, t, j)) report_parameter(g, columns, j, t, out);
     out.verdicts.push_back(judge_parameters(columns, t, order));
+    report_ergodic_variances(variances, t, modified_columns::count + averages.count(), order, out);
   }
   report_leading_constants(c, schemes, averages, tables, orders, out);
 }

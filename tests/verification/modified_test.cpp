@@ -5,6 +5,7 @@
 #include <ostream>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "experiments/ergodic_variance.hpp"
 #include "experiments/leading_constants.hpp"
 #include "experiments/modified_constants.hpp"
 #include "experiments/modified_steps.hpp"
@@ -238,6 +239,40 @@ TEST(LeadingConstants, OfASphericalBodyAreKnown) {
   EXPECT_NEAR(found[pi1].value, exact, 1e-6 * std::fabs(exact)) << found[pi1].low << ' ' << found[pi1].high;
 }
 
+// Isotropic noise alone: degree one is one eigenspace, of the equation with -sigma^2 and of a rotation by sigma
+// sqrt(dt) g with (1 + 2 E cos)/3, E cos |sigma sqrt(dt) g| = (1 - s) exp(-s/2), s = sigma^2 dt.
+TEST(ErgodicVariance, OfASphericalBodyIsKnown) {
+  auto scene = load_scene("paper");
+  scene.inertia = {1, 1, 1};
+  scene.theta = 0;
+  const auto s = bind_scene(scene);
+  const double sigma2 = 0.25, dt = 0.125, share = sigma2 * dt;
+  exact_averages one{{"pi1"}, {*named_observable("pi1", scene.inertia)}, {}, {}, {}};
+  one.value = one.uncertainty = one.size = Eigen::VectorXd::Ones(1);
+  law_averages averages;
+  averages.stationary = one;
+  EXPECT_NEAR(ergodic_variances(s, averages).value[0], 2.0 / 3 / sigma2, 1e-12);
+  const auto op = make_transfer(s, scheme_of(s, "lie_euler"), dt, 1, {{12, 1, 0}, {9, 2}});
+  const double factor = (1 + 2 * (1 - share) * std::exp(-share / 2)) / 3;
+  EXPECT_NEAR(ergodic_variances(one, op, dt)[0], dt / 3 * (1 + factor) / (1 - factor), 1e-10);
+}
+
+// A clock that is one per cent slow leaves the stationary law alone, and not the variance.
+TEST(ErgodicVariance, ASlowClockIsRefuted) {
+  auto s = bind_scene(load_scene("paper"));
+  auto scheme = scheme_of(s, "lie_heun");
+  auto scene = s.scene;
+  for (auto& v : scene.sigma)
+    for (auto& x : v) x *= std::sqrt(0.99);
+  for (auto& x : scene.inertia) x /= 0.99;
+  const auto slow = bind_scene(scene);  // theta k by 0.99, too: the same law
+  s.schemes = {scheme_of(slow, "lie_heun")};
+  const auto r = quick(s);
+  EXPECT_EQ(verdict_of(r, "asymptotic variance converges").kind, report::verdict_kind::refuted);
+  s.schemes = {scheme};
+  EXPECT_EQ(verdict_of(quick(s), "asymptotic variance converges").kind, report::verdict_kind::holds);
+}
+
 /// Leaves out the last step of every run of more than one.
 class forgetful final : public kernel {
  public:
@@ -274,9 +309,9 @@ TEST(Modified, HealthySchemesHoldAndThoseOffTheSphereAreSkipped) {
     holding += v.kind == report::verdict_kind::holds;
     skipped += v.kind == report::verdict_kind::skipped;
   }
-  EXPECT_EQ(holding, 13 + 4 * 9);
+  EXPECT_EQ(holding, 13 + 5 * 9);
   EXPECT_EQ(skipped, 4);
-  EXPECT_EQ(r.verdicts.size(), 13u + 4 * 9 + 4);
+  EXPECT_EQ(r.verdicts.size(), 13u + 5 * 9 + 4);
 }
 
 }  // namespace
