@@ -14,7 +14,7 @@ namespace {
 constexpr std::array at_horizon{"energy", "pi1", "pi2", "pi3", "pi1^2", "pi3^2", "exp(pi3)"};
 constexpr std::array in_the_long_run{"energy", "pi1^2", "exp(pi3)"};
 constexpr double accuracy = 1e-11;  // of an observable's size
-constexpr int most_degree = 32;     // at which transfer operators take their powers in seconds
+constexpr int most_degree = 24;     // at which all operators of a scheme take their powers in a second
 
 using found_average = std::pair<std::string, reference_value>;
 

@@ -18,6 +18,8 @@ constexpr int most_without = 3;       // coarse levels that may have no logarith
 constexpr double least_share = 1e-2;  // of all rates, that a group of parameters is compared with
 constexpr double tolerance = 1e-3;    // of a difference, where the operator is refined
 
+constexpr double unseen = tolerance / 1000;  // of a difference: what two refinements may agree on by accident
+
 Eigen::VectorXd numbers_of(const body_parameters& p, double residual) {
   const auto& q = p.noise;
   Eigen::VectorXd out(modified_columns::count);
@@ -65,7 +67,9 @@ std::optional<transfer_answer> answer_at(const subject& s, const scheme_entry& s
   const auto roundings = std::llround(std::ceil(10 / (dt * fastest_rate(s))));  // of a logarithm over dt
   try {
     auto found = refine(s, scheme, dt, roundings, question);
-    if (found.error.allFinite()) return found;
+    if (!found.error.allFinite()) return std::nullopt;
+    found.uncertainty = found.uncertainty.cwiseMax(unseen * found.error.cwiseAbs());
+    return found;
   } catch (const no_logarithm&) {
   }
   return std::nullopt;
