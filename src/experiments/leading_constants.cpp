@@ -119,8 +119,8 @@ Eigen::VectorXd expansion_frame::constants(const Eigen::MatrixXd& step, std::siz
 }
 
 std::vector<interval_estimate> predicted_constants(const subject& s, const scheme_entry& scheme,
-                                                   const expansion_frame& coarse, const expansion_frame& fine,
-                                                   int order) {
+                                                   const law_averages& averages, const expansion_frame& coarse,
+                                                   const expansion_frame& fine, int order) {
   std::vector<Eigen::VectorXd> found, lower;
   for (std::size_t level = 0; level < fine.dt().size(); ++level) {
     auto rule = one_step;
@@ -130,17 +130,15 @@ std::vector<interval_estimate> predicted_constants(const subject& s, const schem
     found.push_back(fine.constants(step, level, order));
     lower.push_back(coarse.constants(step.topLeftCorner(corner, corner), level, order));
   }
+  // Two degrees may agree by accident: the averages lend each other their change.
+  const Eigen::VectorXd size = averages.size(), change = (found.back() - lower.back()).cwiseAbs();
+  const double largest = change.size() > 0 ? change.cwiseQuotient(size).maxCoeff() : 0;
   std::vector<interval_estimate> out;
-  const std::size_t count = found.empty() ? 0 : static_cast<std::size_t>(found.front().size());
-  for (std::size_t i = 0; i < count; ++i) {
-    std::vector<double> value, change;
-    for (std::size_t level = 0; level < found.size(); ++level) {
-      value.push_back(found[level][static_cast<Eigen::Index>(i)]);
-      change.push_back(0);
-    }
-    auto c = series_coefficients(fine.dt(), value, change, 1).front();
-    const auto last = static_cast<Eigen::Index>(i);
-    const double truncated = std::fabs(found.back()[last] - lower.back()[last]);
+  for (Eigen::Index i = 0; i < change.size(); ++i) {
+    std::vector<double> value;
+    for (const auto& level : found) value.push_back(level[i]);
+    const auto c = series_coefficients(fine.dt(), value, std::vector<double>(value.size(), 0.0), 1).front();
+    const double truncated = 3 * std::max(change[i], largest * size[i] / 3);
     out.push_back({c.value, c.low - truncated, c.high + truncated});
   }
   return out;

@@ -33,8 +33,10 @@ class expansion_frame {
   Eigen::MatrixXd poisson_;                  ///< u, a column an average
 };
 
-/// The constants of one scheme, each extrapolated to dt = 0; uncertain by that and by what a lower degree changes.
-std::vector<interval_estimate> predicted_constants(const subject&, const scheme_entry&, const expansion_frame& coarse,
-                                                   const expansion_frame& fine, int order);
+/// The constants of one scheme, each extrapolated to dt = 0; uncertain by that and by three times what a
+/// lower degree changes.
+std::vector<interval_estimate> predicted_constants(const subject&, const scheme_entry&, const law_averages&,
+                                                   const expansion_frame& coarse, const expansion_frame& fine,
+                                                   int order);
 
 }  // namespace polhode

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "experiments/modified_constants.hpp"
+#include "experiments/modified_steps.hpp"
 #include "experiments/modified_table.hpp"
 #include "experiments/modified_verdict.hpp"
 
@@ -106,6 +107,7 @@ void run(const context& c, report::results& out) {
   const auto& s = c.subject;
   const auto columns = columns_on(*sphere_problem_of(s));
   std::vector<scheme_entry> schemes;
+  for (const auto& e : s.schemes) out.verdicts.push_back(judge_steps(c, e));
   for (const auto& e : s.schemes) {
     if (e.info.casimir.exact)
       schemes.push_back(e);
@@ -115,7 +117,8 @@ void run(const context& c, report::results& out) {
   }
   report_scene(columns, out);
   const auto averages = averages_on(s);
-  const auto tables = modified_tables(c, schemes, columns, averages);
+  const auto variances = ergodic_variances(s, averages);
+  const auto tables = modified_tables(c, schemes, columns, averages, variances);
   std::vector<int> orders;
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     const auto& t = tables[k];
@@ -128,6 +131,7 @@ void run(const context& c, report::results& out) {
       for (Eigen::Index j = g.first; j < g.first + g.count; ++j)
         if (is_shown(columns, t, j)) report_parameter(g, columns, j, t, out);
     out.verdicts.push_back(judge_parameters(columns, t, order));
+    report_ergodic_variances(variances, t, modified_columns::count + averages.count(), order, out);
   }
   report_leading_constants(c, schemes, averages, tables, orders, out);
 }

@@ -114,11 +114,14 @@ void report_leading_constants(const context& c, const std::vector<scheme_entry>&
                               const std::vector<error_table>& tables, const std::vector<int>& orders,
                               report::results& out) {
   const auto skip = [&](const char* what, const std::string& reason) {
-    if (!reason.empty())
-      out.skipped.push_back({"modified", "", fmt::format("leading constant of {}: {}", what, reason)});
+    if (!reason.empty()) out.skipped.push_back({"modified", "", fmt::format("{}: {}", what, reason)});
   };
-  skip("the weak error", averages.no_horizon);
-  skip("the stationary bias", averages.no_law);
+  if (averages.no_horizon == averages.no_law) {
+    skip("leading constants", averages.no_horizon);
+  } else {
+    skip("leading constant of the weak error", averages.no_horizon);
+    skip("leading constant of the stationary bias", averages.no_law);
+  }
   if (averages.count() == 0) return;
   const double rate = fastest_rate(c.subject);
   std::vector<double> dt;
@@ -127,7 +130,7 @@ void report_leading_constants(const context& c, const std::vector<scheme_entry>&
   std::vector<std::vector<interval_estimate>> predicted(schemes.size());
   parallel_for(c.threads, static_cast<int>(schemes.size()), [&](int i) {
     const auto k = static_cast<std::size_t>(i);
-    predicted[k] = predicted_constants(c.subject, schemes[k], coarse, fine, orders[k]);
+    predicted[k] = predicted_constants(c.subject, schemes[k], averages, coarse, fine, orders[k]);
   });
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     const std::span all(predicted[k]);

@@ -18,6 +18,8 @@ constexpr int most_without = 3;       // coarse levels that may have no logarith
 constexpr double least_share = 1e-2;  // of all rates, that a group of parameters is compared with
 constexpr double tolerance = 1e-3;    // of a difference, where the operator is refined
 
+constexpr double unseen = tolerance / 1000;  // of a difference: what two refinements may agree on by accident
+
 Eigen::VectorXd numbers_of(const body_parameters& p, double residual) {
   const auto& q = p.noise;
   Eigen::VectorXd out(modified_columns::count);
@@ -35,12 +37,14 @@ struct operator_questions {
   generator_family family;
   modified_columns columns;
   law_averages averages;
+  exact_averages variances;
   Eigen::Vector3d start;
   double horizon;
 
   transfer_question at(double dt) const {
     return {[this, dt](const transfer_operator& op) { return answer(op, dt); },
-            {joined(columns.exact, averages.value()), joined(columns.unit, averages.size()), tolerance}};
+            {joined(columns.exact, averages.value(), variances.value),
+             joined(columns.unit, averages.size(), variances.size), tolerance}};
   }
 
  private:
@@ -48,11 +52,12 @@ struct operator_questions {
     const auto generator = generator_of_step(op.matrix, dt);
     if (!generator) throw no_logarithm();
     const auto body = family.nearest(*generator);
-    return joined(numbers_of(body.parameters, body.residual), averages.of(op, start, std::llround(horizon / dt)));
+    return joined(numbers_of(body.parameters, body.residual), averages.of(op, start, std::llround(horizon / dt)),
+                  ergodic_variances(variances, op, dt));
   }
-  static Eigen::VectorXd joined(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    Eigen::VectorXd out(a.size() + b.size());
-    out << a, b;
+  static Eigen::VectorXd joined(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const Eigen::VectorXd& c) {
+    Eigen::VectorXd out(a.size() + b.size() + c.size());
+    out << a, b, c;
     return out;
   }
 };
@@ -62,7 +67,9 @@ std::optional<transfer_answer> answer_at(const subject& s, const scheme_entry& s
   const auto roundings = std::llround(std::ceil(10 / (dt * fastest_rate(s))));  // of a logarithm over dt
   try {
     auto found = refine(s, scheme, dt, roundings, question);
-    if (found.error.allFinite()) return found;
+    if (!found.error.allFinite()) return std::nullopt;
+    found.uncertainty = found.uncertainty.cwiseMax(unseen * found.error.cwiseAbs());
+    return found;
   } catch (const no_logarithm&) {
   }
   return std::nullopt;
@@ -101,10 +108,12 @@ level_grid modified_levels(const subject& s) {
 }
 
 std::vector<error_table> modified_tables(const context& c, const std::vector<scheme_entry>& schemes,
-                                         const modified_columns& columns, const law_averages& averages) {
+                                         const modified_columns& columns, const law_averages& averages,
+                                         const exact_averages& variances) {
   const auto& s = c.subject;
-  const operator_questions questions{generator_family(sphere_problem_of(s)->radius), columns, averages,
-                                     Eigen::Vector3d(s.scene.momentum.data()), s.scene.horizon};
+  const operator_questions questions{
+      generator_family(sphere_problem_of(s)->radius), columns,        averages, variances,
+      Eigen::Vector3d(s.scene.momentum.data()),       s.scene.horizon};
   const auto grid = modified_levels(s);
   std::vector<error_table> out(schemes.size());
   progress_counter done(static_cast<int>(schemes.size()) * levels, c.progress);
@@ -118,7 +127,8 @@ std::vector<error_table> modified_tables(const context& c, const std::vector<sch
       const double dt = grid.horizon / (static_cast<double>(grid.steps.front()) * (1 << i));
       auto answer = answer_at(s, scheme, dt, questions.at(dt));
       if (!answer) continue;
-      answer->uncertainty.tail(averages.count()) += averages.uncertainty();
+      answer->uncertainty.segment(modified_columns::count, averages.count()) += averages.uncertainty();
+      answer->uncertainty.tail(variances.count()) += variances.uncertainty;
       table.add(dt, *answer);
       ++found;
       done.add();

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "experiments/law_averages.hpp"
+#include "experiments/ergodic_variance.hpp"
 #include "experiments/transfer_report.hpp"
 #include "references/generator_family.hpp"
 
@@ -26,9 +26,9 @@ modified_columns columns_on(const sphere_problem&);
 level_grid modified_levels(const subject&);
 
 /// Differences from the scene and their uncertainty [level][column], of every scheme, at the coarsest six of the levels
-/// at which the logarithm is found. Behind the columns those of the averages: of the law after the horizon's steps, and
-/// of the stationary one.
+/// at which the logarithm is found. Behind the columns those of the averages: of the law after the horizon's steps, of
+/// the stationary one, and the asymptotic variances.
 std::vector<error_table> modified_tables(const context&, const std::vector<scheme_entry>&, const modified_columns&,
-                                         const law_averages&);
+                                         const law_averages&, const exact_averages& variances);
 
 }  // namespace polhode

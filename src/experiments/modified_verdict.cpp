@@ -28,6 +28,7 @@ struct found_term {
 /// norm has none.
 struct column_values {
   std::vector<double> value, uncertainty;
+  double largest() const { return std::ranges::max(value); }
   column_values(const modified_columns& columns, const error_table& t, Eigen::Index j) {
     for (std::size_t i = 0; i < t.dt.size(); ++i) {
       const double y = t.error[i][j] / columns.scale[j], u = t.uncertainty[i][j] / columns.scale[j];
@@ -53,7 +54,7 @@ std::vector<found_term> terms_of(const modified_columns& columns, const error_ta
       out.push_back({square ? "square of the residual" : modified_columns::names()[static_cast<std::size_t>(j)],
                      power,
                      {unit * s.value, unit * s.low, unit * s.high},
-                     square ? narrow * narrow : narrow});
+                     square ? narrow * std::max(narrow, c.largest() / 10) : narrow});
     }
   }
   return out;

@@ -9,6 +9,7 @@ namespace polhode {
 namespace {
 
 constexpr double next_terms = 3;  // times the term that is seen
+constexpr double accident = 8;    // a next term that happens to vanish is taken for that part of the one before
 
 /// weights(j, i): what the value at dt_i adds to c_j scale^j. A Vandermonde matrix in dt / scale of a few levels is
 /// inverted to rounding by Lagrange's polynomials.
@@ -30,32 +31,43 @@ Eigen::MatrixXd weights_of(std::span<const double> dt, double scale) {
   return weights;
 }
 
+struct level_values {
+  std::vector<double> dt, value;
+
+  level_values without_coarsest() const {
+    auto rest = *this;
+    const auto coarsest = std::ranges::max_element(dt) - dt.begin();
+    rest.dt.erase(rest.dt.begin() + coarsest);
+    rest.value.erase(rest.value.begin() + coarsest);
+    return rest;
+  }
+  /// Coefficients times powers of the scale.
+  Eigen::VectorXd series(double scale) const {
+    return weights_of(dt, scale) *
+           Eigen::Map<const Eigen::VectorXd>(value.data(), static_cast<Eigen::Index>(value.size()));
+  }
+};
+
 }  // namespace
 
 std::vector<interval_estimate> series_coefficients(std::span<const double> dt, std::span<const double> value,
                                                    std::span<const double> uncertainty, std::size_t count) {
   if (dt.size() < count + 2) throw std::invalid_argument("series_coefficients: too few levels");
-  const auto coarsest = static_cast<std::size_t>(std::ranges::max_element(dt) - dt.begin());
-  const auto without = [&](std::span<const double> all) {
-    std::vector<double> rest(all.begin(), all.end());
-    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(coarsest));
-    return rest;
-  };
-  const double scale = dt[coarsest];
-  const auto all = weights_of(dt, scale), rest = weights_of(without(dt), scale);
-  const auto fewer = without(value);
+  const double scale = std::ranges::max(dt);
+  const level_values all{{dt.begin(), dt.end()}, {value.begin(), value.end()}};
+  const auto fewer = all.without_coarsest(), fewest = fewer.without_coarsest();
+  const auto weights = weights_of(all.dt, scale);
+  const Eigen::VectorXd best = all.series(scale), second = fewer.series(scale), third = fewest.series(scale);
   std::vector<interval_estimate> out;
   for (std::size_t j = 0; j < count; ++j) {
     const auto row = static_cast<Eigen::Index>(j);
-    double best = 0, before = 0, noise = 0;
-    for (std::size_t i = 0; i < dt.size(); ++i) {
-      best += all(row, static_cast<Eigen::Index>(i)) * value[i];
-      noise += std::fabs(all(row, static_cast<Eigen::Index>(i))) * uncertainty[i];
-    }
-    for (std::size_t i = 0; i < fewer.size(); ++i) before += rest(row, static_cast<Eigen::Index>(i)) * fewer[i];
+    double noise = 0;
+    for (std::size_t i = 0; i < dt.size(); ++i)
+      noise += std::fabs(weights(row, static_cast<Eigen::Index>(i))) * uncertainty[i];
+    const double last = std::fabs(best[row] - second[row]), before = std::fabs(second[row] - third[row]);
     const double unit = std::pow(scale, static_cast<double>(j));
-    const double half = (next_terms * std::fabs(best - before) + noise) / unit;
-    out.push_back({best / unit, best / unit - half, best / unit + half});
+    const double half = (next_terms * std::max(last, before / accident) + noise) / unit;
+    out.push_back({best[row] / unit, best[row] / unit - half, best[row] / unit + half});
   }
   return out;
 }
