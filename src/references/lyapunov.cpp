@@ -14,6 +14,7 @@ namespace {
 constexpr std::array degrees{4, 6, 8, 10, 12, 14, 16, 20, 24, 28, 32};
 constexpr int affordable = 7000;  // unknowns in the block: seconds
 constexpr double rounding = 1e-14;
+constexpr int stretching_degree = 2;  // a lower degree cuts off what is asked for
 
 sparse_matrix bracket(const sparse_matrix& a, const sparse_matrix& b) {
   return sparse_matrix(a * b) - sparse_matrix(b * a);
@@ -80,6 +81,7 @@ lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance, int
   if (!energy.value) return {.reason = energy.reason};
   const double needed = needed_degree(problem), size = operator_on_frames(problem, degrees[0]).stretching.norm();
   const auto lambda1_at = [&](int degree) -> std::optional<projected_value> {
+    if (degree < stretching_degree) return projected_value{.value = 0, .floor = 0, .resolved = false};
     const auto frames = operator_on_frames(problem, degree);
     auto found = poisson_mean(frames.generator, frames.stretching, affordable, frame_supremum);
     if (found) found->floor = std::max(found->floor, rounding * frames.stretching.norm());

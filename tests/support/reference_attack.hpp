@@ -145,9 +145,11 @@ inline void count_answer(attack_count& count, const std::string& what, const att
              found.uncertainty, found.degree, truth->value, truth->uncertainty, words(s));
 }
 
-constexpr int most_second = 450;  // unknowns of a dense block
+constexpr int most_second = 450;    // unknowns of a dense block
+constexpr int highest_second = 52;  // degree
 
 inline std::optional<second_opinion> second_expectation(const attacked_scene& s, const sphere_function& f, int degree) {
+  if (degree > highest_second) return std::nullopt;
   const sparse_matrix whole = backward_operator(s.problem, degree);
   Eigen::VectorXd c = harmonic_coefficients([&](const Eigen::Vector3d& x) { return f(s.problem.radius * x); }, degree);
   c = c.unaryExpr([&, least = 1e-14 * c.norm()](double x) { return std::fabs(x) < least ? 0.0 : x; });
@@ -159,6 +161,7 @@ inline std::optional<second_opinion> second_expectation(const attacked_scene& s,
 }
 
 inline std::optional<second_opinion> second_gap(const attacked_scene& s, int degree) {
+  if (degree > highest_second) return std::nullopt;
   const sparse_matrix whole = backward_operator(s.problem, degree);
   const sparse_matrix rest = whole.block(1, 1, whole.rows() - 1, whole.cols() - 1);
   double slowest = -HUGE_VAL;
@@ -179,7 +182,7 @@ inline std::optional<second_opinion> second_mean(const attacked_scene& s, const 
     const double value = least + gibbs_about_the_other_axis(i, p.radius, beta)[3];
     return second_opinion{value, 1e-14 * value};
   }
-  if (degree > 64) return std::nullopt;
+  if (degree > highest_second) return std::nullopt;
   const auto density = left_null_vector(backward_operator(p, degree), 2500);
   if (!density) return std::nullopt;
   const Eigen::VectorXd c = harmonic_coefficients([&](const Eigen::Vector3d& x) { return f(p.radius * x); }, degree);
