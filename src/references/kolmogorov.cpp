@@ -35,10 +35,15 @@ sparse_matrix tall_operator(const sphere_problem& problem, int degree) {
   return backward_operator(problem, degree + 2).leftCols(harmonic_count(degree));
 }
 
-/// About the supremum of what the degree cuts off from f: no more than its last two degrees hold.
-double cut_off(const Eigen::VectorXd& coefficients, int degree) {
-  const int first = std::max(0, degree - 1), from = first * first;
-  return harmonic_supremum(coefficients.tail(coefficients.size() - from), first);
+struct cut_function {
+  Eigen::VectorXd coefficients;
+  double cut_off;  ///< about the supremum of what the degree cuts off: its next two degrees
+};
+
+cut_function cut_to(const sphere_problem& problem, const sphere_function& f, int degree) {
+  const Eigen::VectorXd more = observable_coefficients(problem, f, degree + 2);
+  const int count = harmonic_count(degree);
+  return {more.head(count), harmonic_supremum(more.tail(more.size() - count), degree + 1)};
 }
 
 /// The stationary mean, where by then every other mode has died; the rate of noise bounds the cost of asking.
@@ -54,8 +59,9 @@ std::optional<reference_value> expectation_long_after(const sphere_problem& prob
 }
 
 /// exp(time A) f at y. The remainder (A - A_L) g of the Galerkin solution g, summed over the time, bounds its error.
-std::optional<projected_value> propagated(const sparse_matrix& tall, const Eigen::VectorXd& f, const Eigen::VectorXd& y,
+std::optional<projected_value> propagated(const sparse_matrix& tall, const cut_function& cut, const Eigen::VectorXd& y,
                                           double time, int degree) {
+  const Eigen::VectorXd& f = cut.coefficients;
   const sparse_matrix whole = tall.topRows(tall.cols());
   const index_set block = blocks_of(whole, f);
   const sparse_matrix part = submatrix(whole, block);
@@ -70,7 +76,7 @@ std::optional<projected_value> propagated(const sparse_matrix& tall, const Eigen
     ++steps;
   });
   const double floor = rounding * std::max(1.0, std::sqrt(steps) / 10) * f.norm() / std::sqrt(4 * std::numbers::pi);
-  return projected_value{y(block).dot(g), floor, bound + cut_off(f, degree) + floor};
+  return projected_value{y(block).dot(g), floor, bound + cut.cut_off + floor};
 }
 
 }  // namespace
@@ -120,7 +126,7 @@ reference_value expectation(const sphere_problem& problem, const sphere_function
   if (problem.covariance.isZero(0)) return on_the_path(problem, f, start, time);
   if (auto late = expectation_long_after(problem, f, time, tolerance, wanted)) return *late;
   const auto value_at = [&](int degree) {
-    return propagated(tall_operator(problem, degree), observable_coefficients(problem, f, degree),
+    return propagated(tall_operator(problem, degree), cut_to(problem, f, degree),
                       harmonics_at(start.normalized(), degree), time, degree);
   };
   const std::vector<int> chosen{wanted};
@@ -132,7 +138,7 @@ reference_value stationary_mean(const sphere_problem& problem, const sphere_func
   if (const auto reason = no_unique_law(problem); !reason.empty()) return {.reason = reason};
   const double unit = std::sqrt(4 * std::numbers::pi);
   const auto value_at = [&](int degree) {
-    const Eigen::VectorXd c = observable_coefficients(problem, f, degree);
+    const auto [c, cut_off] = cut_to(problem, f, degree);
     const projected_value uniform{c[0], 0, 0};
     auto found = problem.theta == 0 ? std::optional(uniform)
                                     : poisson_mean(tall_operator(problem, degree), c, most_sparse,
@@ -140,7 +146,7 @@ reference_value stationary_mean(const sphere_problem& problem, const sphere_func
     if (found) {
       found->value /= unit;
       found->floor = std::max(found->floor, rounding * c.norm() / unit);
-      found->bound += cut_off(c, degree) + found->floor;
+      found->bound += cut_off + found->floor;
     }
     return found;
   };

@@ -14,18 +14,20 @@ namespace {
 constexpr std::array degrees{4, 6, 8, 10, 12, 14, 16, 20, 24, 28, 32};
 constexpr int affordable = 7000;  // unknowns in the block: seconds
 constexpr double rounding = 1e-14;
+constexpr int stretching_degree = 2;  // a lower degree cuts off what is asked for
 
 sparse_matrix bracket(const sparse_matrix& a, const sparse_matrix& b) {
   return sparse_matrix(a * b) - sparse_matrix(b * a);
 }
 
 struct frame_operator {
-  sparse_matrix generator;     // from one degree to those two degrees higher: exact
+  sparse_matrix generator;     // from one degree to those that are kept
   Eigen::VectorXd stretching;  // coefficients of s
 };
 
-frame_operator operator_on_frames(const sphere_problem& problem, int degree) {
-  const int inside = degree + 3;  // so that products of two coordinates are exact up to two degrees higher
+/// beyond: 2 for all that the generator makes of functions of the degree, 0 for its projection.
+frame_operator operator_on_frames(const sphere_problem& problem, int degree, int beyond) {
+  const int inside = degree + beyond + 1;  // so that products of two coordinates are exact
   const auto turn = wigner_generators(inside);
   const auto x = wigner_coordinates(inside, turn);
   const double c = problem.radius, t = problem.theta * c;
@@ -48,7 +50,7 @@ frame_operator operator_on_frames(const sphere_problem& problem, int degree) {
   const sparse_matrix omega = vv - t * wv, stretching = t * (xx - vv) - wv;
   generator += sparse_matrix(omega * turn.right[2]);
   const int size = wigner_count(degree);
-  sparse_matrix tall = generator.block(0, 0, wigner_count(degree + 2), size);
+  sparse_matrix tall = generator.block(0, 0, wigner_count(degree + beyond), size);
   tall.prune(tall.coeffs().cwiseAbs().maxCoeff(), 1e-15);  // what cancelled
   return {tall, Eigen::VectorXd(stretching.col(0)).head(size)};
 }
@@ -78,10 +80,13 @@ lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance, int
   const double energy_tolerance = tolerance / (60 * std::max(problem.theta, 1e-300));
   const auto energy = stationary_mean(problem, *named_observable("energy", problem.inertia), energy_tolerance);
   if (!energy.value) return {.reason = energy.reason};
-  const double needed = needed_degree(problem), size = operator_on_frames(problem, degrees[0]).stretching.norm();
+  const double needed = needed_degree(problem), size = operator_on_frames(problem, degrees[0], 0).stretching.norm();
+  const bool proved = wanted > 0 || needed_share * needed > degrees.back();  // else three degrees tell, and are cheaper
   const auto lambda1_at = [&](int degree) -> std::optional<projected_value> {
-    const auto frames = operator_on_frames(problem, degree);
+    if (degree < stretching_degree) return projected_value{.value = 0, .floor = 0, .resolved = false};
+    const auto frames = operator_on_frames(problem, degree, proved ? 2 : 0);
     auto found = poisson_mean(frames.generator, frames.stretching, affordable, frame_supremum);
+    if (found && !proved) found->bound = unbounded;
     if (found) found->floor = std::max(found->floor, rounding * frames.stretching.norm());
     return found;
   };

@@ -66,7 +66,7 @@ class three_agree {
 
 /// Of the degree that the width of the noise asks for: below it, agreement is worth nothing, as what is not resolved at
 /// all agrees too.
-constexpr double needed_share = 0.35;
+constexpr double needed_share = 0.25;
 
 /// Raises the degree until the uncertainty is what is asked for: the proved bound where there is one, else what three
 /// successive answers say, from the needed share of the needed degree on. value_at(degree) is an optional

@@ -19,7 +19,7 @@
 namespace polhode {
 namespace {
 
-// Of the size of what is asked for, or absolute where that is below one.
+// Of the size of what is asked for: of the observable, of the noise, of the shear.
 constexpr double value_tolerance = 1e-11, rate_tolerance = 1e-9, exponent_tolerance = 1e-7;
 constexpr const char* usual_observable = "energy";
 const std::vector<std::string> quantities{"expectation", "gibbs", "lyapunov", "gap"};
@@ -58,16 +58,16 @@ sphere_function observable_of(const scene& s, const std::string& name) {
          fmt::format("not known{}; accepted: {}", did_you_mean(name, known), fmt::join(known, ", ")));
 }
 
-/// At least 1: the root of the mean square of f over the sphere.
+/// The root of the mean square of f over the sphere.
 double size_of(const sphere_problem& p, const sphere_function& f) {
   const auto on_unit = [&](const Eigen::Vector3d& x) { return f(p.radius * x); };
-  return std::max(1.0, harmonic_coefficients(on_unit, 8).norm() / std::sqrt(4 * std::numbers::pi));
+  return harmonic_coefficients(on_unit, 8).norm() / std::sqrt(4 * std::numbers::pi);
 }
 
-/// At least 1: the rate at which neighbouring orbits run apart.
+/// The rate at which neighbouring orbits run apart; of a body next to spherical, a millionth of the rotation.
 double shear_of(const sphere_problem& p) {
   const auto [least, most] = std::ranges::minmax(p.inertia);
-  return std::max(1.0, p.radius * (1 / least - 1 / most));
+  return p.radius * std::max(1 / least - 1 / most, 1e-6 / least);
 }
 
 /// Of the Gibbs law, where they have a closed form.
@@ -92,6 +92,7 @@ std::optional<reference_value> closed_form(const sphere_problem& p, const std::s
 /// scale: the size that the value is measured by, besides its own. Where not one digit is certain, words say more.
 void take(const scene& s, const reference_value& found, reference_answer& out, double scale = 0) {
   if (!found.value) refuse_scene(s, out, found.reason);
+  if (!std::isfinite(*found.value)) refuse_scene(s, out, "beyond what double precision holds");
   const double size = std::max(std::fabs(*found.value), scale);
   if (!found.reason.empty() && found.uncertainty > 0.1 * size)
     refuse_scene(
@@ -163,7 +164,7 @@ reference_answer reference(const scene& s, const reference_options& o) {
   if (o.quantity == "lyapunov") answer_lyapunov(s, p, o, out);
   if (o.quantity == "gap") {
     out.method = "the least decay rate of Kolmogorov's operator in spherical harmonics";
-    take(s, spectral_gap(p, rate_tolerance * shear_of(p), o.degree), out);
+    take(s, spectral_gap(p, rate_tolerance * p.covariance.trace(), o.degree), out);
   }
   return out;
 }

@@ -89,6 +89,34 @@ TEST(Gibbs, KnownAnswers) {  // MODEL section 3
   EXPECT_NEAR(law.mean_square(2), 0.40576662289, 6e-12);
 }
 
+// Near the axis of least energy the law is Gaussian: half of 1 / beta for each of two squares.
+TEST(Gibbs, UnderFaintNoiseIsGaussian) {
+  for (const double c : {1.0, 1e3, 1e5}) {
+    const double beta = 2e6;
+    const gibbs_law law({1, 2, 3}, c, beta);
+    EXPECT_LT(law.relative_uncertainty(), 1e-13);
+    const double second_order = 5 / (beta * c * c);
+    EXPECT_NEAR(law.mean_square(0) * beta, 1.5, 1.5 * second_order + 1e-12);
+    EXPECT_NEAR(law.mean_square(1) * beta, 6, 30 * second_order + 1e-12);
+    EXPECT_NEAR(law.excess_energy() * beta, 1, 5 * second_order + 1e-12);
+    EXPECT_NEAR(law.energy_variance() * beta * beta, 1, 20 * second_order + 1e-11);
+    if (c < 1e4) {
+      EXPECT_NEAR(law.energy_cdf(law.least_energy() + 1 / beta), 1 - std::exp(-1.0), c == 1 ? 3e-6 : 1e-4);
+    }
+  }
+}
+
+// Two axes alike up to rounding: the closed form of the body of revolution.
+TEST(Gibbs, NearlySymmetricBodiesAreAsBodiesOfRevolution) {
+  for (const double beta : {0.0, 3.0, 300.0, 3e6})
+    for (const double ratio : {1e-3, 0.3, 4.0, 1e3}) {
+      const gibbs_law round({1, 1, ratio}, 1, beta), nearly({1, 1 + 1e-13, ratio}, 1, beta);
+      for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(nearly.mean_square(k), round.mean_square(k), 1e-12 * (1 + beta) * round.mean_square(k));
+      EXPECT_NEAR(round.mean_square(0) + round.mean_square(1) + round.mean_square(2), 1, 1e-13);
+    }
+}
+
 TEST(Gibbs, WithoutDissipationIsUniform) {
   for (const auto& i :
        std::vector<std::array<double, 3>>{{1, 2, 3}, {3, 1, 2}, {1, 1, 2.5}, {2.5, 1, 1}, {1, 10, 100}}) {
