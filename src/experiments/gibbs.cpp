@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "ensemble/paths.hpp"
 #include "ensemble/uniform_start.hpp"
@@ -18,6 +19,7 @@
 #include "experiments/progress_counter.hpp"
 #include "experiments/sequential.hpp"
 #include "experiments/stationary_bias.hpp"
+#include "experiments/undecided.hpp"
 #include "experiments/vectors.hpp"
 #include "references/gibbs.hpp"
 #include "statistics/sample.hpp"
@@ -218,15 +220,29 @@ std::optional<std::string> cannot_say(const subject& s) {
   return std::nullopt;
 }
 
-std::optional<std::string> cannot_sample(const subject& s) {
+/// Why no law is claimed that could be sampled; empty: one is.
+std::optional<std::string> no_law(const subject& s) {
   if (s.model->noise() != noise_class::isotropic && s.scene.theta > 0)
     return "the noise is not isotropic: no Gibbs law is claimed for it";
   if (noise_strength(s.scene) <= 1e-12 * fastest_rate(s)) return "the noise does not reach every direction by itself";
-  const double steps = burn_in(s.scene) / step_size(s);
-  if (steps > most_steps)
-    return fmt::format("the wells of h are too deep for sampling: forgetting the start takes about {:.1e} steps",
-                       steps);
   return std::nullopt;
+}
+
+void sample(const context& c, report::results& out) {
+  if (const auto reason = no_law(c.subject)) {
+    out.skipped.push_back({"gibbs", "", "sampled law: " + *reason});
+    return;
+  }
+  std::vector<scheme_entry> schemes;
+  std::ranges::copy_if(c.subject.schemes, std::back_inserter(schemes),
+                       [](const scheme_entry& e) { return e.info.casimir.exact; });
+  const dear_claim law{"gibbs",
+                       "mean of energy",
+                       "the wells of h are deep: forgetting the start",
+                       "steps a path",
+                       burn_in(c.subject.scene) / step_size(c.subject),
+                       [](effort) { return most_steps; }};
+  if (affords(c, schemes, law, out)) report_samples(c, out);
 }
 
 void run(const context& c, report::results& out) {
@@ -235,10 +251,7 @@ void run(const context& c, report::results& out) {
       out.skipped.push_back(
           {"gibbs", std::string(scheme.info.name),
            "leaves the sphere (experiment casimir), so it has no stationary law there and claims none"});
-  if (const auto reason = cannot_sample(c.subject))
-    out.skipped.push_back({"gibbs", "", "sampled law: " + *reason});
-  else
-    report_samples(part_of(c, 0, 0.5), out);
+  sample(part_of(c, 0, 0.5), out);
   report_stationary_bias(part_of(c, 0.5, 1), out);
 }
 

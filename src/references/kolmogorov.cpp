@@ -18,10 +18,11 @@ namespace {
 
 constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64, 96, 128};
 constexpr std::array stationary_degrees{8, 12, 16, 24, 32, 48, 64, 96};
-constexpr double affordable = 1e10;  // multiplications
-constexpr double rounding = 1e-14;   // of what is added up
-constexpr double long_ago = 60;      // relaxation times: exp(-60) hides any constant before it
-constexpr int most_sparse = 5000;    // unknowns in a block: seconds
+constexpr double affordable = 1e10;                           // multiplications
+constexpr double rounding = 1e-14;                            // of what is added up
+constexpr double long_ago = 60;                               // relaxation times: exp(-60) hides any constant before it
+constexpr int most_sparse = 5000;                             // unknowns in a block: seconds
+const double unit_of_mean = std::sqrt(4 * std::numbers::pi);  // a coefficient's share in a mean over the sphere
 
 // Coefficients of a smooth function that are rounding only would tie together blocks that do not talk to each other.
 Eigen::VectorXd observable_coefficients(const sphere_problem& problem, const sphere_function& f, int degree) {
@@ -75,7 +76,7 @@ std::optional<projected_value> propagated(const sparse_matrix& tall, const cut_f
     bound += dt * std::max(std::exchange(before, after), after);
     ++steps;
   });
-  const double floor = rounding * std::max(1.0, std::sqrt(steps) / 10) * f.norm() / std::sqrt(4 * std::numbers::pi);
+  const double floor = rounding * std::max(1.0, std::sqrt(steps) / 10) * f.norm() / unit_of_mean;
   return projected_value{y(block).dot(g), floor, bound + cut.cut_off + floor};
 }
 
@@ -129,14 +130,17 @@ reference_value expectation(const sphere_problem& problem, const sphere_function
     return propagated(tall_operator(problem, degree), cut_to(problem, f, degree),
                       harmonics_at(start.normalized(), degree), time, degree);
   };
+  // Where three degrees can tell they may: the proved bound grows with time, the error need not.
+  const double needed = needed_degree(problem);
+  const bool comparable = degrees.back() >= needed_share * needed;
+  const double size = comparable ? observable_coefficients(problem, f, degrees.front()).norm() / unit_of_mean : 0;
   const std::vector<int> chosen{wanted};
-  return raise_degree(wanted > 0 ? std::span<const int>(chosen) : degrees, {tolerance}, needed_degree(problem),
-                      value_at);
+  return raise_degree(wanted > 0 ? std::span<const int>(chosen) : degrees, {.absolute = tolerance, .size = size},
+                      needed, value_at);
 }
 
 reference_value stationary_mean(const sphere_problem& problem, const sphere_function& f, double tolerance, int wanted) {
   if (const auto reason = no_unique_law(problem); !reason.empty()) return {.reason = reason};
-  const double unit = std::sqrt(4 * std::numbers::pi);
   const auto value_at = [&](int degree) {
     const auto [c, cut_off] = cut_to(problem, f, degree);
     const projected_value uniform{c[0], 0, 0};
@@ -144,13 +148,13 @@ reference_value stationary_mean(const sphere_problem& problem, const sphere_func
                                     : poisson_mean(tall_operator(problem, degree), c, most_sparse,
                                                    [](const Eigen::VectorXd& r) { return harmonic_supremum(r); });
     if (found) {
-      found->value /= unit;
-      found->floor = std::max(found->floor, rounding * c.norm() / unit);
+      found->value /= unit_of_mean;
+      found->floor = std::max(found->floor, rounding * c.norm() / unit_of_mean);
       found->bound += cut_off + found->floor;
     }
     return found;
   };
-  const double size = observable_coefficients(problem, f, stationary_degrees[0]).norm() / unit;
+  const double size = observable_coefficients(problem, f, stationary_degrees[0]).norm() / unit_of_mean;
   const double needed = problem.theta == 0 ? 0 : needed_degree(problem);
   return raise_degree(degrees_to_try(stationary_degrees, wanted), {.absolute = tolerance, .size = size}, needed,
                       value_at);
