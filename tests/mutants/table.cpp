@@ -9,11 +9,12 @@ namespace {
 
 using names = std::vector<std::string_view>;
 
-/// Sizes `asked` for and `beyond`, each on every scheme and scene.
+/// Sizes `asked` for and `beyond`, each on every scheme and scene; by the experiment, or by any.
 struct block {
   test::kind kind;
   std::vector<double> asked, beyond;
   names schemes, scenes;
+  std::string_view experiment = {};
 };
 
 const names all = {"euler_maruyama",    "heun",      "heun_projected", "milstein",    "milstein_no_area",
@@ -72,9 +73,14 @@ std::vector<block> blocks() {
       {kind::path_claim, {1}, {}, all, paper},
       {kind::drift_claim, {0.5}, {}, drifting, paper},
       {kind::casimir_claim, {1}, {}, drifting, {"paper", "weak noise"}},
+      // By one experiment, so that none is blind behind another's back.
+      {kind::theta, {0.01, 0.05}, {0.001}, three, paper, "weak"},
+      {kind::theta, {0.01, 0.05}, {0.001}, three, paper, "gibbs"},
+      {kind::noise, {0.01, 0.05}, {0.001}, three, paper, "weak"},
+      {kind::noise, {0.05}, {0.01}, three, paper, "strong"},
       // Where nothing exact is affordable; half a minute each.
-      {kind::noise, {0.5}, {}, {"strang"}, {"hard"}},
-      {kind::theta, {0.2}, {}, {"strang"}, {"hard"}},
+      {kind::noise, {0.5}, {}, {"strang"}, {"hard"}, "weak"},
+      {kind::theta, {0.2}, {}, {"strang"}, {"hard"}, "weak"},
   };
 }
 
@@ -96,8 +102,8 @@ std::vector<row> rows_of(const std::vector<block>& blocks) {
   for (const auto& b : blocks)
     for (const auto scheme : b.schemes)
       for (const auto scene : b.scenes) {
-        for (const double size : b.asked) rows.push_back({{b.kind, size}, scheme, scene, true});
-        for (const double size : b.beyond) rows.push_back({{b.kind, size}, scheme, scene, false});
+        for (const double size : b.asked) rows.push_back({{b.kind, size}, scheme, scene, true, b.experiment});
+        for (const double size : b.beyond) rows.push_back({{b.kind, size}, scheme, scene, false, b.experiment});
       }
   return rows;
 }
