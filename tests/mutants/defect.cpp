@@ -30,6 +30,7 @@ constexpr kind_text texts[] = {
     {kind::sub_flow, "dt of the sub-flows", "dt of the flows x {:g}", true},
     {kind::horizon, "horizon", "horizon x {:g}", true},
     {kind::step_count, "number of steps", "{:+g} steps"},
+    {kind::last_steps, "last steps not taken", "last {:g} of several steps not taken"},
     {kind::dw, "increments", "dW x {:g}", true},
     {kind::area, "areas", "areas x {:g}", true},
     {kind::area_mixed, "areas", "areas redrawn at every level"},
