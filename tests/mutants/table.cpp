@@ -51,7 +51,7 @@ std::vector<block> blocks() {
       {kind::area, {-2, 0.05}, {0.01}, {"magnus"}, {"anisotropic"}},
       {kind::area_mixed, {1}, {}, {"magnus"}, {"paper", "anisotropic"}},
       {kind::channels, {1, 0.3, 0.05, 0.01}, {0.001}, two, {"paper", "anisotropic"}},
-      {kind::lanes, {32, 1}, {}, {"lie_heun", "strang"}, paper},
+      {kind::lanes, {32, 8}, {1}, {"lie_heun", "strang"}, paper},
       {kind::steps, {1}, {}, {"lie_heun", "strang"}, paper},
       {kind::clip, {2, 3}, {4, 5}, two, {"paper", "anisotropic"}},
       {kind::branch, {3, 4, 5}, {}, two, {"paper", "anisotropic"}},
@@ -93,7 +93,7 @@ std::vector<block> generator_blocks() {
   return {
       {kind::generator_dw, {0.02, 0.05}, {0.01, 0.001}, broad, paper},
       {kind::generator_channels, {1, 0.3, 0.05}, {0.01}, broad, paper},
-      {kind::generator_lanes, {32, 1}, {}, broad, paper},
+      {kind::generator_lanes, {32, 8}, {1}, broad, paper},
       {kind::generator_steps, {1}, {}, broad, paper},
       {kind::generator_clip, {2, 3}, {4}, broad, paper},
       {kind::generator_paths, {1, 2}, {}, broad, paper},
