@@ -156,7 +156,7 @@ std::vector<row> sharpest() {
       {{kind::sub_flow, 0.001}, "strang", "paper", true, "energy"},
       {{kind::horizon, -0.001}, "lie_heun", "paper", true, "energy"},
       {{kind::step_count, -1}, "strang_weak2", "paper", true, "weak"},
-      {{kind::last_steps, 1}, "strang", "paper", true, "strong"},
+      {{kind::last_steps, 1}, "magnus", "paper", true, "strong"},
       {{kind::dw, 0.01}, "cayley_heun", "paper", true, "gibbs"},
       {{kind::area, -2}, "magnus", "paper", true, "strong"},
       {{kind::area, -2}, "milstein", "paper", true, "strong"},
