@@ -22,7 +22,8 @@ enum class kind {
   // The kernel at a changed step.
   sub_flow,    ///< every flow but the noise over dt × (1 + size)
   horizon,     ///< all time × (1 + size), the noise with it
-  step_count,  ///< `size` steps too many on the scene's horizon T: all time × (1 + size dt/T)
+  step_count,  ///< `size` steps too many on the scene's horizon T, in law: all time × (1 + size dt/T)
+  last_steps,  ///< of several steps at once the last `size` are not taken
   // The increments on their way into the kernel.
   dw,          ///< dW × (1 + size)
   area,        ///< areas × (1 + size); -2: sign flipped

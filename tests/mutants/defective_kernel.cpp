@@ -90,7 +90,8 @@ class defective_kernel final : public kernel {
 
   void advance(std::span<double> states, const increment_view& given, piece p) const override {
     spoilt_noise spoilt;
-    const auto view = spoil(given, block_lanes, spoilt);
+    auto view = spoil(given, block_lanes, spoilt);
+    view.steps = static_cast<int>(taken_of(view.steps));
     if (!step_by_step_) return healthy_->advance(states, view, p);
     const auto noise = view.silent() ? 0 : channels_of(view.dw.size() + view.singles.size(), view.steps);
     const auto pairs = channels_of(view.area.size(), view.steps);
@@ -114,7 +115,7 @@ class defective_kernel final : public kernel {
 
   void advance(std::span<double> states, const shared_steps& noise, std::int64_t first, std::int64_t steps,
                piece p) const override {
-    if (!step_by_step_) return healthy_->advance(states, noise, first, steps, p);
+    if (!step_by_step_) return healthy_->advance(states, noise, first, taken_of(steps), p);
     std::vector<double> before(states.size());
     for (std::int64_t i = first; i < first + steps; ++i) {
       std::ranges::copy(states, before.begin());
@@ -132,6 +133,11 @@ class defective_kernel final : public kernel {
     std::vector<double> dw, area;
     std::vector<float> singles;
   };
+
+  std::int64_t taken_of(std::int64_t steps) const {
+    const auto left_out = defect_.kind == kind::last_steps ? static_cast<std::int64_t>(defect_.size) : 0;
+    return steps > left_out ? steps - left_out : steps;
+  }
 
   static std::size_t channels_of(std::size_t numbers, int steps) { return numbers / static_cast<std::size_t>(steps); }
 

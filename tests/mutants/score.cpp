@@ -128,13 +128,15 @@ scores run_rows(const std::vector<row>& rows, int threads, const std::function<v
 
 std::string line_of(const score& s) {
   const bool twin = s.of.planted.kind == kind::none;
-  return fmt::format("| {} | {} | {} | {} | {} | {} | {:.1f} |\n", described(s.of.planted), s.of.scheme, s.of.scene,
+  const auto where = fmt::format("{}{}{}", s.of.scene, s.of.experiment.empty() ? "" : ", ", s.of.experiment);
+  return fmt::format("| {} | {} | {} | {} | {} | {} | {:.1f} |\n", described(s.of.planted), s.of.scheme, where,
                      twin ? (s.refutes() ? "**refuted**" : "") : verdict_word(s), refuters(s), s.inconclusive,
                      s.seconds);
 }
 
 std::string table_text(const scores& all) {
-  std::string text = "| defect | scheme | scene | verdict | by | inconclusive | s |\n|---|---|---|---|---|---|---|\n";
+  std::string text =
+      "| defect | scheme | scene, experiment | verdict | by | inconclusive | s |\n|---|---|---|---|---|---|---|\n";
   for (const auto* list : {&all.twins, &all.defects})
     for (const auto& s : *list) text += line_of(s);
   return text;

@@ -9,11 +9,12 @@ namespace {
 
 using names = std::vector<std::string_view>;
 
-/// Sizes `asked` for and `beyond`, each on every scheme and scene.
+/// Sizes `asked` for and `beyond`, each on every scheme and scene; by the experiment, or by any.
 struct block {
   test::kind kind;
   std::vector<double> asked, beyond;
   names schemes, scenes;
+  std::string_view experiment = {};
 };
 
 const names all = {"euler_maruyama",    "heun",      "heun_projected", "milstein",    "milstein_no_area",
@@ -38,7 +39,11 @@ std::vector<block> blocks() {
       // Time.
       {kind::sub_flow, {0.01, 0.05}, {0.001}, {"lie_trotter", "strang"}, scenes},
       {kind::horizon, {-0.01, 0.01}, {-0.001, 0.001}, two, scenes},
-      {kind::step_count, {-1, 1}, {}, {"euler_maruyama", "lie_euler", "lie_trotter", "strang_weak2"}, scenes},
+      // Inside a step of order one a step too many is another scheme of order one: it is the drivers that must count.
+      {kind::step_count, {-1, 1}, {}, {"strang_weak2"}, scenes},
+      {kind::step_count, {}, {-1, 1}, {"euler_maruyama", "lie_euler", "lie_trotter"}, paper},
+      {kind::last_steps, {1}, {}, all, paper},
+      {kind::last_steps, {1}, {}, two, others},
       // Increments.
       {kind::dw, {0.01, 0.05}, {0.001}, {"magnus", "heun"}, paper},
       {kind::dw, {0.01}, {0.001}, {"cayley_heun"}, others},
@@ -46,7 +51,7 @@ std::vector<block> blocks() {
       {kind::area, {-2, 0.05}, {0.01}, {"magnus"}, {"anisotropic"}},
       {kind::area_mixed, {1}, {}, {"magnus"}, {"paper", "anisotropic"}},
       {kind::channels, {1, 0.3, 0.05, 0.01}, {0.001}, two, {"paper", "anisotropic"}},
-      {kind::lanes, {32, 1}, {}, {"lie_heun", "strang"}, paper},
+      {kind::lanes, {32, 8}, {1}, {"lie_heun", "strang"}, paper},
       {kind::steps, {1}, {}, {"lie_heun", "strang"}, paper},
       {kind::clip, {2, 3}, {4, 5}, two, {"paper", "anisotropic"}},
       {kind::branch, {3, 4, 5}, {}, two, {"paper", "anisotropic"}},
@@ -72,9 +77,14 @@ std::vector<block> blocks() {
       {kind::path_claim, {1}, {}, all, paper},
       {kind::drift_claim, {0.5}, {}, drifting, paper},
       {kind::casimir_claim, {1}, {}, drifting, {"paper", "weak noise"}},
+      // By one experiment, so that none is blind behind another's back.
+      {kind::theta, {0.01, 0.05}, {0.001}, three, paper, "weak"},
+      {kind::theta, {0.01, 0.05}, {0.001}, three, paper, "gibbs"},
+      {kind::noise, {0.01, 0.05}, {0.001}, three, paper, "weak"},
+      {kind::noise, {0.05}, {0.01}, three, paper, "strong"},
       // Where nothing exact is affordable; half a minute each.
-      {kind::noise, {0.5}, {}, {"strang"}, {"hard"}},
-      {kind::theta, {0.2}, {}, {"strang"}, {"hard"}},
+      {kind::noise, {0.5}, {}, {"strang"}, {"hard"}, "weak"},
+      {kind::theta, {0.2}, {}, {"strang"}, {"hard"}, "weak"},
   };
 }
 
@@ -83,7 +93,7 @@ std::vector<block> generator_blocks() {
   return {
       {kind::generator_dw, {0.02, 0.05}, {0.01, 0.001}, broad, paper},
       {kind::generator_channels, {1, 0.3, 0.05}, {0.01}, broad, paper},
-      {kind::generator_lanes, {32, 1}, {}, broad, paper},
+      {kind::generator_lanes, {32, 8}, {1}, broad, paper},
       {kind::generator_steps, {1}, {}, broad, paper},
       {kind::generator_clip, {2, 3}, {4}, broad, paper},
       {kind::generator_paths, {1, 2}, {}, broad, paper},
@@ -96,8 +106,8 @@ std::vector<row> rows_of(const std::vector<block>& blocks) {
   for (const auto& b : blocks)
     for (const auto scheme : b.schemes)
       for (const auto scene : b.scenes) {
-        for (const double size : b.asked) rows.push_back({{b.kind, size}, scheme, scene, true});
-        for (const double size : b.beyond) rows.push_back({{b.kind, size}, scheme, scene, false});
+        for (const double size : b.asked) rows.push_back({{b.kind, size}, scheme, scene, true, b.experiment});
+        for (const double size : b.beyond) rows.push_back({{b.kind, size}, scheme, scene, false, b.experiment});
       }
   return rows;
 }
@@ -146,6 +156,7 @@ std::vector<row> sharpest() {
       {{kind::sub_flow, 0.001}, "strang", "paper", true, "energy"},
       {{kind::horizon, -0.001}, "lie_heun", "paper", true, "energy"},
       {{kind::step_count, -1}, "strang_weak2", "paper", true, "weak"},
+      {{kind::last_steps, 1}, "magnus", "paper", true, "strong"},
       {{kind::dw, 0.01}, "cayley_heun", "paper", true, "gibbs"},
       {{kind::area, -2}, "magnus", "paper", true, "strong"},
       {{kind::area, -2}, "milstein", "paper", true, "strong"},
