@@ -159,7 +159,9 @@ std::vector<column_finding> find_columns(const order_question& q, double expecte
 bool too_wide(const order_question& q, double expected, const error_table& t) {
   if (unresolved(t, q.columns)) return false;
   const auto found = find_columns(q, expected, t);
-  const auto open = [](const column_finding& f) { return !f.approaches; };
+  const auto open = [](const column_finding& f) {
+    return !f.approaches || (f.fit && f.finest_is_clear && half_width(*f.fit) > order_margin);  // which decides nothing
+  };
   const auto cut_off = [](const column_finding& f) {
     return has_terms(f) && f.terms[0].truncated > f.terms[0].propagated;
   };

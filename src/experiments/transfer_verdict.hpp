@@ -40,7 +40,8 @@ struct noticed {
 noticed noticed_by(const std::vector<error_column>&, const std::vector<column_finding>&);
 
 /// Do intervals have to become narrower for a verdict? By their widths, wherever they lie: a column does not yet show
-/// how it nears its own limit, or the limits are not certain enough for want of terms of the series.
+/// how it nears its own limit, its slope is less certain than the margin, or the limits are not certain enough for want
+/// of terms of the series.
 bool too_wide(const order_question&, double expected, const error_table&);
 
 }  // namespace polhode

@@ -136,7 +136,7 @@ reference_value expectation(const sphere_problem& problem, const sphere_function
   const double size = comparable ? observable_coefficients(problem, f, degrees.front()).norm() / unit_of_mean : 0;
   const std::vector<int> chosen{wanted};
   return raise_degree(wanted > 0 ? std::span<const int>(chosen) : degrees, {.absolute = tolerance, .size = size},
-                      needed, value_at);
+                      needed, value_at, wanted);
 }
 
 reference_value stationary_mean(const sphere_problem& problem, const sphere_function& f, double tolerance, int wanted) {
@@ -157,7 +157,7 @@ reference_value stationary_mean(const sphere_problem& problem, const sphere_func
   const double size = observable_coefficients(problem, f, stationary_degrees[0]).norm() / unit_of_mean;
   const double needed = problem.theta == 0 ? 0 : needed_degree(problem);
   return raise_degree(degrees_to_try(stationary_degrees, wanted), {.absolute = tolerance, .size = size}, needed,
-                      value_at);
+                      value_at, wanted);
 }
 
 reference_value mean(const sphere_problem& problem, const stationary_law& law, const sphere_function& f) {

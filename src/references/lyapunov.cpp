@@ -91,7 +91,7 @@ lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance, int
     return found;
   };
   const auto lambda1 =
-      raise_degree(degrees_to_try(degrees, wanted), {.absolute = tolerance, .size = size}, needed, lambda1_at);
+      raise_degree(degrees_to_try(degrees, wanted), {.absolute = tolerance, .size = size}, needed, lambda1_at, wanted);
   const double c = problem.radius, trace = Eigen::Array3d(problem.inertia.data()).inverse().sum();
   lyapunov_exponents found;
   found.lambda1 = lambda1.value;

@@ -70,10 +70,10 @@ constexpr double needed_share = 0.25;
 
 /// Raises the degree until the uncertainty is what is asked for: the proved bound where there is one, else what three
 /// successive answers say, from the needed share of the needed degree on. value_at(degree) is an optional
-/// projected_value, empty where that degree is not affordable.
+/// projected_value, empty where that degree is not affordable. A wanted degree is the one that answers.
 template <class ValueAt>
 reference_value raise_degree(std::span<const int> degrees, const accuracy& asked, double needed,
-                             const ValueAt& value_at) {
+                             const ValueAt& value_at, int wanted = 0) {
   reference_value last;
   three_agree agreement;
   const bool comparable = asked.size > 0 && degrees.back() >= needed_share * needed;
@@ -89,7 +89,7 @@ reference_value raise_degree(std::span<const int> degrees, const accuracy& asked
     const double uncertainty = std::max(std::min(agreed, found->bound), found->floor);
     last = {.value = found->value, .uncertainty = uncertainty, .degree = degree, .reason = {}};
     const double enough = std::min(asked.absolute, asked.relative * std::fabs(found->value));
-    if (uncertainty <= std::max(enough, found->floor)) return last;
+    if (degree >= wanted && uncertainty <= std::max(enough, found->floor)) return last;
     if (asked.size > 0 && !comparable && degree >= degrees[degrees.size() / 3]) break;  // out of reach: the bound alone
   }
   const double enough = std::min(asked.absolute, asked.relative * std::fabs(last.value.value_or(unbounded)));

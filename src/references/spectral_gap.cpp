@@ -77,7 +77,7 @@ reference_value spectral_gap(const sphere_problem& problem, double tolerance, in
         .value = -pair.rate.real(), .floor = pair.rounding, .resolved = remainder <= is_a_mode * std::abs(pair.rate)};
   };
   const accuracy asked{.absolute = tolerance, .relative = least_accuracy, .size = std::numeric_limits<double>::min()};
-  auto gap = raise_degree(degrees_to_try(degrees, wanted), asked, needed_degree(problem), gap_at);
+  auto gap = raise_degree(degrees_to_try(degrees, wanted), asked, needed_degree(problem), gap_at, wanted);
   if (gap.converged() && !(*gap.value > certain_digit * gap.uncertainty))
     gap.reason = fmt::format(
         "not converged: {:.1g} is within its rounding error; more than double precision would be needed", *gap.value);

@@ -163,8 +163,8 @@ describe('one report', () => {
     await cell.focus();
     await page.keyboard.press('Enter');
     const text = await page.locator('dialog').textContent(),
-      scheme = rich.verdicts[0].scheme,
-      experiment = rich.verdicts[0].experiment;
+      scheme = rich.schemes[0].name,
+      { experiment } = rich.verdicts.find((one) => one.scheme === scheme);
     for (const v of rich.verdicts.filter((one) => one.scheme === scheme && one.experiment === experiment))
       assert.ok(text.includes(v.reason), v.reason);
     await page.keyboard.press('Escape');

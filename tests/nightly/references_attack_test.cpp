@@ -26,7 +26,7 @@ TEST_P(ReferencesUnderAttack, AreHonestOrRefuse) {
 
 INSTANTIATE_TEST_SUITE_P(Quantities, ReferencesUnderAttack,
                          testing::Values("gibbs", "mean", "expectation", "gap", "lyapunov"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& chosen) { return std::string(chosen.param); });
 
 }  // namespace
 }  // namespace polhode::test
