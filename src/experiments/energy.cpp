@@ -82,11 +82,12 @@ struct error_series {
     while (i < values.size() && !(values[i] <= floors[i])) ++i;
     return i;
   }
-  /// The fit takes no notice of what is at its floor, or finer.
+  /// The fit takes no notice of what is at its floor, or finer, nor of what rounding moves by more than a fortieth, as
+  /// that would bend the line.
   std::optional<order_fit> fit() const {
     auto above = values;
     for (std::size_t i = 0; i < above.size(); ++i)
-      if (above[i] <= floors[i] || i > reaches_floor()) above[i] = 0;
+      if (above[i] <= 4 * floors[i] || i > reaches_floor()) above[i] = 0;
     return fit_order(dt, above, 0);
   }
 };

@@ -43,6 +43,11 @@ report::verdict judge_order(const claim& c, double expected, const std::optional
   }
   v.reason = fmt::format("order {:.3f} [{:.3f}, {:.3f}] against {:g} +- {:g}", fit->order, fit->low, fit->high,
                          expected, order_margin);
+  if (at_least && fit->low > expected + order_margin) {
+    v.kind = verdict_kind::inconclusive;  // steep before a zero crossing, perhaps
+    v.reason += ": faster than claimed, and not settled";
+    return v;
+  }
   const bool lasting =
       fit->settled && judge(expected, fit->finest.low, fit->finest.high, order_margin) == verdict_kind::refuted;
   const bool nearing = gap_to(expected, fit->finest.low, fit->finest.high) < gap_to(expected, fit->low, fit->high);

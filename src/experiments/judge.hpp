@@ -29,9 +29,9 @@ struct claim {
 };
 
 /// Verdict on an order; `at_least`: faster than claimed holds too (a scene can be kinder than the claim) once the slope
-/// has settled: before a zero crossing it is steep for a while. Refuted where the slope has settled and the two finest
-/// levels refute it too, or where they lie no nearer to the claim than the slope does; a slope that still nears the
-/// claim is inconclusive.
+/// has settled: before a zero crossing it is steep for a while, and nothing is concluded. Refuted where the slope has
+/// settled and the two finest levels refute it too, or where they lie no nearer to the claim than the slope does; a
+/// slope that still nears the claim is inconclusive.
 report::verdict judge_order(const claim&, double expected, const std::optional<order_fit>&, bool at_least);
 
 /// Verdict on a distance that should vanish: holds below `bound`, refuted above it.

@@ -13,7 +13,7 @@ namespace polhode {
 namespace {
 
 constexpr double density_accuracy = 1e-10;  // in L2
-constexpr double usable = 1e-6;             // of the density's norm: where that accuracy is out of reach
+constexpr double usable = 1e-4;             // of the density's norm: where that accuracy is out of reach
 constexpr const char* bias_claim = "order of the stationary bias";
 constexpr double tolerance = 5e-4;
 

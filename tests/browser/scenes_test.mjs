@@ -2,7 +2,7 @@
 //
 //   node scenes_test.mjs SAMPLE_PROGRAM POLHODE
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
@@ -19,7 +19,8 @@ before(() => {
   execFileSync(sampleProgram, [join(scratch, 'sample')]);
   const names = JSON.parse(execFileSync(polhode, ['list', 'scenes', '--format', 'json'])).map((s) => s.name);
   const options = ['--effort', 'quick', '--experiments', 'strong,energy,lyapunov', '--schemes', 'heun,magnus'];
-  execFileSync(polhode, ['verify', ...names, ...options, '--no-cache', '--quiet', '--out', join(scratch, 'scenes')]);
+  const run = ['verify', ...names, ...options, '--no-cache', '--quiet', '--out', join(scratch, 'scenes')];
+  assert.equal(spawnSync(polhode, run).status, 3, 'exponents under one noise vector stay open');
   for (const name of names) reports[name] = join(scratch, 'scenes', name);
 });
 
