@@ -4,6 +4,7 @@
 #include <ctime>
 #include <iterator>
 #include <optional>
+#include <set>
 
 #include "ensemble/work_counters.hpp"
 #include "registry/cache_key.hpp"
@@ -84,6 +85,7 @@ report::results part_of(const experiment& e, const report::results& run, const n
 struct entry {
   std::string scheme, key;
   std::optional<report::results> part;
+  bool fresh = false;  ///< computed now
 };
 
 std::vector<entry> ask(const experiment& e, const context& c, report::result_store* store) {
@@ -106,6 +108,7 @@ void compute_missing(const experiment& e, const context& c, report::result_store
   for (auto& one : entries) {
     if (one.part) continue;
     one.part = part_of(e, run, missing, one.scheme);
+    one.fresh = true;
     if (!one.key.empty()) store->save(one.key, *one.part);
   }
   out.savings.insert(out.savings.end(), run.savings.begin(), run.savings.end());
@@ -117,6 +120,21 @@ void compute_missing(const experiment& e, const context& c, report::result_store
 report::reuse reused(const experiment& e, const entry& one) {
   const auto& p = *one.part;
   return {e.info.name, one.scheme, p.provenance.started, {p.done.work, p.provenance.cpu_seconds}};
+}
+
+/// What a run says of itself and not of a scheme, as of its noise: of this run first, then of each that a part is from.
+void append_rows_of_runs(const experiment& e, const std::vector<entry>& entries, report::results& out) {
+  std::set<std::string> said;
+  for (const bool fresh : {true, false})
+    for (const auto& one : entries) {
+      const auto of_its_run = [&](const std::string& scheme) {
+        return !scheme.empty() && owner_of(e, scheme) != one.scheme;
+      };
+      std::string words;
+      for (const auto& v : one.part->verdicts)
+        if (of_its_run(v.scheme)) words += v.reason + '\n';
+      if (one.fresh == fresh && said.insert(words).second) append_rows(*one.part, of_its_run, out);
+    }
 }
 
 }  // namespace
@@ -134,13 +152,13 @@ void run_experiment(const experiment& e, const context& c, report::result_store*
     if (one.part) out.reused.push_back(reused(e, one));
   out.done.results_reused = out.reused.size();
   compute_missing(e, c, store, entries, out);
-  for (const auto& one : entries) {
-    if (&one == &entries.front())
-      append_rows(
-          *one.part, [&](const std::string& scheme) { return owner_of(e, scheme) != one.scheme; }, out);
+  if (!entries.empty())  // the scene's own rows are the same in every part
+    append_rows(
+        *entries.front().part, [](const std::string& scheme) { return scheme.empty(); }, out);
+  append_rows_of_runs(e, entries, out);
+  for (const auto& one : entries)
     append_rows(
         *one.part, [&](const std::string& scheme) { return owner_of(e, scheme) == one.scheme; }, out);
-  }
 }
 
 }  // namespace polhode

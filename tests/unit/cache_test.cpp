@@ -5,8 +5,10 @@
 #include <set>
 
 #include "ensemble/isa.hpp"
+#include "experiments/noise_verdict.hpp"
 #include "registry/cache_key.hpp"
 #include "support/cache_fixture.hpp"
+#include "support/noise_defects.hpp"
 
 namespace polhode {
 namespace {
@@ -44,6 +46,20 @@ TEST_F(Cache, OnlyWhatIsNewIsComputed) {
   EXPECT_EQ(counted(), (counts{1, 3, 3})) << "one experiment more";
   options.schemes = {"magnus"};
   EXPECT_EQ(counted(), (counts{0, 0, 2})) << "fewer schemes";
+}
+
+/// A cached scheme does not speak for the noise that the others are run on now.
+TEST_F(Cache, TheNoiseOfWhatIsComputedNowIsJudged) {
+  options.experiments = {"strong"};
+  options.schemes = {"heun"};
+  run();
+  options.schemes = {"heun", "magnus"};
+  const channels_correlated defect(1);
+  const planted_noise_defect planted(defect);
+  std::vector<report::verdict_kind> found;
+  for (const auto& v : run().verdicts)
+    if (v.scheme == noise_name) found.push_back(v.kind);
+  EXPECT_EQ(found, (std::vector{report::verdict_kind::refuted, report::verdict_kind::holds})) << "this run's first";
 }
 
 /// The subject, its kernels counted as they are made, by scheme and whatever verify() says.
