@@ -27,7 +27,7 @@ double steps_needed(const Eigen::SparseMatrix<double>& a, double t) {
 }  // namespace
 
 Eigen::VectorXd exponential_action(const Eigen::SparseMatrix<double>& a, double t, Eigen::VectorXd b,
-                                   const std::function<void(const Eigen::VectorXd&, double dt)>& watch) {
+                                   const std::function<bool(const Eigen::VectorXd&, double dt)>& watch) {
   const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = a;  // a row times a vector is the faster product
   const double shift = shift_of(a), steps = steps_needed(a, t), dt = t / steps;
   Eigen::VectorXd term, next;
@@ -43,7 +43,7 @@ Eigen::VectorXd exponential_action(const Eigen::SparseMatrix<double>& a, double 
       before = size;
     }
     b *= std::exp(shift * dt);
-    if (watch) watch(b, dt);
+    if (watch && !watch(b, dt)) break;
     if (!b.allFinite()) break;  // grown beyond all numbers: more steps would not mend it
   }
   return b;

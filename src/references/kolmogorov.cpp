@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,6 +20,7 @@ namespace {
 constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64, 96, 128};
 constexpr std::array stationary_degrees{8, 12, 16, 24, 32, 48, 64, 96};
 constexpr double affordable = 1e10;                           // multiplications
+constexpr double in_hope = 0.05;                              // of that, where it ends only if the start is forgotten
 constexpr double rounding = 1e-14;                            // of what is added up
 constexpr double long_ago = 60;                               // relaxation times: exp(-60) hides any constant before it
 constexpr int most_sparse = 5000;                             // unknowns in a block: seconds
@@ -59,25 +61,41 @@ std::optional<reference_value> expectation_long_after(const sphere_problem& prob
   return late;
 }
 
+struct propagated_value {
+  projected_value found;
+  bool relaxed;  ///< before the time was over
+};
+
 /// exp(time A) f at y. The remainder (A - A_L) g of the Galerkin solution g, summed over the time, bounds its error.
-std::optional<projected_value> propagated(const sparse_matrix& tall, const cut_function& cut, const Eigen::VectorXd& y,
-                                          double time, int degree) {
+/// Once g is a constant but for rounding it stays one, as the semigroup is a contraction: there it ends.
+std::optional<propagated_value> propagated(const sparse_matrix& tall, const cut_function& cut, const Eigen::VectorXd& y,
+                                           double time, int degree) {
   const Eigen::VectorXd& f = cut.coefficients;
   const sparse_matrix whole = tall.topRows(tall.cols());
   const index_set block = blocks_of(whole, f);
   const sparse_matrix part = submatrix(whole, block);
-  if (exponential_action_products(part, time) * static_cast<double>(part.nonZeros()) > affordable) return {};
+  const double cost = exponential_action_products(part, time) * static_cast<double>(part.nonZeros());
+  const double hoped = cost > affordable ? time * in_hope * affordable / cost : time;  // it may relax by then
   const sparse_matrix beyond = columns_of(tall, block).bottomRows(tall.rows() - tall.cols());
   const auto remainder = [&](const Eigen::VectorXd& g) { return harmonic_supremum(beyond * g, degree + 1); };
+  Eigen::VectorXd varying = Eigen::VectorXd::Zero(f.size());
+  const double least = rounding * f.norm() / unit_of_mean;
   const Eigen::VectorXd start = f(block);
-  double before = remainder(start), bound = 0, steps = 0;
+  double before = remainder(start), bound = 0, steps = 0, passed = 0, apart = unbounded;
   const auto g = exponential_action(part, time, start, [&](const Eigen::VectorXd& now, double dt) {
     const double after = remainder(now);
     bound += dt * std::max(std::exchange(before, after), after);
+    passed += dt;
     ++steps;
+    varying(block) = now;
+    varying[0] = 0;
+    apart = harmonic_supremum(varying);
+    return apart > least && passed <= hoped;
   });
-  const double floor = rounding * std::max(1.0, std::sqrt(steps) / 10) * f.norm() / unit_of_mean;
-  return projected_value{y(block).dot(g), floor, bound + cut.cut_off + floor};
+  const bool relaxed = apart <= least && passed < (1 - 1e-9) * time;
+  if (!relaxed && cost > affordable) return {};
+  const double floor = least * std::max(1.0, std::sqrt(steps) / 10);
+  return propagated_value{{y(block).dot(g), floor, bound + cut.cut_off + 2 * (relaxed ? apart : 0) + floor}, relaxed};
 }
 
 }  // namespace
@@ -118,25 +136,35 @@ sparse_matrix backward_operator(const sphere_problem& problem, int degree) {
 
 double needed_degree(const sphere_problem& problem) {
   const auto [least, most] = std::ranges::minmax(problem.inertia);
-  const double c = problem.radius, shear = c * std::hypot(1, problem.theta * c) * (1 / least - 1 / most);
-  return 10 * std::sqrt(3 * shear / problem.covariance.trace());
+  const double c = problem.radius, turning = c * (1 / least - 1 / most), damping = problem.theta * c * turning;
+  const double shear = std::hypot(turning, damping), trace = problem.covariance.trace();
+  const Eigen::Vector3d noise = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(problem.covariance).eigenvalues();
+  const double across = std::max(noise[0], 0.0) + std::max(noise[1], 0.0) + shear * shear / trace;
+  return 10 * std::sqrt(3 * std::max(shear / trace, std::min(shear, damping) / std::max(across, 1e-300)));
 }
 
 reference_value expectation(const sphere_problem& problem, const sphere_function& f, const Eigen::Vector3d& start,
                             double time, double tolerance, int wanted) {
   if (problem.covariance.isZero(0)) return on_the_path(problem, f, start, time);
-  if (auto late = expectation_long_after(problem, f, time, tolerance, wanted)) return *late;
-  const auto value_at = [&](int degree) {
-    return propagated(tall_operator(problem, degree), cut_to(problem, f, degree),
-                      harmonics_at(start.normalized(), degree), time, degree);
+  bool relaxed = false;
+  const auto value_at = [&](int degree) -> std::optional<projected_value> {
+    const auto at = propagated(tall_operator(problem, degree), cut_to(problem, f, degree),
+                               harmonics_at(start.normalized(), degree), time, degree);
+    if (!at) return {};
+    relaxed = at->relaxed;
+    return at->found;
   };
   // Where three degrees can tell they may: the proved bound grows with time, the error need not.
   const double needed = needed_degree(problem);
   const bool comparable = degrees.back() >= needed_share * needed;
   const double size = comparable ? observable_coefficients(problem, f, degrees.front()).norm() / unit_of_mean : 0;
   const std::vector<int> chosen{wanted};
-  return raise_degree(wanted > 0 ? std::span<const int>(chosen) : degrees, {.absolute = tolerance, .size = size},
-                      needed, value_at, wanted);
+  auto found = raise_degree(wanted > 0 ? std::span<const int>(chosen) : degrees, {.absolute = tolerance, .size = size},
+                            needed, value_at, wanted);
+  found.forgotten = relaxed;
+  if (found.converged()) return found;
+  const auto late = expectation_long_after(problem, f, time, tolerance, wanted);
+  return late ? *late : found;
 }
 
 reference_value stationary_mean(const sphere_problem& problem, const sphere_function& f, double tolerance, int wanted) {

@@ -51,7 +51,8 @@ sparse_matrix backward_operator(const sphere_problem& problem, int degree);
 // degree: 0 lets the program choose; any other is taken as it is, with two lower ones where they tell the uncertainty.
 
 /// About the degree at which answers of any time settle: ten over the width to which the noise blurs what the drift
-/// draws out, the root of noise over rate of shear. A rule of thumb, for messages. Infinite without noise.
+/// draws out, the root of noise over rate of shear. Noise about one axis crosses it only as far as shear turns it
+/// there, while damping draws out. A rule of thumb. Infinite without noise.
 double needed_degree(const sphere_problem& problem);
 
 /// E[f(Pi_time)] from Pi_0 = start (of length radius), time >= 0, to an absolute tolerance. Without noise: f on the one

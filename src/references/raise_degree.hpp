@@ -50,17 +50,21 @@ inline std::vector<int> degrees_to_try(std::span<const int> automatic, int wante
 
 /// Three successive answers, as one uncertainty. Projections converge geometrically, and the degrees grow by half at
 /// most: errors fall like e, e^1.5, e^2.25, in units of the size. So the last change must be small, and the one before
-/// small enough for it: where the last is small by accident or symmetry, the one before tells.
+/// small enough for it: where the last is small by accident or symmetry, the one before tells. Changes that do not
+/// even halve are those of no geometric series: many more of them may follow.
 class three_agree {
  public:
   /// What the first two and the last change say of the last answer; infinite until there are three.
   double uncertainty(double change, double size) {
     const double before = change_;
     change_ = change;
-    return before < unbounded ? std::max(change, size * std::pow(before / std::max(size, 1e-300), 1.5)) : unbounded;
+    if (before == unbounded) return unbounded;
+    const double to_follow = change > before / 2 ? many * std::max(change, before) : change;
+    return std::max(to_follow, size * std::pow(before / std::max(size, 1e-300), 1.5));
   }
 
  private:
+  static constexpr double many = 10;
   double change_ = unbounded;
 };
 

@@ -13,7 +13,7 @@ namespace {
 using complex = std::complex<double>;
 using complex_matrix = Eigen::SparseMatrix<complex>;
 
-constexpr int most_dense = 700;    // unknowns: seconds
+constexpr int most_dense = 400;    // unknowns: a second
 constexpr int krylov = 30;         // vectors
 constexpr double is_found = 1e-6;  // remainder of a Ritz value, relative
 constexpr double settled = 1e-13;  // relative change of the rate

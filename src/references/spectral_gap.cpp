@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "references/averaged_gap.hpp"
 #include "references/kolmogorov.hpp"
 #include "references/raise_degree.hpp"
 #include "references/slowest_modes.hpp"
@@ -20,6 +21,7 @@ constexpr int most_sparse = 5000;        // unknowns in a block: seconds
 constexpr double least_accuracy = 0.01;  // of the gap: less is no answer
 constexpr double is_a_mode = 0.1;        // remainder of the slowest mode in the next degrees, over its rate
 constexpr double certain_digit = 10;     // the gap over its rounding error
+constexpr double faint = 100;            // needed degree from which averaging over circles is worth naming
 
 /// The generator without the constant function, apart into its blocks; beyond: what it sends to the next two degrees.
 struct relaxing_parts {
@@ -56,6 +58,17 @@ slowest_mode slowest_of(const relaxing_parts& parts, const slowest_mode& before)
   return least;
 }
 
+/// For a refusal: no bar of it is known, so that it is no answer.
+std::string averaged_in_words(const sphere_problem& problem) {
+  if (!(needed_degree(problem) > faint)) return "";
+  const auto averaged = averaged_gap(problem);
+  if (!averaged) return "";
+  return fmt::format(
+      "; the limit for noise and dissipation that fade together, by averaging over circles of equal "
+      "energy, is {:.4g} at this strength of noise",
+      averaged->gap());
+}
+
 }  // namespace
 
 reference_value spectral_gap(const sphere_problem& problem, double tolerance, int wanted) {
@@ -78,6 +91,7 @@ reference_value spectral_gap(const sphere_problem& problem, double tolerance, in
   };
   const accuracy asked{.absolute = tolerance, .relative = least_accuracy, .size = std::numeric_limits<double>::min()};
   auto gap = raise_degree(degrees_to_try(degrees, wanted), asked, needed_degree(problem), gap_at, wanted);
+  if (!gap.converged()) gap.reason += averaged_in_words(problem);
   if (gap.converged() && !(*gap.value > certain_digit * gap.uncertainty))
     gap.reason = fmt::format(
         "not converged: {:.1g} is within its rounding error; more than double precision would be needed", *gap.value);

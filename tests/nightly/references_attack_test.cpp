@@ -6,18 +6,24 @@ namespace {
 
 int scenes(const char* quantity) {
   const std::map<std::string, int> tried{
-      {"gibbs", 20'000}, {"mean", 4000}, {"expectation", 3000}, {"gap", 3000}, {"lyapunov", 400}};
+      {"gibbs", 100'000}, {"mean", 8000}, {"expectation", 3000}, {"gap", 2000}, {"lyapunov", 1500}};
   return tried.at(quantity);
+}
+
+int from_environment(const char* name, int otherwise) {
+  const char* text = std::getenv(name);
+  return text ? std::atoi(text) : otherwise;
 }
 
 class ReferencesUnderAttack : public testing::TestWithParam<const char*> {};
 
 TEST_P(ReferencesUnderAttack, AreHonestOrRefuse) {
-  std::mt19937_64 random(20261122);
+  std::mt19937_64 random(static_cast<unsigned>(from_environment("POLHODE_ATTACK_SEED", 20261122)));
   std::map<std::string, attack_count> counts;
+  const int tried = from_environment("POLHODE_ATTACK_SCENES", scenes(GetParam()));
   for (const bool tame : {true, false}) {
     auto& count = counts[std::string(GetParam()) + (tame ? "" : ", wild")];
-    for (int n = 0; n < scenes(GetParam()) / 2; ++n) attack(GetParam(), drawn_scene(random, tame), count);
+    for (int n = 0; n < tried / 2; ++n) attack(GetParam(), drawn_scene(random, tame), count, n % 4 == 0);
     EXPECT_LE(count.wrong, 1e-3 * count.checked);
   }
   fmt::print("{}", attack_table(counts));

@@ -7,7 +7,7 @@ namespace {
 void sample(const char* quantity, int scenes) {
   std::mt19937_64 random(18);
   attack_count count;
-  for (int n = 0; n < scenes; ++n) attack(quantity, drawn_scene(random, n % 2 == 0), count);
+  for (int n = 0; n < scenes; ++n) attack(quantity, drawn_scene(random, n % 2 == 0), count, true);
   EXPECT_EQ(count.wrong, 0) << attack_table({{quantity, count}});
   EXPECT_GT(count.checked, count.tried / 5) << attack_table({{quantity, count}});
 }

@@ -1,0 +1,134 @@
+// A diffusion on the sphere by Fourier collocation in colatitude and longitude: no harmonics, no projection.
+//
+//   generator  b . grad + 1/2 sum_i (V_i . grad)^2,   V_i = x cross sigma_i,   b tangent
+//
+// Colatitudes (j + 1/2) pi / n, n odd, longitudes pi k / n; beyond a pole f goes on at the longitude half a turn on.
+// Source: Trefethen, Spectral Methods in MATLAB (2000), chapter 11. The chequered grid function, which no derivative
+// sees, is damped.
+#pragma once
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SparseCore>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "references/kolmogorov.hpp"
+
+namespace polhode::test {
+
+using field = std::function<Eigen::Vector3d(const Eigen::Vector3d& x)>;
+using function_on_sphere = std::function<double(const Eigen::Vector3d& x)>;
+
+class sphere_collocation {
+ public:
+  sphere_collocation(int n, const field& drift, const Eigen::Matrix3d& covariance)
+      : n_(n), points_(2 * n * n, 3), a_(2 * n * n, 2 * n * n) {
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < 2 * n; ++k) points_.row(at(j, k)) = direction(colatitude(j), longitude(k));
+    sparse_matrix whole = along(drift);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d sigma = std::sqrt(std::max(0.0, axes.eigenvalues()[i])) * axes.eigenvectors().col(i);
+      if (sigma.isZero(0)) continue;
+      const sparse_matrix v = along([&](const Eigen::Vector3d& x) { return x.cross(sigma).eval(); });
+      whole += 0.5 * sparse_matrix(v * v);
+    }
+    a_ = whole;
+    Eigen::VectorXd chequered(a_.rows());
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < 2 * n; ++k) chequered[at(j, k)] = (j + k) % 2 == 0 ? 1 : -1;
+    a_ -= a_.norm() / double(a_.rows()) * chequered * chequered.transpose();
+  }
+
+  /// E[f] at a time, from one start.
+  double expectation(const function_on_sphere& f, const Eigen::Vector3d& start, double time) const {
+    return weights_at(start).dot((time * a_).exp() * values(f));
+  }
+  /// Poisson's equation A u = f - m with u of mean zero.
+  double mean(const function_on_sphere& f) const {
+    Eigen::MatrixXd bordered = Eigen::MatrixXd::Zero(a_.rows() + 1, a_.rows() + 1);
+    const Eigen::Index n = a_.rows();
+    bordered.topLeftCorner(n, n) = a_ / a_.norm();
+    bordered.topRightCorner(n, 1).setOnes();
+    bordered.bottomLeftCorner(1, n).setConstant(1 / double(n));
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(n + 1);
+    right.head(n) = values(f);
+    return bordered.partialPivLu().solve(right)[n];
+  }
+  /// The second largest real part of an eigenvalue, with the sign changed.
+  double gap() const {
+    Eigen::VectorXd rates = Eigen::EigenSolver<Eigen::MatrixXd>(a_, false).eigenvalues().real();
+    std::ranges::sort(rates, std::greater());
+    return -rates[1];
+  }
+
+ private:
+  Eigen::Index at(int j, int k) const { return 2 * n_ * j + k % (2 * n_); }
+  double colatitude(int j) const { return (j + 0.5) * std::numbers::pi / n_; }
+  double longitude(int k) const { return k * std::numbers::pi / n_; }
+  static Eigen::Vector3d direction(double colatitude, double longitude) {
+    const double s = std::sin(colatitude);
+    return {s * std::cos(longitude), s * std::sin(longitude), std::cos(colatitude)};
+  }
+  /// Derivative at one of 2 n points around a circle of the trigonometric polynomial through them, by that `apart` on.
+  double circle_derivative(int apart) const {
+    if (apart % (2 * n_) == 0) return 0;
+    return 0.5 * (apart % 2 == 0 ? 1 : -1) / std::tan(apart * std::numbers::pi / (2 * n_));
+  }
+  /// Its value at an angle off that point.
+  double circle_value(double angle) const {
+    if (std::fabs(std::sin(angle / 2)) < 1e-14) return 1;
+    return std::sin(n_ * angle) / (2 * n_ * std::tan(angle / 2));
+  }
+
+  sparse_matrix along(const field& v) const {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int j = 0; j < n_; ++j)
+      for (int k = 0; k < 2 * n_; ++k) {
+        const double t = colatitude(j), p = longitude(k);
+        const Eigen::Vector3d here = v(points_.row(at(j, k)));
+        const double south = here.dot(direction(t + std::numbers::pi / 2, p));
+        const double east = here.dot(Eigen::Vector3d(-std::sin(p), std::cos(p), 0)) / std::sin(t);
+        for (int l = 0; l < n_; ++l) {  // the circle through both poles
+          entries.emplace_back(at(j, k), at(l, k), south * circle_derivative(j - l));
+          entries.emplace_back(at(j, k), at(l, k + n_), south * circle_derivative(j + l + 1));
+        }
+        for (int l = 0; l < 2 * n_; ++l) entries.emplace_back(at(j, k), at(j, l), east * circle_derivative(k - l));
+      }
+    sparse_matrix out(points_.rows(), points_.rows());
+    out.setFromTriplets(entries.begin(), entries.end());
+    return out;
+  }
+  Eigen::VectorXd values(const function_on_sphere& f) const {
+    return Eigen::VectorXd::NullaryExpr(points_.rows(), [&](Eigen::Index i) { return f(points_.row(i)); });
+  }
+  Eigen::VectorXd weights_at(const Eigen::Vector3d& x) const {
+    const double t = std::atan2(std::hypot(x[0], x[1]), x[2]), p = std::atan2(x[1], x[0]);
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(points_.rows());
+    for (int j = 0; j < n_; ++j)
+      for (int k = 0; k < 2 * n_; ++k) {
+        const double east = circle_value(p - longitude(k));
+        out[at(j, k)] += circle_value(t - colatitude(j)) * east;
+        out[at(j, k + n_)] += circle_value(t + colatitude(j)) * east;
+      }
+    return out;
+  }
+
+  int n_;
+  points_on_sphere points_;
+  Eigen::MatrixXd a_;
+};
+
+/// x = Pi / c: x' = c x cross (K x + theta c x cross K x).
+inline field drift_of(const sphere_problem& p) {
+  return [c = p.radius, theta = p.theta,
+          k = Eigen::Array3d(Eigen::Array3d(p.inertia.data()).inverse())](const Eigen::Vector3d& x) -> Eigen::Vector3d {
+    const Eigen::Vector3d rate = c * (k * x.array()).matrix();
+    return x.cross(rate + theta * c * x.cross(rate));
+  };
+}
+
+}  // namespace polhode::test
