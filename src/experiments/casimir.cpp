@@ -13,6 +13,7 @@
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
 #include "experiments/noise_verdict.hpp"
+#include "experiments/poisson_map.hpp"
 #include "experiments/rounding_floor.hpp"
 #include "experiments/sequential.hpp"
 #include "statistics/order_fit.hpp"
@@ -204,9 +205,11 @@ void run(const context& c, report::results& out) {
   run_exact(c, log, out);
   run_drifting(c, log, out);
   log.report("casimir", out);
-  for (const auto& scheme : c.subject.schemes)
+  for (const auto& scheme : c.subject.schemes) {
     report_floor({"casimir", std::string(scheme.info.name), "state at the rounding floor"},
                  rounding_floor_of(c, c.subject, scheme).state, out);
+    report_poisson_map(c, scheme.info.name, out);
+  }
 }
 
 }  // namespace
@@ -223,6 +226,9 @@ experiment casimir_experiment() {
         "areas "
         "they are drawn from a weak surrogate (independent normals of variance dt^2/4).",
         "Rounding floor: high differences of the state over steps that differ a little are rounding alone.",
+        "Poisson map: whether the Jacobian J of a step without noise and dissipation, by dual numbers, keeps the "
+        "bracket, J B(mu) J^T = B(step(mu)). Of schemes that do not claim it, the order of what is missing, which is "
+        "their deterministic order and one more, or better.",
         "Normals: fast ones (right to 1e-6) in the long runs, precise ones for the drift."}},
       3,
       [](const subject&) -> std::optional<std::string> { return std::nullopt; },

@@ -193,9 +193,10 @@ void report_end(const subject& s, const scheme_entry& scheme, report::results& o
   const double time = least_axis_time_scales / (s.scene.theta * c * c * gap), dt = 0.05 / rate;
   const std::string name(scheme.info.name);
   if (time / dt > most_end_steps) {
-    leave_open({&scheme, 1}, "energy", end_claim,
-               fmt::format("the slowest decay needs {:.1e} steps, at most {:g} are affordable", time / dt, most_end_steps),
-               out);
+    leave_open(
+        {&scheme, 1}, "energy", end_claim,
+        fmt::format("the slowest decay needs {:.1e} steps, at most {:g} are affordable", time / dt, most_end_steps),
+        out);
     return;
   }
   const int steps = static_cast<int>(time / dt);

@@ -43,6 +43,9 @@ class model_of final : public model {
     const auto x = state(mu);
     std::ranges::copy(System::algebra::coad(system_.generator(x), x).c, out.begin());
   }
+  void coadjoint(std::span<const double> xi, std::span<const double> mu, std::span<double> out) const override {
+    std::ranges::copy(System::algebra::coad(state(xi), state(mu)).c, out.begin());
+  }
   POLHODE_FLATTEN void coarsen(const increment_view& fine, int factor, std::span<double> dw,
                                std::span<double> area) const override {
     constexpr int pairs = pairs_of<m>;

@@ -132,12 +132,20 @@ order_fit exact_fit(const selection& s, std::size_t count) {
   return fit;
 }
 
-std::vector<double> means(const squared_errors& e, const resample& paths) {
-  std::vector<double> sum(static_cast<std::size_t>(e.levels), 0.0);
-  for (const int path : paths)
-    for (int l = 0; l < e.levels; ++l) sum[static_cast<std::size_t>(l)] += e.at(path, l);
-  for (double& s : sum) s /= e.paths;
-  return sum;
+using values_of_paths = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Means over resampled paths, [replicate][column] of [path][column]. How often each path is drawn is a matrix, so that
+/// all columns, of one quantity or of several, are one product.
+Eigen::MatrixXd resampled_means(const values_of_paths& values, std::uint64_t seed) {
+  const auto paths = static_cast<int>(values.rows());
+  values_of_paths drawn = values_of_paths::Zero(replicates, paths);
+  for (int r = 0; r < replicates; ++r)
+    for (const int path : resample(seed, r, paths)) drawn(r, path) += 1;
+  return drawn * values / paths;
+}
+
+auto matrix_of(const squared_errors& e) {
+  return Eigen::Map<const values_of_paths>(e.values.data(), e.paths, e.levels);
 }
 
 }  // namespace
@@ -164,49 +172,107 @@ mean_and_error level_mean(const squared_errors& e, int level) {
 
 namespace {
 
-/// The order of mean^power.
-std::optional<order_fit> resampled_fit(std::span<const double> dt, const squared_errors& e, double power,
-                                       double least_mean, std::uint64_t seed) {
+/// Of which the order of mean^power is asked, and the levels that take part.
+struct moments {
+  squared_errors values;
+  double power = 1;
+  selection chosen = {};
+};
+
+void select_levels_of(std::span<const double> dt, double least_mean, moments& m) {
   std::vector<level> levels;
-  for (int i = 0; i < e.levels; ++i) {
-    const auto m = level_mean(e, i);
-    if (!std::isfinite(m.mean) || m.mean <= least_mean) continue;
-    levels.push_back({i, std::log2(dt[static_cast<std::size_t>(i)]), power * std::log2(m.mean),
-                      std::max(1e-12, power * m.error / m.mean / std::log(2.0))});
+  for (int i = 0; i < m.values.levels; ++i) {
+    const auto at = level_mean(m.values, i);
+    if (!std::isfinite(at.mean) || at.mean <= least_mean) continue;
+    levels.push_back({i, std::log2(dt[static_cast<std::size_t>(i)]), m.power * std::log2(at.mean),
+                      std::max(1e-12, m.power * at.error / at.mean / std::log(2.0))});
   }
-  const auto s = select_levels(levels, e.levels - static_cast<int>(levels.size()));
-  if (s.levels.size() < least_levels) return std::nullopt;
-  points p = points_of(s.levels);
+  const auto left_out = m.values.levels - static_cast<int>(levels.size());
+  m.chosen = select_levels(std::move(levels), left_out);
+  if (m.chosen.levels.size() < least_levels) m.chosen.levels.clear();
+}
+
+/// `resampled`: means of the replicates, [replicate][chosen level].
+order_fit resampled_fit(const moments& m, const Eigen::Ref<const Eigen::MatrixXd>& resampled) {
+  points p = points_of(m.chosen.levels);
   const line l = weighted_line(p);
   const double last = slope_at_the_finest(p);
   std::vector<double> slopes, off, finest;
-  for (int r = 0; r < replicates; ++r) {
-    const auto mean = means(e, resample(seed, r, e.paths));
-    for (std::size_t k = 0; k < s.levels.size(); ++k)
-      p.y[k] = power * std::log2(mean[static_cast<std::size_t>(s.levels[k].index)]);
+  for (Eigen::Index r = 0; r < resampled.rows(); ++r) {
+    for (std::size_t k = 0; k < p.y.size(); ++k)
+      p.y[k] = m.power * std::log2(resampled(r, static_cast<Eigen::Index>(k)));
     slopes.push_back(weighted_line(p).slope);
     off.push_back(off_the_others(p));
     finest.push_back(slope_at_the_finest(p));
   }
   const auto [low, high] = central_interval(slopes, 0.95);
   const auto [least, most] = central_interval(off, 0.95);
-  auto fit = result_of(s, l, low, high, dt.size());
+  auto fit = result_of(m.chosen, l, low, high, static_cast<std::size_t>(m.values.levels));
   fit.settled = least <= off_the_line && most >= -off_the_line;
   const auto [slowest, fastest] = central_interval(finest, 0.95);
   fit.finest = {last, slowest, fastest};
   return fit;
 }
 
+std::vector<std::optional<order_fit>> resampled_fits(std::span<const moments> all, std::uint64_t seed) {
+  Eigen::Index columns = 0;
+  for (const auto& m : all) columns += static_cast<Eigen::Index>(m.chosen.levels.size());
+  values_of_paths values(all.front().values.paths, columns);
+  Eigen::Index next = 0;
+  for (const auto& m : all)
+    for (const auto& l : m.chosen.levels) values.col(next++) = matrix_of(m.values).col(l.index);
+  const auto resampled = resampled_means(values, seed);
+  std::vector<std::optional<order_fit>> out;
+  next = 0;
+  for (const auto& m : all) {
+    const auto count = static_cast<Eigen::Index>(m.chosen.levels.size());
+    out.push_back(count > 0 ? std::optional(resampled_fit(m, resampled.middleCols(next, count))) : std::nullopt);
+    next += count;
+  }
+  return out;
+}
+
+squared_errors raised(const squared_errors& e, double p) {
+  squared_errors out{e.paths, e.levels, std::vector<double>(static_cast<std::size_t>(e.paths * e.levels))};
+  for (std::size_t i = 0; i < out.values.size(); ++i)
+    out.values[i] = p == 2   ? e.values[i]
+                    : p == 4 ? e.values[i] * e.values[i]
+                    : p == 1 ? std::sqrt(e.values[i])
+                             : std::pow(e.values[i], p / 2);
+  return out;
+}
+
 }  // namespace
+
+mean_and_error level_norm(const squared_errors& e, double p, int level) {
+  squared_errors one{e.paths, 1, {}};
+  for (int path = 0; path < e.paths; ++path) one.values.push_back(e.at(path, level));
+  const auto m = level_mean(raised(one, p), 0);
+  const double norm = std::pow(m.mean, 1 / p);
+  return {norm, m.mean > 0 ? norm * m.error / m.mean / p : 0};
+}
+
+std::vector<std::optional<order_fit>> fit_orders(std::span<const double> dt, std::span<const error_norm> norms,
+                                                 double floor, std::uint64_t seed) {
+  std::vector<moments> all;
+  for (const auto& n : norms) {
+    all.push_back({raised(*n.squares, n.p), 1 / n.p});
+    select_levels_of(dt, std::pow(floor, n.p), all.back());
+  }
+  return resampled_fits(all, seed);
+}
 
 std::optional<order_fit> fit_order(std::span<const double> dt, const squared_errors& e, double floor,
                                    std::uint64_t seed) {
-  return resampled_fit(dt, e, 0.5, floor * floor, seed);
+  const error_norm rms{&e, 2};
+  return fit_orders(dt, {&rms, 1}, floor, seed).front();
 }
 
 std::optional<order_fit> fit_order_of_means(std::span<const double> dt, const squared_errors& values,
                                             std::uint64_t seed) {
-  return resampled_fit(dt, values, 1, 0, seed);
+  moments m{values};
+  select_levels_of(dt, 0, m);
+  return resampled_fits({&m, 1}, seed).front();
 }
 
 std::optional<order_fit> fit_order_of_clear_means(std::span<const double> dt, squared_errors values, double clear,
@@ -235,18 +301,22 @@ error_model fit_error_model(std::span<const double> dt, const squared_errors& e,
   }
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> with_limit(weight.asDiagonal() * design.leftCols(3)),
       without(weight.asDiagonal() * design.rightCols(powers));
-  const auto coefficients = [&](const std::vector<double>& mean) {
+  const auto coefficients = [&](const Eigen::RowVectorXd& mean) {
     Eigen::VectorXd y(n);
-    for (Eigen::Index k = 0; k < n; ++k) y[k] = weight[k] * mean[kept[static_cast<std::size_t>(k)]];
+    for (Eigen::Index k = 0; k < n; ++k) y[k] = weight[k] * mean[k];
     return std::pair{Eigen::VectorXd(with_limit.solve(y))[0], Eigen::VectorXd(without.solve(y))[0]};
   };
   std::vector<double> limits, leading;
-  for (int r = 0; r < replicates; ++r) {
-    const auto [square, coefficient] = coefficients(means(e, resample(seed, r, e.paths)));
+  values_of_paths values(e.paths, n);
+  for (Eigen::Index k = 0; k < n; ++k)
+    values.col(k) = matrix_of(e).col(static_cast<Eigen::Index>(kept[static_cast<std::size_t>(k)]));
+  const auto resampled = resampled_means(values, seed);
+  for (Eigen::Index r = 0; r < resampled.rows(); ++r) {
+    const auto [square, coefficient] = coefficients(resampled.row(r));
     limits.push_back(square);
     leading.push_back(coefficient);
   }
-  const auto [square, coefficient] = coefficients(means(e, resample::identity(e.paths)));
+  const auto [square, coefficient] = coefficients(values.colwise().mean());
   const auto [low, high] = central_interval(limits, 0.95);
   const auto [least, most] = central_interval(leading, 0.95);
   const auto distance = [](double x) { return std::sqrt(std::max(0.0, x)); };

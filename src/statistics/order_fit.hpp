@@ -48,6 +48,17 @@ mean_and_error level_mean(const squared_errors&, int level);
 /// Root-mean-square errors against dt, weighted least squares; the interval by resampling paths (levels share them).
 std::optional<order_fit> fit_order(std::span<const double> dt, const squared_errors&, double floor, std::uint64_t seed);
 
+/// Errors of coupled levels in L^p: (mean |error|^p)^(1/p).
+struct error_norm {
+  const squared_errors* squares;
+  double p = 2;
+};
+mean_and_error level_norm(const squared_errors&, double p, int level);
+
+/// The orders of several norms at once, each as fit_order; all from the same paths, resampled alike.
+std::vector<std::optional<order_fit>> fit_orders(std::span<const double> dt, std::span<const error_norm>, double floor,
+                                                 std::uint64_t seed);
+
 /// The order of the mean itself of any values of coupled levels. Levels whose mean is not positive are left out, and
 /// the others must be well clear of zero, as resampled means have a logarithm too.
 std::optional<order_fit> fit_order_of_means(std::span<const double> dt, const squared_errors& values,

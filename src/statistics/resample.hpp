@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -23,12 +22,6 @@ class resample {
         indices_[static_cast<std::size_t>(i + k)] =
             static_cast<int>(bits[static_cast<std::size_t>(k)] * static_cast<std::uint64_t>(count) >> 32);
     }
-  }
-  /// Every index once: the sample itself.
-  static resample identity(int count) {
-    resample r(0, 0, count);
-    std::iota(r.indices_.begin(), r.indices_.end(), 0);
-    return r;
   }
   auto begin() const { return indices_.begin(); }
   auto end() const { return indices_.end(); }

@@ -62,6 +62,7 @@ constexpr kind_text texts[] = {
     {kind::path_claim, "over-claim: deterministic order", "deterministic order + {:g} claimed"},
     {kind::drift_claim, "over-claim: Casimir drift", "order of the Casimir drift + {:g} claimed"},
     {kind::casimir_claim, "over-claim: Casimirs kept", "exact Casimirs claimed"},
+    {kind::poisson_claim, "over-claim: Poisson map", "a Poisson map claimed"},
 };
 
 const kind_text& text_of(kind k) { return *std::ranges::find(texts, k, &kind_text::kind); }
@@ -94,6 +95,7 @@ void claim_more(scheme_info& info, const defect& d) {
     case kind::path_claim: info.deterministic_order += static_cast<int>(d.size); return;
     case kind::drift_claim: info.casimir.noisy_order += d.size; return;
     case kind::casimir_claim: info.casimir = keeps_casimirs; return;
+    case kind::poisson_claim: info.poisson = true; return;
     default: return;
   }
 }
@@ -116,7 +118,7 @@ std::string described(const defect& d) {
 subject planted(const report::scene& scene, std::string_view scheme, const defect& d) {
   auto s = bound_to(scene, scheme);
   auto& entry = s.schemes.front();
-  if (is_of_scene(d.kind)) entry.make = bound_to(changed(scene, d), scheme).schemes.front().make;
+  if (is_of_scene(d.kind)) entry = bound_to(changed(scene, d), scheme).schemes.front();
   if (is_of_kernel(d.kind))
     entry.make = [healthy = entry, scene, d](double dt) { return defective(healthy, scene, d, dt); };
   if (is_of_step(d.kind)) entry.make = defective_step(scene, entry, d).make;

@@ -60,6 +60,7 @@ enum class kind {
   path_claim,     ///< deterministic order + size
   drift_claim,    ///< order of the Casimir drift + size
   casimir_claim,  ///< kept to rounding
+  poisson_claim,  ///< a Poisson map
 };
 
 std::string_view name_of(kind);

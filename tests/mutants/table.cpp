@@ -23,6 +23,8 @@ const names all = {"euler_maruyama",    "heun",      "heun_projected", "milstein
 const names three = {"lie_trotter", "lie_heun", "strang_weak2"};  // weak orders 1, 1 and 2, splitting and not
 const names two = {"lie_heun", "strang_weak2"};
 const names drifting = {"euler_maruyama", "heun", "milstein", "milstein_no_area"};
+const names not_poisson = {"euler_maruyama",    "heun",      "heun_projected", "milstein",    "milstein_no_area",
+                           "implicit_midpoint", "lie_euler", "lie_heun",       "cayley_heun", "magnus"};
 const names paper = {"paper"}, others = {"weak noise", "anisotropic"}, scenes = {"paper", "weak noise", "anisotropic"};
 
 std::vector<block> blocks() {
@@ -77,11 +79,13 @@ std::vector<block> blocks() {
       {kind::path_claim, {1}, {}, all, paper},
       {kind::drift_claim, {0.5}, {}, drifting, paper},
       {kind::casimir_claim, {1}, {}, drifting, {"paper", "weak noise"}},
+      {kind::poisson_claim, {1}, {}, not_poisson, {"paper", "anisotropic"}},
       // By one experiment, so that none is blind behind another's back.
       {kind::theta, {0.01, 0.05}, {0.001}, three, paper, "weak"},
       {kind::theta, {0.01, 0.05}, {0.001}, three, paper, "gibbs"},
       {kind::noise, {0.01, 0.05}, {0.001}, three, paper, "weak"},
       {kind::noise, {0.05}, {0.01}, three, paper, "strong"},
+      {kind::noise, {0.05}, {0.01}, two, paper, "stability"},
       // Where nothing exact is affordable; half a minute each.
       {kind::noise, {0.5}, {}, {"strang"}, {"hard"}, "weak"},
       {kind::theta, {0.2}, {}, {"strang"}, {"hard"}, "weak"},
@@ -148,6 +152,7 @@ std::vector<row> sharpest() {
       {{kind::noise, 0.001}, "lie_heun", "paper", true, "strong"},
       {{kind::noise, -0.01}, "heun", "paper", true, "strong"},
       {{kind::noise, 0.001}, "lie_heun", "weak noise", true, "modified"},
+      {{kind::noise, 0.05}, "lie_heun", "paper", true, "stability"},
       {{kind::theta, 0.001}, "strang", "paper", true, "energy"},
       {{kind::theta, 0.001}, "strang_weak2", "paper", true, "gibbs"},
       {{kind::theta, 0.001}, "lie_trotter", "paper", true, "weak"},
@@ -189,6 +194,7 @@ std::vector<row> sharpest() {
       {{kind::path_claim, 1}, "lie_trotter", "paper", true, "energy"},
       {{kind::drift_claim, 0.5}, "heun", "paper", true, "casimir"},
       {{kind::casimir_claim, 1}, "heun", "paper", true, "casimir"},
+      {{kind::poisson_claim, 1}, "implicit_midpoint", "paper", true, "casimir"},
   };
 }
 
@@ -199,6 +205,7 @@ std::string_view claim_of(kind k) {
     case kind::path_claim: return "order of the";
     case kind::drift_claim: return "order of the Casimir drift";
     case kind::casimir_claim: return "Casimirs kept to rounding";
+    case kind::poisson_claim: return "Poisson map";
     default: return "";
   }
 }

@@ -20,7 +20,8 @@ struct lie_trotter {
                                     .weak_order = {.one_vector = 1, .isotropic = 1, .general = 1},
                                     .deterministic_order = 1,
                                     .casimir = keeps_casimirs,
-                                    .action = group_action::exponential};
+                                    .action = group_action::exponential,
+                                    .poisson = true};
 
   template <splittable_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {

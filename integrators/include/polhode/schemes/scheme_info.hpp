@@ -42,6 +42,8 @@ struct scheme_info {
   casimir_claim casimir;
   group_action action = group_action::none;
   bool implicit = false;
+  bool poisson = false;  ///< a step without noise and dissipation is a Poisson map: J B(mu) J^T = B(step(mu)),
+                         ///< B(mu) xi = ad*_xi mu
 };
 
 /// A scheme on a system: a pure step that asks for wiener or wiener_levy increments.

@@ -28,7 +28,8 @@ struct strang {
                                     .weak_order = {.one_vector = 2, .isotropic = 1, .general = 1},
                                     .deterministic_order = 2,
                                     .casimir = keeps_casimirs,
-                                    .action = group_action::exponential};
+                                    .action = group_action::exponential,
+                                    .poisson = true};
 
   /// Two of these in a row are one of the sum of their times.
   template <turning_system System, class S, class Time>

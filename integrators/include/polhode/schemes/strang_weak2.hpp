@@ -22,7 +22,8 @@ struct strang_weak2 {
                                     .weak_order = {.one_vector = 2, .isotropic = 2, .general = 2},
                                     .deterministic_order = 2,
                                     .casimir = keeps_casimirs,
-                                    .action = group_action::exponential};
+                                    .action = group_action::exponential,
+                                    .poisson = true};
 
   template <splittable_system System>
   static System prepare(const System& system, double dt) {

@@ -1,0 +1,101 @@
+// Whether a step without noise and dissipation is a Poisson map, on so(3) and so(4): schemes that claim it are to
+// rounding, and the others are not.
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+
+#include <polhode/dual.hpp>
+
+#include "support/schemes.hpp"
+
+namespace polhode::test {
+namespace {
+
+/// Turns about the axes one after the other, each the exact flow of its part of the energy: a splitting into these is a
+/// Poisson map, while so4_body's own flows are of second order only.
+struct so4_axes : so4_body {
+  so4_axes() { theta = 0; }
+  template <class S>
+  vec<S, 6> last_turn(vec<S, 6> mu, double t) const {
+    for (int k = 0; k < 6; ++k) {
+      vec<S, 6> axis{};
+      axis[k] = S(t * inverse_inertia[k]) * mu[k];
+      mu = so4::exp_action(axis, mu);
+    }
+    return mu;
+  }
+  template <class S>
+  vec<S, 6> free_flow(const vec<S, 6>& mu, double t) const {
+    return last_turn(first_turn(mu, t), t);
+  }
+  template <class S>
+  vec<S, 6> dissipation_flow(const vec<S, 6>& mu, double) const {
+    return mu;
+  }
+  so4_axes with_noise(const constant_noise<so4>& other) const {
+    so4_axes copy = *this;
+    static_cast<constant_noise<so4>&>(copy) = other;
+    return copy;
+  }
+};
+
+template <class System, int N = System::dimension>
+Eigen::Matrix<double, N, N> bracket_at(const vec<double, N>& mu) {
+  Eigen::Matrix<double, N, N> out;
+  for (int k = 0; k < N; ++k) {
+    vec<double, N> unit{};
+    unit[k] = 1;
+    const auto column = System::algebra::coad(unit, mu);
+    for (int j = 0; j < N; ++j) out(j, k) = column[j];
+  }
+  return out;
+}
+
+template <class Scheme, class System, int N = System::dimension>
+double defect(const System& system, const vec<double, N>& mu, double dt) {
+  using number = dual<double, N>;
+  wiener_levy<number, System::channels> w;
+  w.dt = dt;
+  const auto next = Scheme::step(prepared<Scheme>(system, dt), seeded(mu), w);
+  Eigen::Matrix<double, N, N> jacobian;
+  vec<double, N> end;
+  for (int j = 0; j < N; ++j) {
+    end[j] = next[j].value;
+    for (int k = 0; k < N; ++k) jacobian(j, k) = next[j].slope[k];
+  }
+  const auto after = bracket_at<System>(end);
+  return (jacobian * bracket_at<System>(mu) * jacobian.transpose() - after).norm() / after.norm();
+}
+
+template <class Scheme>
+struct PoissonMap : testing::Test {};
+TYPED_TEST_SUITE(PoissonMap, every_scheme);
+
+TYPED_TEST(PoissonMap, IsWhatItClaims) {
+  const vec<double, 6> mu{{0.6, 0.48, 0.64, -0.3, 0.8, 0.5}};
+  const auto body = defect<TypeParam>(paper_body(0, 0.5), paper_momentum, 0.1);
+  const auto pair = defect<TypeParam>(so4_axes(), mu, 0.1);
+  if (TypeParam::info.poisson) {
+    EXPECT_LE(body, 1e-14);
+    EXPECT_LE(pair, 1e-14);
+  } else {
+    EXPECT_GE(body, 1e-6);
+    EXPECT_GE(pair, 1e-6);
+  }
+}
+
+// Flows that are not exact are no Poisson maps: that the test refutes.
+TYPED_TEST(PoissonMap, IsNoneByFlowsOfSecondOrder) {
+  const vec<double, 6> mu{{0.6, 0.48, 0.64, -0.3, 0.8, 0.5}};
+  so4_body approximate;
+  approximate.theta = 0;
+  EXPECT_GE(defect<TypeParam>(approximate, mu, 0.1), 1e-6);
+}
+
+// Dissipation contracts areas on the orbit.
+TYPED_TEST(PoissonMap, IsNoneWithDissipation) {
+  EXPECT_GE(defect<TypeParam>(paper_body(0.5, 0.5), paper_momentum, 0.1), 1e-4);
+}
+
+}  // namespace
+}  // namespace polhode::test

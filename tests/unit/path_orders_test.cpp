@@ -1,0 +1,98 @@
+// Orders in other norms than the mean square, and of single paths: what one sees and another does not.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <polhode/noise/normal.hpp>
+
+#include "statistics/path_slopes.hpp"
+
+namespace polhode {
+namespace {
+
+std::vector<double> halvings(int levels) {
+  std::vector<double> dt;
+  for (int i = 0; i < levels; ++i) dt.push_back(std::exp2(-2 - i));
+  return dt;
+}
+
+/// Squares of error(path, dt).
+template <class Error>
+squared_errors errors_of(const std::vector<double>& dt, int paths, Error error) {
+  squared_errors e{paths, static_cast<int>(dt.size()), {}};
+  for (int p = 0; p < paths; ++p)
+    for (const double h : dt) e.values.push_back(std::pow(error(p, h), 2));
+  return e;
+}
+
+double normal_at(std::uint64_t seed, int path) {
+  return normals<1>({seed, noise_kind::increment, static_cast<std::uint64_t>(path), 0})[0];
+}
+
+// An error of sqrt(dt) with probability dt, else dt: mean square 2 dt^2, fourth moment dt^3.
+TEST(Norms, TheFourthMomentSeesRareErrorsThatTheMeanSquareDoesNot) {
+  constexpr int paths = 4096;
+  const auto dt = halvings(8);
+  const auto e = errors_of(dt, paths, [&](int p, double h) { return p < paths * h ? std::sqrt(h) : h; });
+  const std::array norms{error_norm{&e, 1}, error_norm{&e, 2}, error_norm{&e, 4}};
+  const auto fits = fit_orders(dt, norms, 0, 1);
+  EXPECT_NEAR(fits[0]->order, 1, 0.1);
+  EXPECT_NEAR(fits[1]->order, 1, 0.03);
+  EXPECT_NEAR(fits[2]->order, 0.75, 0.03);
+  EXPECT_LT(fits[2]->high, 0.9);
+  EXPECT_LT(fits[1]->low, fits[1]->order);
+}
+
+TEST(Norms, OfTheMeanSquareAreThoseOfFitOrder) {
+  const auto dt = halvings(6);
+  const auto e = errors_of(dt, 300, [](int p, double h) { return h * normal_at(5, p) + h * h; });
+  const error_norm rms{&e, 2};
+  const auto one = fit_order(dt, e, 0, 9), other = fit_orders(dt, {&rms, 1}, 0, 9).front();
+  EXPECT_EQ(one->order, other->order);
+  EXPECT_EQ(one->low, other->low);
+  EXPECT_NEAR(level_norm(e, 2, 3).mean, std::sqrt(level_mean(e, 3).mean), 1e-15);
+  EXPECT_GE(level_norm(e, 4, 3).mean, level_norm(e, 2, 3).mean);
+  EXPECT_GE(level_norm(e, 2, 3).mean, level_norm(e, 1, 3).mean);
+}
+
+TEST(PathSlopes, AreThoseOfMostPathsWhereTheMeanSquareIsThatOfTheWorst) {
+  constexpr int paths = 1000;
+  const auto dt = halvings(8);
+  const auto e = errors_of(dt, paths, [&](int p, double h) { return p % 10 < 3 ? std::sqrt(h) : h; });
+  const auto fit = fit_order(dt, e, 0, 1);
+  ASSERT_TRUE(fit);
+  EXPECT_LT(fit->high, 0.7);
+  const auto slopes = fit_path_slopes(dt, e, *fit, 0.9);
+  ASSERT_TRUE(slopes);
+  EXPECT_NEAR(slopes->median.order, 1, 1e-12);
+  EXPECT_NEAR(slopes->low, 0.5, 1e-12);
+  EXPECT_DOUBLE_EQ(slopes->share_at_least, 0.7);
+}
+
+TEST(PathSlopes, HoldTheMedianInNineteenOfTwentyIntervals) {
+  constexpr int runs = 1000, paths = 101;
+  const auto dt = halvings(4);
+  int held = 0;
+  for (int run = 0; run < runs; ++run) {
+    const auto e = errors_of(dt, paths, [&](int p, double h) {
+      return std::pow(h, 1 + 0.2 * normal_at(static_cast<std::uint64_t>(run + 1), p));
+    });
+    const order_fit all{1, 1, 1, 1, std::vector<bool>(dt.size(), true), "", true, {}};
+    const auto s = fit_path_slopes(dt, e, all, 1);
+    held += s->median.low <= 1 && 1 <= s->median.high ? 1 : 0;
+  }
+  EXPECT_GT(held, 930);
+  EXPECT_LT(held, 985);
+}
+
+TEST(PathSlopes, LeaveOutPathsThatHaveNone) {
+  const auto dt = halvings(5);
+  const order_fit all{1, 1, 1, 1, std::vector<bool>(dt.size(), true), "", true, {}};
+  const auto lost = errors_of(dt, 100, [](int p, double h) { return p < 50 ? NAN : p < 60 ? 0 : h; });
+  EXPECT_NEAR(fit_path_slopes(dt, lost, all, 1)->median.order, 1, 1e-12);
+  const auto few = errors_of(dt, 40, [](int p, double h) { return p < 30 ? NAN : h; });
+  EXPECT_FALSE(fit_path_slopes(dt, few, all, 1));
+}
+
+}  // namespace
+}  // namespace polhode

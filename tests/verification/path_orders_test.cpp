@@ -1,0 +1,137 @@
+// Strong orders in other norms and path by path, on the schemes themselves: what is claimed holds, what is claimed too
+// much is refuted by each, and the distance of the reference is that of a closed form.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "experiments/levels.hpp"
+#include "registry/bind.hpp"
+#include "registry/rigid_body.hpp"
+#include "registry/run_experiment.hpp"
+#include "registry/scene.hpp"
+#include "registry/verify.hpp"
+
+namespace polhode {
+namespace {
+
+using report::verdict_kind;
+
+constexpr std::array claims{"strong order in the supremum over time", "strong order in L^1", "strong order in L^4",
+                            "strong order of almost every path"};
+
+const report::verdict& of(const report::results& r, const std::string& scheme, const std::string& text) {
+  for (const auto& v : r.verdicts)
+    if (v.scheme == scheme && v.claim == text) return v;
+  throw std::out_of_range(text);
+}
+
+report::results quick_on(const subject& s, int threads = 2) {
+  return verify_subject(s, {{}, {"strong"}, effort::quick, threads, 1});
+}
+
+subject paper(const std::vector<std::string>& schemes) { return restricted(bind_scene(load_scene("paper")), schemes); }
+
+TEST(PathOrders, HoldInEveryNorm) {
+  const auto r = quick_on(paper({"heun", "magnus"}));
+  for (const auto* scheme : {"heun", "magnus"})
+    for (const auto* text : claims) EXPECT_EQ(of(r, scheme, text).kind, verdict_kind::holds) << scheme << ", " << text;
+}
+
+TEST(PathOrders, ClaimedTooHighAreRefutedByEveryNorm) {
+  auto s = paper({"lie_heun"});
+  s.schemes.front().info.strong_order = {1.5, 1};
+  const auto r = quick_on(s);
+  for (const auto* text : claims)
+    EXPECT_EQ(of(r, "lie_heun", text).kind, verdict_kind::refuted) << of(r, "lie_heun", text).reason;
+}
+
+/// Turns the state by dt^(1/4) / 10 about the third axis after every call but the last, and back before the next: right
+/// at the end, and of order 1/4 on the way. One thread calls it, block after block.
+class wrong_on_the_way final : public kernel {
+ public:
+  wrong_on_the_way(std::unique_ptr<kernel> right, int calls) : right_(std::move(right)), calls_(calls) {}
+  void advance(std::span<double> states, const increment_view& v, piece p) const override {
+    const double angle = std::pow(v.dt, 0.25) / 10;
+    if (call_ > 0) turn(states, -angle);
+    right_->advance(states, v, p);
+    call_ = (call_ + 1) % calls_;
+    if (call_ > 0) turn(states, angle);
+  }
+  shared_steps share(const increment_view& v) const override { return right_->share(v); }
+  void advance(std::span<double> s, const shared_steps& w, std::int64_t first, std::int64_t n, piece p) const override {
+    right_->advance(s, w, first, n, p);
+  }
+  void finish(std::span<double> s, double dt) const override { right_->finish(s, dt); }
+
+ private:
+  static void turn(std::span<double> states, double angle) {
+    for (std::size_t lane = 0; lane < block_lanes; ++lane) {
+      const double x = states[lane], y = states[block_lanes + lane];
+      states[lane] = std::cos(angle) * x - std::sin(angle) * y;
+      states[block_lanes + lane] = std::sin(angle) * x + std::cos(angle) * y;
+    }
+  }
+  std::unique_ptr<kernel> right_;
+  int calls_;
+  mutable int call_ = 0;
+};
+
+TEST(PathOrders, WhatIsWrongOnTheWayAloneIsSeenInTheSupremumAlone) {
+  auto s = paper({"lie_heun"});
+  const int calls = asymptotic_levels(s, 256).steps.front();
+  ASSERT_GT(calls, 1);
+  auto& entry = s.schemes.front();
+  entry.make = [healthy = entry.make, calls](double dt) -> std::unique_ptr<kernel> {
+    return std::make_unique<wrong_on_the_way>(healthy(dt), calls);
+  };
+  const auto r = quick_on(s, 1);
+  EXPECT_EQ(of(r, "lie_heun", "strong order").kind, verdict_kind::holds);
+  EXPECT_EQ(of(r, "lie_heun", "strong order in L^4").kind, verdict_kind::holds);
+  EXPECT_EQ(of(r, "lie_heun", "strong order in the supremum over time").kind, verdict_kind::refuted);
+  EXPECT_EQ(of(r, "lie_heun", "strong order of almost every path").kind, verdict_kind::refuted);
+}
+
+const report::measurement& reference_row(const report::results& r, const std::string& quantity, std::size_t nth = 0) {
+  for (const auto& m : r.measurements)
+    if (m.quantity == quantity && nth-- == 0) return m;
+  throw std::out_of_range(quantity);
+}
+
+// Of a spherical body without dissipation nothing moves but by the noise, by isometries. A cell of width d lacks the
+// areas, normal to each other and of variance d^2/4, so that E|Y_d - X|^2 -> sigma^4 c^2 T d / 2, and of Y_d and Y_d/2
+// half of that.
+TEST(PathOrders, TheReferenceIsAsFarAsTheAreasOfItsCells) {
+  auto scene = load_scene("paper");
+  scene.inertia = {1, 1, 1};
+  scene.theta = 0;
+  const auto s = restricted(bind_scene(scene), {"lie_heun"});
+  const auto r = quick_on(s);
+  const auto grid = asymptotic_levels(s, 256);
+  const auto dt = grid.dt();
+  const double c = 1, sigma = 0.5, unit = sigma * sigma * c * std::sqrt(grid.horizon / 4);
+  for (std::size_t l = dt.size() - 4; l + 1 < dt.size(); ++l) {
+    const auto& m = reference_row(r, "distance between references", l);
+    EXPECT_NEAR(*m.dt, dt[l], 1e-12);
+    const double expected = unit * std::sqrt(*m.dt);
+    EXPECT_NEAR(*m.value, expected, 2 * (*m.high - *m.low)) << *m.dt;
+    EXPECT_LT(*m.high - *m.low, 0.2 * expected);
+  }
+  const auto& rest = reference_row(r, "distance of the reference");
+  const double halved = unit * std::sqrt(dt.back() / 32), truly = std::sqrt(2.0) * halved;
+  EXPECT_GT(*rest.high, truly);  // the sum of the series bounds it
+  EXPECT_NEAR(*rest.value, halved / (1 - std::sqrt(0.5)), 0.1 * *rest.value);
+  EXPECT_EQ(of(r, "noise", "reference tends to the Stratonovich solution").kind, verdict_kind::holds);
+}
+
+TEST(PathOrders, TheReferenceIsOfOrderOneUnderOneVector) {
+  auto scene = load_scene("paper");
+  scene.sigma = {{0.5, 0, 0}};
+  const auto r = quick_on(restricted(bind_scene(scene), {"lie_heun"}));
+  const auto& v = of(r, "noise", "reference tends to the Stratonovich solution");
+  EXPECT_EQ(*v.expected, 1);
+  EXPECT_EQ(v.kind, verdict_kind::holds) << v.reason;
+}
+
+}  // namespace
+}  // namespace polhode
