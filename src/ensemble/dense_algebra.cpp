@@ -24,8 +24,14 @@ void add_transposed_product(const matrix& a, const matrix& b, Eigen::Ref<Eigen::
 
 Eigen::RowVectorXd solve_from_left(const matrix& a, const Eigen::RowVectorXd& b) {
   Eigen::RowVectorXd x = b;
-  by_isa(POLHODE_ENTRIES(polhode_solve_))(columns_of(a), x.data());
+  by_isa(POLHODE_ENTRIES(polhode_solve_))(columns_of(a), {x.data(), x.size(), 1, x.size()});
   return x;
+}
+
+Eigen::MatrixXd inverse_of(const matrix& a) {
+  Eigen::MatrixXd transposed = Eigen::MatrixXd::Identity(a.rows(), a.rows());
+  by_isa(POLHODE_ENTRIES(polhode_solve_))(columns_of(a), columns_of(transposed));
+  return transposed.transpose();
 }
 
 }  // namespace polhode

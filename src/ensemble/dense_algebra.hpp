@@ -16,6 +16,9 @@ void add_transposed_product(const Eigen::Ref<const Eigen::MatrixXd>& a, const Ei
 /// x with x a = b, by LU with partial pivots.
 Eigen::RowVectorXd solve_from_left(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::RowVectorXd& b);
 
+/// a^-1 by the same: for many right sides that come one after the other.
+Eigen::MatrixXd inverse_of(const Eigen::Ref<const Eigen::MatrixXd>& a);
+
 /// What the entries take: a matrix by columns, and c += a b or c += a^T b.
 struct dense_columns {
   double* at;
@@ -33,8 +36,8 @@ void polhode_add_product_v2(const polhode::dense_product&);
 void polhode_add_product_v3(const polhode::dense_product&);
 void polhode_add_product_v4(const polhode::dense_product&);
 void polhode_add_product_portable(const polhode::dense_product&);
-void polhode_solve_v2(const polhode::dense_columns&, double* right_side);
-void polhode_solve_v3(const polhode::dense_columns&, double* right_side);
-void polhode_solve_v4(const polhode::dense_columns&, double* right_side);
-void polhode_solve_portable(const polhode::dense_columns&, double* right_side);
+void polhode_solve_v2(const polhode::dense_columns&, const polhode::dense_columns& right_sides);
+void polhode_solve_v3(const polhode::dense_columns&, const polhode::dense_columns& right_sides);
+void polhode_solve_v4(const polhode::dense_columns&, const polhode::dense_columns& right_sides);
+void polhode_solve_portable(const polhode::dense_columns&, const polhode::dense_columns& right_sides);
 }

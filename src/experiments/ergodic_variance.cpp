@@ -1,21 +1,16 @@
 #include "experiments/ergodic_variance.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "ensemble/dense_algebra.hpp"
 #include "experiments/stationary_bias.hpp"
-#include "statistics/power_series.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr int least_degree = 16, more_degrees = 8;
-constexpr double narrow = 1e-3;  // half-width, of the variance at the coarsest dt
 
 /// int law a b over the sphere, all three in harmonics.
 class triple_product {
@@ -59,40 +54,6 @@ Eigen::VectorXd of_equation(const sphere_problem& p, const Eigen::VectorXd& dens
   return out;
 }
 
-report::verdict judge(const exact_averages& averages, const error_table& t, Eigen::Index first, int order) {
-  report::verdict v{"modified", t.scheme, "asymptotic variance converges",    0.0, {},
-                    {},         {},       report::verdict_kind::inconclusive, ""};
-  if (t.dt.size() < static_cast<std::size_t>(order) + 2) {
-    v.reason = "too few step sizes";
-    return v;
-  }
-  double widest = 0, clearest = 0;
-  for (Eigen::Index i = 0; i < averages.count(); ++i) {
-    std::vector<double> value, uncertainty;
-    for (std::size_t level = 0; level < t.dt.size(); ++level) {
-      value.push_back(t.error[level][first + i] / averages.value[i]);
-      uncertainty.push_back(t.uncertainty[level][first + i] / averages.value[i]);
-    }
-    const auto series = series_coefficients(t.dt, value, uncertainty, static_cast<std::size_t>(order));
-    for (std::size_t power = 0; power < series.size(); ++power) {
-      const double unit = std::pow(std::ranges::max(t.dt), static_cast<double>(power));
-      const double half = unit * (series[power].high - series[power].low) / 2, at = unit * series[power].value;
-      const double clear = std::fabs(at) / std::max(half, 1e-300);
-      if (clear > 1 ? clear <= clearest : clearest > 1 || half <= widest) continue;
-      (clear > 1 ? clearest : widest) = clear > 1 ? clear : half;
-      v.estimate = at;
-      v.low = at - half;
-      v.high = at + half;
-      v.reason = fmt::format("of {} at order dt^{}: {:.2e} [{:.1e}, {:.1e}] of its size",
-                             averages.names[static_cast<std::size_t>(i)], power, at, at - half, at + half);
-    }
-  }
-  v.kind = clearest > 1       ? report::verdict_kind::refuted
-           : widest <= narrow ? report::verdict_kind::holds
-                              : report::verdict_kind::inconclusive;
-  return v;
-}
-
 }  // namespace
 
 exact_averages ergodic_variances(const subject& s, const law_averages& averages) {
@@ -108,38 +69,25 @@ exact_averages ergodic_variances(const subject& s, const law_averages& averages)
   return out;
 }
 
-Eigen::VectorXd ergodic_variances(const exact_averages& averages, const transfer_operator& op, double dt) {
+Eigen::MatrixXd sum_of_powers(const transfer_operator& op) {
+  const auto n = op.matrix.rows() - 1;
+  return inverse_of(Eigen::MatrixXd::Identity(n, n) - op.matrix.bottomRightCorner(n, n));
+}
+
+Eigen::VectorXd ergodic_variances(const exact_averages& averages, const transfer_operator& op,
+                                  const Eigen::MatrixXd& forgetting, double dt) {
   Eigen::VectorXd out(averages.count());
   if (out.size() == 0) return out;
   const Eigen::VectorXd law = op.stationary_law().transpose();
   const auto n = op.matrix.rows() - 1;
-  const Eigen::MatrixXd relaxing = (Eigen::MatrixXd::Identity(n, n) - op.matrix.bottomRightCorner(n, n)).transpose();
   const triple_product integral(op.basis.degree());
   for (Eigen::Index i = 0; i < out.size(); ++i) {
     const auto g = centred(op.basis.coefficients(averages.functions[static_cast<std::size_t>(i)]), law);
     Eigen::VectorXd w = Eigen::VectorXd::Zero(n + 1);
-    w.tail(n) = solve_from_left(relaxing, g.tail(n).transpose()).transpose();
+    w.tail(n) = forgetting * g.tail(n);
     out[i] = dt * (2 * integral(law, g, w) - integral(law, g, g));
   }
   return out;
-}
-
-void report_ergodic_variances(const exact_averages& averages, const error_table& t, Eigen::Index first, int order,
-                              report::results& out) {
-  if (averages.count() == 0) return;
-  for (Eigen::Index i = 0; i < averages.count(); ++i) {
-    const auto& name = averages.names[static_cast<std::size_t>(i)];
-    std::vector<report::measurement> points;
-    std::vector<double> clear;
-    const series s{"modified", t.scheme, "error of the asymptotic variance", name, "", "transfer"};
-    for (std::size_t level = 0; level < t.dt.size(); ++level) {
-      const double error = std::fabs(t.error[level][first + i]), u = t.uncertainty[level][first + i];
-      points.push_back(measured(s, t.dt[level], error, std::max(0.0, error - u), error + u));
-      clear.push_back(error > 50 * u ? error : std::numeric_limits<double>::quiet_NaN());
-    }
-    record_fit(out, s, fit_order(t.dt, clear, 0), std::move(points));
-  }
-  out.verdicts.push_back(judge(averages, t, first, order));
 }
 
 }  // namespace polhode

@@ -5,19 +5,17 @@
 #pragma once
 
 #include "experiments/law_averages.hpp"
-#include "experiments/transfer_report.hpp"
 
 namespace polhode {
 
 /// Of the observables whose stationary average is known; uncertain by what eight degrees more change.
 exact_averages ergodic_variances(const subject&, const law_averages&);
 
-/// The scheme's, from its operator.
-Eigen::VectorXd ergodic_variances(const exact_averages&, const transfer_operator&, double dt);
+/// 1 + T + T^2 + … = (1 - T)^-1 on functions without a constant part. Not finite where T keeps one of them.
+Eigen::MatrixXd sum_of_powers(const transfer_operator&);
 
-/// Measurements over dt, fits, and the verdict "asymptotic variance converges": the errors (columns `first` …) as power
-/// series in dt, whose coefficients below dt^order have to vanish.
-void report_ergodic_variances(const exact_averages&, const error_table&, Eigen::Index first, int order,
-                              report::results&);
+/// The scheme's, from its operator and its sum_of_powers.
+Eigen::VectorXd ergodic_variances(const exact_averages&, const transfer_operator&, const Eigen::MatrixXd& forgetting,
+                                  double dt);
 
 }  // namespace polhode

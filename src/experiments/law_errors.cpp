@@ -33,10 +33,9 @@ Eigen::MatrixXd power_of(Eigen::MatrixXd base, std::int64_t exponent) {
   }
 }
 
-Eigen::MatrixXd coefficients_on(const shell_basis& basis, const law_observables& all) {
-  Eigen::MatrixXd out(basis.size(), all.count());
-  for (Eigen::Index i = 0; i < all.count(); ++i)
-    out.col(i) = basis.coefficients(all.functions[static_cast<std::size_t>(i)]);
+Eigen::MatrixXd coefficients_on(const shell_basis& basis, std::span<const sphere_function> functions) {
+  Eigen::MatrixXd out(basis.size(), static_cast<Eigen::Index>(functions.size()));
+  for (Eigen::Index i = 0; i < out.cols(); ++i) out.col(i) = basis.coefficients(functions[static_cast<std::size_t>(i)]);
   return out;
 }
 
@@ -57,6 +56,28 @@ law_error in_sizes(const transfer_answer& found, const Eigen::VectorXd& scale, s
 }
 
 }  // namespace
+
+Eigen::MatrixXd means_after(const transfer_operator& op, const Eigen::Vector3d& start,
+                            std::span<const sphere_function> functions, const std::vector<std::int64_t>& after) {
+  const Eigen::MatrixXd coefficients = coefficients_on(op.basis, functions);
+  Eigen::MatrixXd out(coefficients.cols(), static_cast<Eigen::Index>(after.size()));
+  const auto stride = after.front(), times = static_cast<std::int64_t>(after.size());
+  const double squarings = 2 * std::log2(static_cast<double>(stride)) * static_cast<double>(op.matrix.rows());
+  const bool in_strides = squarings < static_cast<double>((stride - 1) * times);
+  const Eigen::MatrixXd far = in_strides ? power_of(op.matrix, stride) : op.matrix;
+  Eigen::RowVectorXd law = op.basis.at(start);
+  std::int64_t done = 0;
+  for (Eigen::Index t = 0; t < out.cols(); ++t) {
+    const auto next = after[static_cast<std::size_t>(t)];
+    if (in_strides && next - done == stride) {
+      law *= far;
+      done = next;
+    }
+    for (; done < next; ++done) law *= op.matrix;
+    out.col(t) = (law * coefficients).transpose();
+  }
+  return out;
+}
 
 law_observables every_observable(const subject& s) {
   law_observables out;
@@ -97,20 +118,6 @@ weak_law::weak_law(const subject& s, double horizon, double accuracy)
       truth_(
           expectations(*sphere_problem_of(s), observables_.functions, observables_.size, start_, horizon, accuracy)) {}
 
-Eigen::MatrixXd weak_law::means(const transfer_operator& op, const std::vector<std::int64_t>& after) const {
-  const Eigen::MatrixXd functions = coefficients_on(op.basis, observables_);
-  Eigen::MatrixXd out(functions.cols(), static_cast<Eigen::Index>(after.size())), power = op.matrix;
-  Eigen::RowVectorXd law = op.basis.at(start_);
-  std::int64_t done = 0, stride = 1;
-  for (std::size_t t = 0; t < after.size(); ++t) {
-    if (after[t] - done != stride) power = power_of(op.matrix, stride = after[t] - done);
-    law *= power;
-    done = after[t];
-    out.col(static_cast<Eigen::Index>(t)) = (law * functions).transpose();
-  }
-  return out;
-}
-
 law_error weak_law::error(const scheme_entry& scheme, double dt, double tolerance, std::int64_t finer) const {
   const std::int64_t steps = std::max<std::int64_t>(1, std::llround(horizon_ / dt));
   const auto after = looked_at(steps, finer);
@@ -123,7 +130,9 @@ law_error weak_law::error(const scheme_entry& scheme, double dt, double toleranc
     times.push_back(horizon_ * static_cast<double>(k) / static_cast<double>(steps));
   }
   const Eigen::VectorXd scale = observables_.size.replicate(count, 1);
-  const transfer_question q{[&](const transfer_operator& op) -> Eigen::VectorXd { return means(op, after).reshaped(); },
+  const transfer_question q{[&](const transfer_operator& op) -> Eigen::VectorXd {
+                              return means_after(op, start_, observables_.functions, after).reshaped();
+                            },
                             {exact, scale, tolerance}};
   auto found = refine(subject_, scheme, dt, steps, q);
   found.uncertainty += truth_.uncertainty().replicate(count, 1);
@@ -147,10 +156,11 @@ equilibrium_law::equilibrium_law(const subject& s, double accuracy) : subject_(s
 }
 
 law_error equilibrium_law::error(const scheme_entry& scheme, double dt, double tolerance) const {
-  const transfer_question q{[&](const transfer_operator& op) -> Eigen::VectorXd {
-                              return (op.stationary_law() * coefficients_on(op.basis, observables_)).transpose();
-                            },
-                            {mean_, observables_.size, tolerance}};
+  const transfer_question q{
+      [&](const transfer_operator& op) -> Eigen::VectorXd {
+        return (op.stationary_law() * coefficients_on(op.basis, observables_.functions)).transpose();
+      },
+      {mean_, observables_.size, tolerance}};
   auto found = refine(subject_, scheme, dt, 1, q);
   found.uncertainty += uncertainty_;
   return in_sizes(found, observables_.size, {0.0});

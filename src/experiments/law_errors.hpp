@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,10 @@ struct law_error {
   std::vector<observable_error> worst_in_time(const law_observables&) const;
 };
 
+/// E[f_i(X)] of an operator after these numbers of steps, increasing: [function][time].
+Eigen::MatrixXd means_after(const transfer_operator&, const Eigen::Vector3d& start, std::span<const sphere_function>,
+                            const std::vector<std::int64_t>& after);
+
 /// E[f(Pi_t)] - E[f(X_t)] after every step up to the horizon; of more than `most_times` steps as many are looked at,
 /// the last among them.
 class weak_law {
@@ -55,9 +60,6 @@ class weak_law {
   /// finer: looks at the times of dt * finer, so that runs of several dt can be combined. tolerance: of each error, or
   /// of a tenth of the largest.
   law_error error(const scheme_entry&, double dt, double tolerance, std::int64_t finer = 1) const;
-
-  /// E[f_i(X)] of an operator after these numbers of steps, increasing: [observable][time].
-  Eigen::MatrixXd means(const transfer_operator&, const std::vector<std::int64_t>& after) const;
 
  private:
   const subject& subject_;

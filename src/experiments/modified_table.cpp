@@ -37,14 +37,14 @@ struct operator_questions {
   generator_family family;
   modified_columns columns;
   law_averages averages;
-  exact_averages variances;
+  exact_averages variances, gap;
   Eigen::Vector3d start;
   double horizon;
 
   transfer_question at(double dt) const {
     return {[this, dt](const transfer_operator& op) { return answer(op, dt); },
-            {joined(columns.exact, averages.value(), variances.value),
-             joined(columns.unit, averages.size(), variances.size), tolerance}};
+            {joined(joined(columns.exact, averages.value()), joined(variances.value, gap.value)),
+             joined(joined(columns.unit, averages.size()), joined(variances.size, gap.size)), tolerance}};
   }
 
  private:
@@ -52,12 +52,20 @@ struct operator_questions {
     const auto generator = generator_of_step(op.matrix, dt);
     if (!generator) throw no_logarithm();
     const auto body = family.nearest(*generator);
-    return joined(numbers_of(body.parameters, body.residual), averages.of(op, start, std::llround(horizon / dt)),
-                  ergodic_variances(variances, op, dt));
+    return joined(
+        joined(numbers_of(body.parameters, body.residual), averages.of(op, start, std::llround(horizon / dt))),
+        of_forgetting(op, dt));
   }
-  static Eigen::VectorXd joined(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const Eigen::VectorXd& c) {
-    Eigen::VectorXd out(a.size() + b.size() + c.size());
-    out << a, b, c;
+  Eigen::VectorXd of_forgetting(const transfer_operator& op, double dt) const {
+    if (variances.count() + gap.count() == 0) return {};
+    const auto forgetting = sum_of_powers(op);
+    Eigen::VectorXd own(gap.count());
+    if (own.size() > 0) own[0] = own_gap(forgetting, dt);
+    return joined(ergodic_variances(variances, op, forgetting, dt), own);
+  }
+  static Eigen::VectorXd joined(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    Eigen::VectorXd out(a.size() + b.size());
+    out << a, b;
     return out;
   }
 };
@@ -109,10 +117,10 @@ level_grid modified_levels(const subject& s) {
 
 std::vector<error_table> modified_tables(const context& c, const std::vector<scheme_entry>& schemes,
                                          const modified_columns& columns, const law_averages& averages,
-                                         const exact_averages& variances) {
+                                         const exact_averages& variances, const exact_averages& gap) {
   const auto& s = c.subject;
   const operator_questions questions{
-      generator_family(sphere_problem_of(s)->radius), columns,        averages, variances,
+      generator_family(sphere_problem_of(s)->radius), columns,        averages, variances, gap,
       Eigen::Vector3d(s.scene.momentum.data()),       s.scene.horizon};
   const auto grid = modified_levels(s);
   std::vector<error_table> out(schemes.size());
@@ -128,7 +136,6 @@ std::vector<error_table> modified_tables(const context& c, const std::vector<sch
       auto answer = answer_at(s, scheme, dt, questions.at(dt));
       if (!answer) continue;
       answer->uncertainty.segment(modified_columns::count, averages.count()) += averages.uncertainty();
-      answer->uncertainty.tail(variances.count()) += variances.uncertainty;
       table.add(dt, *answer);
       ++found;
       done.add();

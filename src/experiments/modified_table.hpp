@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "experiments/ergodic_variance.hpp"
+#include "experiments/own_gap.hpp"
 #include "experiments/transfer_report.hpp"
 #include "references/generator_family.hpp"
 
@@ -27,8 +28,9 @@ level_grid modified_levels(const subject&);
 
 /// Differences from the scene and their uncertainty [level][column], of every scheme, at the coarsest six of the levels
 /// at which the logarithm is found. Behind the columns those of the averages: of the law after the horizon's steps, of
-/// the stationary one, and the asymptotic variances.
+/// the stationary one, the asymptotic variances, and the spectral gap.
 std::vector<error_table> modified_tables(const context&, const std::vector<scheme_entry>&, const modified_columns&,
-                                         const law_averages&, const exact_averages& variances);
+                                         const law_averages&, const exact_averages& variances,
+                                         const exact_averages& gap);
 
 }  // namespace polhode

@@ -166,6 +166,21 @@ transfer_operator make_transfer(const subject& s, const scheme_entry& scheme, do
   return transfer_on(*stepper, shell_basis(rule.basis.degree, rule.basis.radial, around), noise);
 }
 
+Eigen::VectorXd mean_after_step(const subject& s, const scheme_entry& scheme, double dt, const noise_rule& rule,
+                                const points_in_space& points, const sphere_function& f) {
+  const auto stepper = scheme.make(dt);
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(points.rows());
+  map_points(*stepper, points, nodes_of(*s.model, scheme.needs_areas, dt, rule),
+             [&](int first, int lanes, std::span<const double> weights, const double* states) {
+               for (std::size_t i = 0; i < weights.size(); ++i)
+                 for (int lane = 0; lane < lanes; ++lane) {
+                   const double* at = states + 3 * block_lanes * static_cast<int>(i) + lane;
+                   mean[first + lane] += weights[i] * f(Eigen::Vector3d(at[0], at[block_lanes], at[2 * block_lanes]));
+                 }
+             });
+  return mean;
+}
+
 Eigen::VectorXd change_by_far_noise(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,
                                     const std::function<Eigen::VectorXd(const transfer_operator&)>& ask) {
   constexpr noise_rule near{6, 2};

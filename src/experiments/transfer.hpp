@@ -58,6 +58,10 @@ struct transfer_operator {
 transfer_operator make_transfer(const subject&, const scheme_entry&, double dt, std::int64_t steps,
                                 const transfer_rule&);
 
+/// E[f(Phi_dt(Pi, dW))] at points (a row each), wherever a step leads.
+Eigen::VectorXd mean_after_step(const subject&, const scheme_entry&, double dt, const noise_rule&,
+                                const Eigen::Matrix<double, Eigen::Dynamic, 3>& points, const sphere_function& f);
+
 /// By how much the answers of `ask` change when the noise of a step is taken out to 8 sqrt(dt) instead of to the nodes
 /// of a Gauss-Hermite rule (both on the coarsest basis). More than the answers' uncertainty: the step is not smooth in
 /// its increment, and what the rule says of its law is not true.

@@ -55,9 +55,10 @@ class asked {
   bool affordable(const transfer_rule& rule) const { return ladder_.multiplications(rule) <= most_multiplications; }
   Eigen::ArrayXd error(const transfer_rule& rule) const { return ladder_.answer(rule) - target_.exact; }
   bool small(const Eigen::ArrayXd& change, const Eigen::ArrayXd& error) const {
-    const Eigen::ArrayXd scale = target_.scale.array(), relative = error.abs() / scale;
+    const auto n = target_.deciding > 0 ? target_.deciding : error.size();
+    const Eigen::ArrayXd scale = target_.scale.head(n).array(), relative = error.head(n).abs() / scale;
     const Eigen::ArrayXd worth = relative.max(relative.maxCoeff() / 10) * scale;
-    return (change <= (target_.tolerance * worth).max(10 * floor_)).all();
+    return (change.head(n) <= (target_.tolerance * worth).max(10 * floor_.head(n))).all();
   }
   const Eigen::ArrayXd& floor() const { return floor_; }
 

@@ -15,6 +15,7 @@ namespace polhode {
 struct transfer_target {
   Eigen::VectorXd exact, scale;  ///< scale: the size of what is averaged, by which errors of several are compared
   double tolerance = 1e-4;       ///< of each error, or of a tenth of the largest
+  Eigen::Index deciding = 0;     ///< of that many answers, the first; 0: of all. The others are answered as they come
 };
 
 /// The numbers, of momentum's operator.

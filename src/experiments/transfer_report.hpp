@@ -38,7 +38,8 @@ struct error_column {
   std::string quantity, observable;
   double scale;
   double by_noise = 0, by_dissipation = 0;
-  bool distance = false;  ///< never negative, so no power series where it vanishes: its limit is not asked for
+  bool distance = false;     ///< never negative, so no power series where it vanishes: its limit is not asked for
+  bool limit_alone = false;  ///< its slope is not asked for
 };
 
 /// The share by which noise and dissipation grow to tell by_noise and by_dissipation: to about as much of them.

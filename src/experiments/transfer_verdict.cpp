@@ -141,7 +141,7 @@ std::vector<column_finding> find_columns(const order_question& q, double expecte
   for (std::size_t k = 0; k < out.size(); ++k) {
     const auto error = column_of(t.error, k), uncertainty = column_of(t.uncertainty, k);
     if (error.empty()) continue;
-    out[k].fit = fit_finest_order(t.dt, error, uncertainty, clear);
+    if (!q.columns[k].limit_alone) out[k].fit = fit_finest_order(t.dt, error, uncertainty, clear);
     for (int power = 0; power < std::ceil(expected) && !q.columns[k].distance; ++power) {
       const auto term = expansion_coefficient(t.dt, error, uncertainty, power);
       if (!term) break;

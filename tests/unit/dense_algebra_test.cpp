@@ -49,6 +49,8 @@ TEST(DenseAlgebra, SolvesFromTheLeft) {
     const auto part = a.block(3, 2, 33, 33);
     const auto found = solve_from_left(part, x * part);
     EXPECT_LT((found - x).cwiseAbs().maxCoeff(), 1e-11) << level;
+    const Eigen::MatrixXd one = inverse_of(part) * part;
+    EXPECT_LT((one - Eigen::MatrixXd::Identity(33, 33)).cwiseAbs().maxCoeff(), 1e-11) << level;
   });
 }
 

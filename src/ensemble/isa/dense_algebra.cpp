@@ -24,9 +24,10 @@ extern "C" void POLHODE_ENTRY(polhode_add_product_)(const polhode::dense_product
     mapped(p.c).noalias() += mapped(p.a) * mapped(p.b);
 }
 
-// The right side becomes the solution. LU of a^T: a left solution is one of it.
-extern "C" void POLHODE_ENTRY(polhode_solve_)(const polhode::dense_columns& a, double* right_side) {
-  Eigen::Map<Eigen::VectorXd> x(right_side, a.rows);
+// Right sides become solutions. LU of a^T: a left solution is one of it.
+extern "C" void POLHODE_ENTRY(polhode_solve_)(const polhode::dense_columns& a,
+                                              const polhode::dense_columns& right_sides) {
+  auto x = polhode::mapped(right_sides);
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(polhode::mapped(a).transpose());
   x = lu.solve(x).eval();
 }

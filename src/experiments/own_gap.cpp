@@ -1,0 +1,64 @@
+#include "experiments/own_gap.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+namespace polhode {
+namespace {
+
+constexpr int krylov = 60;          // vectors
+constexpr double is_found = 1e-9;   // remainder of a Ritz value, relative
+constexpr double accuracy = 1e-12;  // of the equation's gap, absolute
+constexpr double certain = 1e-4;    // of it, relative: what it must be known to
+
+// No symmetry of its own.
+Eigen::VectorXd any_vector(Eigen::Index size) {
+  return Eigen::VectorXd::NullaryExpr(
+             size, [](Eigen::Index i) { return std::sin(1.0 + double(i * i % 1009)) / double(i + 9); })
+      .normalized();
+}
+
+}  // namespace
+
+known_gap true_gap(const subject& s) {
+  const auto found = spectral_gap(*sphere_problem_of(s), accuracy);
+  if (!found.value) return {{}, found.reason, false};
+  if (*found.value == 0) return {{}, "a function besides the Casimir is conserved", false};
+  if (!(found.uncertainty <= certain * *found.value)) return {{}, found.reason, true};
+  const auto one = [](double x) { return Eigen::VectorXd::Constant(1, x); };
+  return {{{"spectral gap"}, {}, one(*found.value), one(found.uncertainty), one(*found.value)}, "", false};
+}
+
+double own_gap(const Eigen::MatrixXd& forgetting, double dt) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Index n = forgetting.rows(), most = std::min<Eigen::Index>(krylov, n);
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(n, most + 1), h = Eigen::MatrixXd::Zero(most + 1, most);
+  basis.col(0) = any_vector(n);
+  Eigen::Index size = 0;
+  while (size < most) {
+    const auto k = size++;
+    Eigen::VectorXd next = forgetting * basis.col(k);
+    for (int pass = 0; pass < 2; ++pass) {
+      const Eigen::VectorXd along = basis.leftCols(k + 1).transpose() * next;
+      next -= basis.leftCols(k + 1) * along;
+      h.col(k).head(k + 1) += along;
+    }
+    h(k + 1, k) = next.norm();
+    if (!(h(k + 1, k) > 1e-14 * h.col(k).norm())) break;  // an invariant subspace
+    basis.col(k + 1) = next / h(k + 1, k);
+  }
+  if (!h.allFinite()) return none;
+  const Eigen::EigenSolver<Eigen::MatrixXd> ritz(h.topLeftCorner(size, size));
+  double largest = 0;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const std::complex<double> value = ritz.eigenvalues()[i];
+    const double remainder = h(size, size - 1) * std::abs(ritz.eigenvectors()(size - 1, i));
+    if (remainder <= is_found * std::abs(value)) largest = std::max(largest, std::abs(1.0 - 1.0 / value));
+  }
+  return largest > 0 ? -std::log(largest) / dt : none;
+}
+
+}  // namespace polhode

@@ -1,0 +1,157 @@
+// The mean energy without dissipation: known answers, the bound for all times, and defects.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "experiments/energy_trace.hpp"
+#include "experiments/transfer.hpp"
+#include "references/energy_drift.hpp"
+#include "registry/bind.hpp"
+#include "registry/rigid_body.hpp"
+#include "registry/run_experiment.hpp"
+#include "registry/scene.hpp"
+#include "registry/verify.hpp"
+
+namespace polhode {
+namespace {
+
+using report::verdict_kind;
+
+report::scene scene_of(const std::array<double, 3>& inertia, double noise = 1) {
+  auto scene = load_scene("paper");
+  scene.inertia = inertia;
+  for (auto& v : scene.sigma)
+    for (double& x : v) x *= noise;
+  return scene;
+}
+
+report::results trace_of(const subject& s) {
+  report::results out;
+  report_energy_trace({s, effort::quick, 2}, out);
+  return out;
+}
+
+/// E over a rotation by sigma sqrt(dt) g of harmonics of degree two, s = sigma^2 dt.
+double factor(double s) { return (1 + 2 * (1 - s) * std::exp(-s / 2) + 2 * (1 - 4 * s) * std::exp(-2 * s)) / 5; }
+
+TEST(EnergyDrift, HarmonicsAgreeWithTheClosedForm) {
+  const sphere_problem isotropic{{1, 2, 3}, 0, 1.5, 0.25 * Eigen::Matrix3d::Identity()};
+  auto nearly = isotropic;  // so that harmonics are taken
+  nearly.covariance(0, 1) = nearly.covariance(1, 0) = 1e-9;
+  const points_on_sphere points = 1.5 * sphere_quadrature(4).points;
+  for (const double time : {0.01, 0.1, 0.4}) {
+    const auto closed = energy_without_dissipation(isotropic, points, time),
+               found = energy_without_dissipation(nearly, points, time);
+    EXPECT_LT((closed.value - found.value).cwiseAbs().maxCoeff(), 2e-9 * time + found.uncertainty + 1e-14) << time;
+    EXPECT_LT(found.uncertainty, 1e-9);
+  }
+  const auto soon = energy_without_dissipation(isotropic, points, 1e-6),
+             now = energy_without_dissipation(isotropic, points, 0);
+  EXPECT_LT(((soon.value - now.value) / 1e-6 - energy_drift(isotropic, points)).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+// A turn about the figure axis keeps the energy of a body of revolution, so that of Strang's step the noise alone is
+// left: E[h] = m + (h - m) factor^n.
+TEST(EnergyTrace, OfABodyOfRevolutionIsKnown) {
+  const auto scene = scene_of({2, 2, 1});
+  const auto r = trace_of(restricted(bind_scene(scene), {"strang"}));
+  const double energy = (0.36 + 0.4800 * 0.48) / 4 + 0.64 * 0.64 / 2, mean = (0.5 + 0.5 + 1) / 6;
+  int compared = 0;
+  for (const auto& m : r.measurements) {
+    if (m.quantity != "drift of E[h]" || m.observable != "at the start" || !m.dt) continue;
+    const double s = 0.25 * *m.dt;
+    EXPECT_NEAR(*m.value, std::fabs((factor(s) - std::exp(-3 * s)) * (energy - mean) / *m.dt), 1e-8) << *m.dt;
+    ++compared;
+  }
+  EXPECT_GE(compared, 5);
+}
+
+/// Strang's with a noise so scaled that harmonics of degree two relax as they should.
+struct keeps_the_trace {
+  static constexpr auto info = [] {
+    auto out = strang::info;
+    out.name = "keeps_the_trace";
+    out.weak_order = {.one_vector = 2, .isotropic = 2, .general = 2};
+    return out;
+  }();
+  static double share(double s) {
+    thread_local double known = 0, found = 1;
+    if (s == known) return found;
+    double least = 0, most = 2 * s;  // factor falls there
+    for (int i = 0; i < 100; ++i) (factor((least + most) / 2) > std::exp(-3 * s) ? least : most) = (least + most) / 2;
+    known = s;
+    return found = std::sqrt(least / s);
+  }
+  template <class System, class S>
+  static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
+    auto scaled = w;
+    for (int i = 0; i < 3; ++i) scaled.dw[i] = scaled.dw[i] * S(share(0.25 * w.dt));
+    return strang::step(system, mu, scaled);
+  }
+};
+
+TEST(EnergyTrace, IsExactAtEveryDtForOneThatPreservesIt) {
+  const auto r = trace_of(bind(scene_of({2, 2, 1}), make_rigid_body, scheme_list<keeps_the_trace>{}));
+  ASSERT_EQ(r.verdicts.size(), 1u);
+  EXPECT_EQ(r.verdicts[0].kind, verdict_kind::holds);
+  for (const auto& m : r.measurements)
+    if (m.observable == "largest on the sphere" && m.dt) {
+      EXPECT_LT(*m.value, 1e-9) << *m.dt;
+    }
+}
+
+// Over forty relaxation times.
+TEST(EnergyTrace, TheErrorAtAnyTimeIsBounded) {
+  auto scene = load_scene("paper");
+  const auto s = restricted(bind_scene(scene), {"lie_heun"});
+  const auto r = trace_of(s);
+  scene.theta = 0;
+  const auto free = restricted(bind_scene(scene), {"lie_heun"});
+  const auto problem = *sphere_problem_of(free);
+  const Eigen::Vector3d start(scene.momentum.data());
+  const auto energy = *named_observable("energy", scene.inertia);
+  int compared = 0;
+  for (const auto& m : r.measurements) {
+    if (m.quantity != "error of E[h] at any time, at most" || std::fabs(*m.dt - 0.125) > 1e-9) continue;
+    const auto op = make_transfer(free, free.schemes[0], *m.dt, 1, {{12, 1, 0}, {7, 2}});
+    double largest = 0;
+    for (const int steps : {1, 4, 16, 64, 427}) {
+      const double mean = op.law_after(start, steps).dot(op.basis.coefficients(energy));
+      largest = std::max(largest, std::fabs(mean - relaxed_energy(problem, energy(start), steps * *m.dt)));
+    }
+    EXPECT_LE(largest, *m.value);
+    EXPECT_GT(largest, 0.01 * *m.value);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 1);
+}
+
+TEST(EnergyTrace, DefectsAndOverclaimsAreRefuted) {
+  const std::vector<std::string> schemes{"heun", "lie_euler", "strang", "strang_weak2"};
+  auto s = restricted(bind_scene(load_scene("paper")), schemes);
+  const auto healthy = trace_of(s);
+  ASSERT_EQ(healthy.verdicts.size(), 4u);
+  for (const auto& v : healthy.verdicts) EXPECT_EQ(v.kind, verdict_kind::holds) << v.scheme << ": " << v.reason;
+
+  auto spoilt = s;  // noise a thousandth too strong
+  spoilt.with = [&](const report::scene& other) {
+    auto out = restricted(bind_scene(other), schemes);
+    auto louder = other;
+    for (auto& v : louder.sigma)
+      for (double& x : v) x *= 1.001;
+    out.schemes = restricted(bind_scene(louder), schemes).schemes;
+    return out;
+  };
+  for (const auto& v : trace_of(spoilt).verdicts) EXPECT_EQ(v.kind, verdict_kind::refuted) << v.scheme << v.reason;
+
+  auto over = s;
+  over.with = [&](const report::scene& other) {
+    auto out = restricted(bind_scene(other), {"strang"});
+    out.schemes[0].info.weak_order = {.one_vector = 2, .isotropic = 2, .general = 2};
+    return out;
+  };
+  for (const auto& v : trace_of(over).verdicts) EXPECT_EQ(v.kind, verdict_kind::refuted) << v.scheme << v.reason;
+}
+
+}  // namespace
+}  // namespace polhode

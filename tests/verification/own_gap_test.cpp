@@ -1,0 +1,87 @@
+// The spectral gap of each scheme: known answers, another method, and defects.
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "experiments/ergodic_variance.hpp"
+#include "experiments/own_gap.hpp"
+#include "registry/run_experiment.hpp"
+#include "registry/scene.hpp"
+#include "registry/verify.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::string_view claim = "spectral gap converges";
+
+report::results modified_of(const subject& s) {
+  report::results out;
+  modified_experiment().run({s, effort::quick, 2}, out);
+  return out;
+}
+
+const report::verdict& gap_verdict(const report::results& r) {
+  return *std::ranges::find(r.verdicts, claim, &report::verdict::claim);
+}
+
+subject louder(const report::scene& scene, double noise, const std::string& scheme) {
+  auto changed = scene;
+  for (auto& v : changed.sigma)
+    for (double& x : v) x *= noise;
+  auto s = restricted(bind_scene(scene), {scheme});
+  s.schemes = restricted(bind_scene(changed), {scheme}).schemes;
+  return s;
+}
+
+// Isotropic noise alone relaxes harmonics of degree l at sigma^2 l(l + 1)/2; a rotation by sigma sqrt(dt) g takes those
+// of degree one to (1 + 2 (1 - s) exp(-s/2))/3, s = sigma^2 dt.
+TEST(OwnGap, OfNoiseAloneIsKnown) {
+  auto scene = load_scene("paper");
+  scene.inertia = {1, 1, 1};
+  scene.theta = 0;
+  const auto s = restricted(bind_scene(scene), {"strang"});
+  EXPECT_NEAR(true_gap(s).gap.value[0], 0.25, 1e-12);
+  for (const double dt : {0.5, 0.125}) {
+    const auto op = make_transfer(s, s.schemes[0], dt, 1, {{8, 1, 0}, {11, 2}});
+    const double share = 0.25 * dt, factor = (1 + 2 * (1 - share) * std::exp(-share / 2)) / 3;
+    EXPECT_NEAR(own_gap(sum_of_powers(op), dt), -std::log(factor) / dt, 1e-11) << dt;
+  }
+}
+
+TEST(OwnGap, IsThatOfAllEigenvalues) {
+  for (const char* name : {"paper", "undamped", "anisotropic"}) {
+    const auto s = restricted(bind_scene(load_scene(name)), {"lie_heun"});
+    const double dt = 0.05;
+    const auto op = make_transfer(s, s.schemes[0], dt, 1, {{8, 1, 0}, {5, 2}});
+    const auto n = op.matrix.rows() - 1;
+    const Eigen::EigenSolver<Eigen::MatrixXd> all(op.matrix.bottomRightCorner(n, n), false);
+    const double whole = -std::log(all.eigenvalues().cwiseAbs().maxCoeff()) / dt;
+    EXPECT_NEAR(own_gap(sum_of_powers(op), dt), whole, 1e-9 * whole) << name;
+  }
+}
+
+// The healthy twins: Modified.HealthySchemesHoldAndThoseOffTheSphereAreSkipped.
+TEST(OwnGap, ADefectOfTheNoiseAndAnOverclaimAreRefuted) {
+  const auto scene = load_scene("paper");
+  const auto spoilt = gap_verdict(modified_of(louder(scene, 1.001, "strang_weak2")));
+  EXPECT_EQ(spoilt.kind, report::verdict_kind::refuted) << spoilt.reason;
+  auto over = restricted(bind_scene(scene), {"strang"});
+  over.schemes[0].info.weak_order = {.one_vector = 2, .isotropic = 2, .general = 2};
+  const auto claimed = gap_verdict(modified_of(over));
+  EXPECT_EQ(claimed.kind, report::verdict_kind::refuted) << claimed.reason;
+}
+
+TEST(OwnGap, WhereThereIsNoneItIsSkipped) {
+  auto scene = load_scene("paper");
+  scene.inertia = {1, 1, 1};
+  scene.theta = 0;
+  scene.sigma = {{0.5, 0, 0}};
+  const auto gap = true_gap(bind_scene(scene));
+  EXPECT_EQ(gap.gap.count(), 0);
+  EXPECT_FALSE(gap.undecided);
+  EXPECT_FALSE(gap.reason.empty());
+}
+
+}  // namespace
+}  // namespace polhode
