@@ -1,6 +1,8 @@
 #include "experiments/noise_nodes.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -49,15 +51,18 @@ direction_rule directions_in(int channels) {
 
 /// Radii of a normal vector and their weights: Gauss-Legendre in panels.
 normal_rule_points radii_of(int channels) {
-  constexpr double farthest = 8, panel = 0.5, inner = 0.7745966692414834;  // sqrt(3/5)
-  constexpr int panels = static_cast<int>(farthest / panel);
-  normal_rule_points out{Eigen::VectorXd(3 * panels), Eigen::VectorXd(3 * panels)};
+  using rule = boost::math::quadrature::gauss<double, 10>;
+  constexpr double panel = 2;
+  constexpr int panels = static_cast<int>(farthest_noise / panel), half = 5;
+  normal_rule_points out{Eigen::VectorXd(2 * half * panels), Eigen::VectorXd(2 * half * panels)};
+  Eigen::Index at = 0;
   for (int i = 0; i < panels; ++i)
-    for (int k = 0; k < 3; ++k) {
-      const double r = panel * (i + 0.5 + 0.5 * inner * (k - 1));
-      out.nodes[3 * i + k] = r;
-      out.weights[3 * i + k] = (k == 1 ? 8 : 5) * std::pow(r, channels - 1) * std::exp(-r * r / 2);
-    }
+    for (std::size_t k = 0; k < half; ++k)
+      for (const double side : {-1.0, 1.0}) {
+        const double r = panel * (i + 0.5 + 0.5 * side * rule::abscissa()[k]);
+        out.nodes[at] = r;
+        out.weights[at++] = rule::weights()[k] * std::pow(r, channels - 1) * std::exp(-r * r / 2);
+      }
   out.weights /= out.weights.sum();
   return out;
 }
@@ -80,6 +85,10 @@ noise_nodes far_nodes_of(const model& m, bool with_areas, double dt) {
           out.area.push_back(k >= areas ? 0 : (signs >> k & 1) == 0 ? dt / 2 : -dt / 2);
       }
   return out;
+}
+
+double rare_share(int active_channels) {
+  return boost::math::gamma_q((active_channels + 2) / 2.0, rare_noise * rare_noise / 2) / 2;
 }
 
 noise_nodes nodes_of(const model& m, bool with_areas, double dt, const noise_rule& rule) {

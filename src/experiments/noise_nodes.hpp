@@ -22,9 +22,20 @@ struct noise_nodes {
 /// Nodes of negligible weight are left out; channels that are not drawn have the one node 0.
 noise_nodes nodes_of(const model&, bool with_areas, double dt, const noise_rule&);
 
+/// In sqrt(dt), how far far_nodes_of goes.
+inline constexpr double farthest_noise = 8;
+
 /// The same expectation with nodes far out: spheres of radius up to 8 sqrt(dt) in the space of the active channels (at
-/// most three), three in each half of a sqrt(dt), times directions; two nodes an area. For increments too rare for
-/// nodes_of: beyond 5 sqrt(dt) lie 1.5e-5 of those of three channels.
+/// most three), ten in each 2 sqrt(dt), times directions; two nodes an area. For increments too rare for nodes_of:
+/// beyond 5 sqrt(dt) lie 1.5e-5 of those of three channels.
 noise_nodes far_nodes_of(const model&, bool with_areas, double dt);
+
+/// In sqrt(dt): what a step makes of increments longer than that is not asked. Of three channels 7.5e-8 are.
+inline constexpr double rare_noise = 6;
+
+/// The share of sigma that a step loses which drops its noise beyond rare_noise: half that of the variance,
+/// E[r^2; r > R] / E[r^2] = P(r' > R), r and r' the lengths of standard normal vectors of k and k + 2 components
+/// (integration by parts). 4.8e-7 of three channels, 3.7e-8 of one.
+double rare_share(int active_channels);
 
 }  // namespace polhode

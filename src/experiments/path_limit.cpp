@@ -47,7 +47,8 @@ verdict_kind judge_strength(const multiplier& m, double margin) {
 path_record::path_record(int paths, int levels, int directions)
     : error(room(paths, levels)),
       gap(room(paths, levels)),
-      response(paths, directions, std::min(levels, response_levels)) {}
+      response(paths, directions, std::min(levels, response_levels)),
+      areas{room(paths, levels), room(paths, levels)} {}
 
 double noise_effect::rms(int paths) const {
   double sum = 0;
@@ -63,9 +64,12 @@ void keep(const std::vector<std::vector<double>>& states, const driven_block& tr
     const auto at = static_cast<std::size_t>(l);
     const auto error = difference(states[at], truth.truth());
     const auto gap = with_areas ? error : difference(states[at], truth.twin(at));
+    const auto by_areas = difference(truth.truth(), truth.twin(at));
     for (int lane = 0; lane < block_lanes; ++lane) {
       out.error.at(first_path + lane, l) = lane_product(error, error, lane);
       out.gap.at(first_path + lane, l) = lane_product(gap, gap, lane);
+      out.areas.product.at(first_path + lane, l) = lane_product(error, by_areas, lane);
+      out.areas.square.at(first_path + lane, l) = lane_product(by_areas, by_areas, lane);
       if (l < skipped) continue;
       double* response = out.response.response_of(first_path + lane, l - skipped);
       for (int k = 0; k < directions; ++k)

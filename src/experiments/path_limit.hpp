@@ -4,6 +4,7 @@
 
 #include "experiments/driven_block.hpp"
 #include "experiments/judge.hpp"
+#include "statistics/area_strength.hpp"
 #include "statistics/multipliers.hpp"
 #include "statistics/order_fit.hpp"
 
@@ -14,6 +15,7 @@ struct path_record {
   squared_errors error;    ///< |X_dt - X|^2
   squared_errors gap;      ///< |X_dt - Y|^2, Y the twin of a scheme without areas and else X: the same limit
   response_data response;  ///< of X_dt - Y
+  area_response areas;     ///< of X_dt - X
   path_record(int paths, int levels, int directions);
 };
 

@@ -79,16 +79,28 @@ void judge_hidden_order(const interval_estimate& leading, double claimed, const 
       seen ? "there" : "not seen");
 }
 
+/// Areas felt too strongly or too weakly leave a term of order 1/2, however small beside the scheme's own error.
+void judge_areas(const multiplier& areas, report::verdict& v) {
+  if (!areas.known) return;
+  const auto& e = areas.error;
+  v.reason += fmt::format("; Levy areas are felt {:.4f} [{:.4f}, {:.4f}] times", 1 + e.value, 1 + e.low, 1 + e.high);
+  if (std::fabs(e.value) <= areas.sure) return;  // as it is for healthy schemes, but for a chance of 1e-7
+  v.kind = report::verdict_kind::refuted;
+  v.reason += ": a term of order 1/2 is left";
+}
+
 /// What is found for one scheme at the end of a batch.
 struct finding {
   std::optional<order_fit> fit;
   interval_estimate leading;  ///< coefficient of the mean square error at the claimed order
   path_limit limit;
+  multiplier areas;
 };
 
 finding find(const strong_run& r, const scheme_entry& scheme, std::span<const double> dt, const path_record& paths) {
   const double claimed = strong_order_on(scheme.info, r.c.subject.model->noise());
-  finding f{fit_order(dt, paths.error, 1e-13 * length(r.c.subject.scene.momentum), r.c.seed), {}, {}};
+  finding f{fit_order(dt, paths.error, 1e-13 * length(r.c.subject.scene.momentum), r.c.seed), {}, {}, {}};
+  if (claimed > 0.5) f.areas = area_strength(dt, paths.areas, paths.error.paths, fine_per_step);
   f.limit = limit_of(r.c, scheme.info, dt, paths, r.noise, fine_per_step);
   if (!f.fit) return f;
   // What hides the term of the claimed order is its cross term with the next and the square of that.
@@ -124,6 +136,7 @@ void report_scheme(const strong_run& r, std::size_t k, const finding& found, rep
   auto order = judge_order({s.experiment, s.scheme, "strong order"}, claimed, fit, false);
   if (fit && fit->high > claimed + order_margin && fit->low >= claimed - order_margin)
     judge_hidden_order(found.leading, claimed, *fit, order);
+  judge_areas(found.areas, order);
   out.verdicts.push_back(order);
   report_path_orders({r.c, s.scheme, claimed, found.leading.low > 0, dt, r.grid.steps.front()}, errors,
                      r.largest[k].squares, out);
@@ -132,6 +145,9 @@ void report_scheme(const strong_run& r, std::size_t k, const finding& found, rep
       out.measurements.push_back(
           measured({s.experiment, s.scheme, "strength of " + r.directions[i].name, "", "", "sampled"}, {},
                    1 + m.error.value, 1 + m.error.low, 1 + m.error.high));
+  if (const auto& m = found.areas; m.known)
+    out.measurements.push_back(measured({s.experiment, s.scheme, "strength of Levy areas", "", "", "sampled"}, {},
+                                        1 + m.error.value, 1 + m.error.low, 1 + m.error.high));
   out.verdicts.push_back(judge_limit({s.experiment, s.scheme, "limit is the Stratonovich solution"}, found.limit,
                                      r.directions, length(r.c.subject.scene.momentum)));
 }
@@ -204,6 +220,8 @@ experiment strong_experiment() {
         "Limit: what is left of the distance as dt -> 0, and the strengths at which noise, dissipation and time are "
         "felt there (projections on the derivatives of the true end point), each against one. A scheme without "
         "Levy areas is compared with the driven equation on its own increments, which has the same limit.",
+        "Where more than order 1/2 is claimed: the strength at which Levy areas are felt, 0 by a scheme without them. "
+        "The wrong strength leaves a term of order 1/2, however small beside the scheme's own error.",
         "Noise: the moments and correlations of all that was drawn, against their law.",
         "Reference: what is converged to is the Wong-Zakai solution, which differs from the Stratonovich solution by "
         "the areas inside the fine cells. That moves no slope while dt is well above a cell. How far it is: from "

@@ -82,7 +82,7 @@ std::optional<verdict> hidden_term(const verdict& empty, const std::vector<error
 std::optional<verdict> rare_branch(const verdict& empty, const std::vector<error_column>& columns,
                                    const std::vector<column_finding>& found, const error_table& t) {
   double noise = 0;
-  for (const auto& c : columns) noise = std::max(noise, tolerated_share * std::fabs(c.by_noise) / c.scale);
+  for (const auto& c : columns) noise = std::max(noise, t.far_noise.share * std::fabs(c.by_noise) / c.scale);
   const auto level = std::ranges::find(t.dt, t.far_noise.dt) - t.dt.begin();
   const double tolerated = tolerated_limit(columns);
   std::optional<std::size_t> worst;

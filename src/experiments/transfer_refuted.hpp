@@ -20,7 +20,7 @@ std::optional<report::verdict> hidden_term(const report::verdict& empty, const s
                                            const std::vector<column_finding>&);
 
 /// A step that is not smooth in its increment: its law is not what the quadrature over few nodes makes of it. More
-/// than a ten-thousandth of the noise moves; where noise moves nothing, three times the uncertainty of the level.
+/// than what the loss of rare_share of the noise moves; where that moves nothing, three times the level's uncertainty.
 std::optional<report::verdict> rare_branch(const report::verdict& empty, const std::vector<error_column>&,
                                            const std::vector<column_finding>&, const error_table&);
 

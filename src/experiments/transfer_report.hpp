@@ -25,7 +25,7 @@ struct error_table {
   std::vector<Eigen::VectorXd> error, uncertainty;
   std::vector<double> taken_back{};  ///< transfer_answer::taken_back, of levels that were asked
   struct far {
-    double dt = 0;
+    double dt = 0, share = 0;  ///< share: of the noise, that may go far out unnoticed (noise_nodes.hpp)
     Eigen::VectorXd change{};
   } far_noise{};  ///< what noise far out changes at one level; no change: not asked
 

@@ -11,20 +11,6 @@ constexpr double least_share = 0.02;  // of a direction's mean square that those
 
 using square_matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Weights of the values at these dt in the constant of a weighted least-squares polynomial; errors grow like dt.
-Eigen::VectorXd constant_of_polynomial(std::span<const double> dt, int degree) {
-  const auto n = static_cast<Eigen::Index>(dt.size());
-  Eigen::MatrixXd design(n, degree + 1);
-  Eigen::VectorXd weight(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double x = dt[static_cast<std::size_t>(i)] / dt.back();
-    for (int k = 0; k <= degree; ++k) design(i, k) = std::pow(x, k);
-    weight[i] = 1 / x;
-  }
-  const Eigen::MatrixXd weighted = weight.asDiagonal() * design;
-  return (weighted.completeOrthogonalDecomposition().pseudoInverse() * weight.asDiagonal()).row(0);
-}
-
 /// Directions that add something to those before them.
 std::vector<Eigen::Index> independent(const square_matrix& gram) {
   std::vector<Eigen::Index> kept;
@@ -49,6 +35,19 @@ Eigen::VectorXd at_zero(const response_data& d, int path, const Eigen::VectorXd&
 }
 
 }  // namespace
+
+Eigen::VectorXd constant_of_polynomial(std::span<const double> dt, int degree) {
+  const auto n = static_cast<Eigen::Index>(dt.size());
+  Eigen::MatrixXd design(n, degree + 1);
+  Eigen::VectorXd weight(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double x = dt[static_cast<std::size_t>(i)] / dt.back();
+    for (int k = 0; k <= degree; ++k) design(i, k) = std::pow(x, k);
+    weight[i] = 1 / x;
+  }
+  const Eigen::MatrixXd weighted = weight.asDiagonal() * design;
+  return (weighted.completeOrthogonalDecomposition().pseudoInverse() * weight.asDiagonal()).row(0);
+}
 
 response_data::response_data(int paths, int count, int finest)
     : directions(count),

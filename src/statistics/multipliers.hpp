@@ -7,6 +7,7 @@
 // power, which in squared distances is hidden under the error at the finest dt.
 #pragma once
 
+#include <Eigen/Core>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,9 @@ struct multiplier {
 
 /// Two-sided 1e-7: of ten thousand healthy verdicts none is refuted by chance.
 inline constexpr double family_z = 5.33;
+
+/// Weights of the values at these dt in the constant of a weighted least-squares polynomial; errors grow like dt.
+Eigen::VectorXd constant_of_polynomial(std::span<const double> dt, int degree);
 
 /// dt: of those levels, each half the one before, at least three; cells: of the truth in the finest step, to one of
 /// which the limit is known. Not finite where a path is not.

@@ -114,13 +114,17 @@ void noise_audit::add_rows(const audited_steps& s, const Real* dw, double unit) 
   using reals = Eigen::Map<const Eigen::Array<Real, lanes, 1>>;
   std::vector<row> z(static_cast<std::size_t>(channels_)), before,
       u(s.area.empty() ? 0 : static_cast<std::size_t>(pairs_));
+  if (all_ == 0 && !paths_) path_audit_.add_starts(dw, s.steps, s.rows, channels_);
   for (int i = 0; i < s.steps; ++i) {
     const bool close = i % window < 2;
+    const auto seen = static_cast<std::int64_t>(all_) / lanes;
+    const auto compared = seen % path_audit::compared_every == 0 ? seen / path_audit::compared_every % channels_ : -1;
     for (int k = 0; k < channels_; ++k) {
       const reals x(dw + (static_cast<std::ptrdiff_t>(i) * s.rows + k) * lanes);
       sums_.mean[k] += unit * static_cast<double>(x.sum());
       sums_.square[k] += unit * unit * static_cast<double>(x.square().sum());
       if (close) z[static_cast<std::size_t>(k)] = unit * x.template cast<double>();
+      if (k == compared) path_audit_.add_products(unit * x.template cast<double>());
     }
     all_ += lanes;
     for (std::size_t p = 0; p < u.size(); ++p) {
@@ -157,6 +161,7 @@ void noise_audit::add_path(const audited_steps& s, int lane) {
           s.area[static_cast<std::size_t>(i * s.pair_rows + p)];
   }
   paths_ = true;
+  path_audit_.add_start(s.dw.data(), s.steps, s.rows, channels_);
   auto heads = std::move(heads_);
   heads_.assign(1, {});
   add({whole, channels_, pairs_, dw, {}, area, s.dt});
@@ -171,6 +176,7 @@ void noise_audit::merge(const noise_audit& o) {
        {&sums::mean, &sums::square, &sums::skew, &sums::kurtosis, &sums::tail, &sums::next_step, &sums::next_lane,
         &sums::far_lane, &sums::channels, &sums::area, &sums::area_square, &sums::area_increment, &sums::areas})
     sums_.*part += o.sums_.*part;
+  path_audit_.merge(o.path_audit_);
   paths_ = paths_ || o.paths_;
   all_ += o.all_;
   close_ += o.close_;
@@ -182,14 +188,13 @@ void noise_audit::merge(const noise_audit& o) {
 
 void noise_audit::compare_heads(std::vector<noise_deviation>& out) const {
   const auto blocks = heads_.size();
-  double sum = 0, count = 0, same = 0, lane_sum = 0, far_sum = 0;
+  double sum = 0, count = 0, lane_sum = 0, far_sum = 0;
   for (std::size_t b = 0; b < blocks; ++b) {
     for (std::size_t apart = 1; apart <= b; apart *= 2)
       for (std::size_t k = 0; k < heads_[b].size(); ++k) {
         sum += (heads_[b][k] * heads_[b - apart][k]).sum();
         count += lanes;
       }
-    for (std::size_t a = 0; a < b; ++a) same += (heads_[a][0] == heads_[b][0]).all();
     for (const auto& x : heads_[b]) {
       lane_sum += lanes_apart(x, 1);
       far_sum += lanes_apart(x, lanes / 2);
@@ -201,7 +206,12 @@ void noise_audit::compare_heads(std::vector<noise_deviation>& out) const {
     out.push_back({"first steps, lane times next lane", lane_sum / std::sqrt(channels * (lanes - 1))});
     out.push_back({"first steps, lane times lane + 32", far_sum / std::sqrt(channels * lanes / 2)});
   }
-  if (same > 0) out.push_back({"blocks that are repeated", deviate_of(0)});
+}
+
+void noise_audit::compare_paths(std::vector<noise_deviation>& out) const {
+  out.push_back({"number of paths that start alike", deviate_of(path_audit_.probability_of_repeats() / 2)});
+  out.push_back({paths_ ? "product of two steps within 64" : "product of two lanes",
+                 deviate_of(path_audit_.probability_of_products() / 2)});
 }
 
 void noise_audit::add_area_deviations(
@@ -249,6 +259,7 @@ std::vector<noise_deviation> noise_audit::deviations() const {
   }
   add_area_deviations(add);
   compare_heads(out);
+  compare_paths(out);
   return out;
 }
 

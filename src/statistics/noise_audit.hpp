@@ -5,7 +5,8 @@
 //   every step:      z and z^2 - 1;  u and u^2 - E u^2 of the areas, u = A / (dt/2)
 //   two steps in 16: z^3 - 3z, z^4 - 6z^2 + 3, |z| > 4 (Poisson); products of channels, of a step and the next, of lane
 //                    i and lane i + 1, of lane i and lane i + 32; of areas with increments and with each other
-//   a block's first: products with the first of the blocks 1, 2, 4, 8 … before, and whether it is one of theirs
+//   a block's first: products with the first of the blocks 1, 2, 4, 8 … before
+//   paths:           whether two of them start alike, and the products of any two lanes (path_audit.hpp)
 // The first two are Hermite polynomials (orthogonal to what comes before them).
 #pragma once
 
@@ -14,6 +15,8 @@
 #include <span>
 #include <string>
 #include <vector>
+
+#include "statistics/path_audit.hpp"
 
 namespace polhode {
 
@@ -34,7 +37,7 @@ struct noise_deviation {
 
 class noise_audit {
  public:
-  static constexpr int lanes = 64;
+  static constexpr int lanes = path_audit::lanes;
 
   /// pairs: 0 where no areas are drawn. cells: of which areas are made by Chen's relation, 0: normal surrogates.
   noise_audit(int channels, int pairs, int cells = 0);
@@ -51,7 +54,7 @@ class noise_audit {
   double increments() const { return all_; }
 
  private:
-  using row = Eigen::Array<double, lanes, 1>;
+  using row = path_audit::row;
   struct sums {
     Eigen::ArrayXd mean, square, skew, kurtosis, tail, next_step, next_lane, far_lane;  ///< [channel]
     Eigen::ArrayXd channels;                                                            ///< [channel pair]
@@ -64,10 +67,12 @@ class noise_audit {
   void add_areas(const row& u, int pair);
   void add_area_deviations(const std::function<void(const std::string&, double sum, double variance)>&) const;
   void compare_heads(std::vector<noise_deviation>&) const;
+  void compare_paths(std::vector<noise_deviation>&) const;
 
   int channels_, pairs_, cells_;
   bool paths_ = false;
   sums sums_;
+  path_audit path_audit_;
   double all_ = 0, close_ = 0, followed_ = 0, area_all_ = 0, area_close_ = 0;  ///< numbers a channel or pair
   std::vector<std::vector<row>> heads_;                                        ///< [block][channel]: its first step
 };

@@ -50,6 +50,7 @@ constexpr kind_text texts[] = {
     {kind::stage, "stage misplaced", "second stage {:g} short"},
     {kind::halves, "halves not mirrored", "halves of (1 +- {:g}) dt/2"},
     {kind::exponential, "exponential cut", "exponential cut after two terms"},
+    {kind::flip, "rare sign", "state flipped beyond {:g} sqrt(dt)"},
     {kind::generator_dw, "generator: increments", "generator: dW x {:g}", true},
     {kind::generator_channels, "generator: channels correlated", "generator: correlation {:g} of channels 1 and 2"},
     {kind::generator_lanes, "generator: paths repeated", "generator: {:g} paths of 64 repeat others"},
@@ -69,7 +70,7 @@ const kind_text& text_of(kind k) { return *std::ranges::find(texts, k, &kind_tex
 
 bool is_of_scene(kind k) { return k >= kind::noise && k <= kind::channel_1; }
 bool is_of_kernel(kind k) { return k >= kind::sub_flow && k <= kind::ito_drift; }
-bool is_of_step(kind k) { return k >= kind::dissipation_sign && k <= kind::exponential; }
+bool is_of_step(kind k) { return k >= kind::dissipation_sign && k <= kind::flip; }
 
 report::scene changed(report::scene s, const defect& d) {
   const auto vectors = d.kind == kind::noise ? s.sigma.size() : d.kind == kind::channel_1 ? 1 : 0;

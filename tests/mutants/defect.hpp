@@ -46,6 +46,7 @@ enum class kind {
   stage,             ///< the second stage this far at the state of the first
   halves,            ///< of Strang (1 + size) dt/2 and (1 - size) dt/2
   exponential,       ///< cut after the second power
+  flip,              ///< the state's sign changes where |dW| > size
   // The generator, for the whole run: schemes and references alike.
   generator_dw,        ///< increments × (1 + size)
   generator_channels,  ///< as channels

@@ -71,6 +71,18 @@ struct exponential_cut {
   }
 };
 
+/// Lie-Heun that ends on the other side of the sphere after an increment longer than `flaw` sqrt(dt).
+struct sign_flipped {
+  static constexpr auto info = lie_heun::info;
+  template <class System, class S>
+  static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
+    auto next = lie_heun::step(system, mu, w);
+    const auto far = dot(w.dw, w.dw) > S(system.flaw * system.flaw * w.dt);
+    for (int i = 0; i < System::dimension; ++i) next[i] = select(far, -next[i], next[i]);
+    return next;
+  }
+};
+
 template <class Scheme>
 scheme_entry bound(const report::scene& scene, double flaw) {
   const auto make = [flaw](const report::scene& s) { return flawed_body(make_rigid_body(s), flaw); };
@@ -94,6 +106,7 @@ scheme_entry made(const report::scene& scene, const defect& d) {
     case kind::stage: return bound<stage_too_near>(scene, d.size);
     case kind::halves: return bound<uneven_halves>(scene, d.size);
     case kind::exponential: return bound<exponential_cut>(scene, d.size);
+    case kind::flip: return bound<sign_flipped>(scene, d.size);
     default: throw std::invalid_argument("not a defect of the step");
   }
 }

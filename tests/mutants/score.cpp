@@ -67,7 +67,7 @@ struct kind_summary {
 };
 
 /// Larger is milder where noise is cut off beyond a size.
-bool milder_if_larger(kind k) { return k == kind::clip || k == kind::branch; }
+bool milder_if_larger(kind k) { return k == kind::clip || k == kind::branch || k == kind::flip; }
 
 std::string smallest_refuted(kind k, const kind_summary& s) {
   std::vector<std::pair<double, bool>> sizes(s.whole.begin(), s.whole.end());
