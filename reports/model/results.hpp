@@ -158,6 +158,7 @@ struct results {
   std::vector<reuse> reused;
   std::vector<density> densities;
   work_done done;
+  std::vector<std::string> to_come;  ///< experiments that a run has before it; of a finished one: none
 };
 
 }  // namespace polhode::report

@@ -53,10 +53,11 @@ std::string filled(std::span<const filling> all) {
 }
 
 std::string page_of(const results& r, std::string before, std::string changes) {
-  return filled(std::array<filling, 4>{{{title_place, escape_html(r.scene.name) + " · polhode"},
-                                        {results_place, inert(to_json(r))},
-                                        {before_place, std::move(before)},
-                                        {comparison_place, std::move(changes)}}});
+  return filled(std::array<filling, 4>{
+      {{title_place, escape_html(r.scene.name) + (r.to_come.empty() ? "" : " (unfinished)") + " · polhode"},
+       {results_place, inert(to_json(r))},
+       {before_place, std::move(before)},
+       {comparison_place, std::move(changes)}}});
 }
 
 }  // namespace

@@ -121,6 +121,7 @@ std::string to_json(const results& r) {
   json document;
   document["schema"] = schema_of(schema_name);
   document["provenance"] = to_value(r.provenance);
+  if (!r.to_come.empty()) document["to_come"] = r.to_come;
   document["scene"] = to_value(r.scene);
   document["schemes"] = list_of(r.schemes, row);
   document["experiments"] = list_of(r.experiments, row);

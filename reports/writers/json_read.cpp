@@ -162,11 +162,13 @@ results from_json(std::string_view text) {
             {},
             {},
             {},
+            {},
             {}};
   if (const auto savings = root.maybe("savings")) r.savings = savings->list(saving_from);
   if (const auto reused = root.maybe("reused")) r.reused = reused->list(reuse_from);
   if (const auto densities = root.maybe("densities")) r.densities = densities->list(density_from);
   if (const auto counted = root.maybe("counters")) r.done = work_from(*counted);
+  if (const auto rest = root.maybe("to_come")) r.to_come = rest->list([](const node& n) { return n.text(); });
   return r;
 }
 

@@ -181,6 +181,8 @@ std::string to_markdown(const results& r) {
   const auto counts = count(r.verdicts);
   std::string out =
       fmt::format("# polhode: {}\n\n**{}** {}\n\n", safe(r.scene.name), headline(counts), sentence(counts));
+  if (!r.to_come.empty())
+    out += fmt::format("**Unfinished.** Still to come: {}.\n\n", safe(fmt::format("{}", fmt::join(r.to_come, ", "))));
   for (const auto& name : experiment_names(r)) append_experiment(out, r, name);
   append_left_out(out, r);
   append_fits(out, r);

@@ -14,6 +14,7 @@ namespace polhode::cli {
 namespace {
 
 constexpr auto least_interval = std::chrono::milliseconds{100};
+constexpr std::size_t longest_note = 200;
 std::atomic<bool> on_screen = false;
 
 bool can_rewrite_lines() {
@@ -46,6 +47,8 @@ void progress_line::show(double share, std::string_view what) {
   // The last column stays free: writing there makes some terminals break the line.
   write_once(fmt::format("\r{}\x1b[K", one_line(line, terminal_width(STDERR_FILENO) - 1)));
 }
+
+void progress_note(std::string_view what) { write_once(fmt::format("{}\n", one_line(what, longest_note))); }
 
 std::string duration_text(double seconds) {
   if (!(seconds < 3.6e8)) return "ages";

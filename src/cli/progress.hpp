@@ -23,6 +23,9 @@ class progress_line {
   clock::time_point start_ = clock::now(), next_ = start_;
 };
 
+/// A line that stays, for logs: "weak: 4 of 10 experiments after 12 s".
+void progress_note(std::string_view);
+
 /// "12 s", "3 min 20 s", "1 h 12 min".
 std::string duration_text(double seconds);
 

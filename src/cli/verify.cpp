@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -33,7 +34,7 @@ namespace {
 struct arguments {
   std::vector<std::string> scenes;
   std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto",
-                                    generator = "philox", format = "text";
+                                    generator = "philox", format = "text", progress = "auto";
   std::optional<std::string> baseline, save_baseline;
   bool fresh = false, no_cache = false, quiet = false, latex = false;
 };
@@ -64,15 +65,38 @@ std::vector<scene> checked_scenes(const arguments& given) {
   return scenes;
 }
 
-std::vector<report::results> run_all(std::span<const scene> scenes, const verify_options& options, bool quiet) {
+/// "weak: 4 of 10 experiments after 12 s".
+std::string told_of(const report::results& r) {
+  const auto done = r.experiments.size();
+  return fmt::format("{}: {} of {} experiments after {}", r.experiments.back().name, done, done + r.to_come.size(),
+                     duration_text(r.provenance.wall_seconds));
+}
+
+void write_whole(const arguments& given, std::span<const report::results> all) {
+  const defer_signals whole;
+  report::write_report(given.out, all, given.latex ? report::latex::yes : report::latex::no);
+}
+
+/// The report grows: it is there after the first experiment, marked unfinished until the last.
+std::vector<report::results> run_all(std::span<const scene> scenes, verify_options options, const arguments& given) {
   std::vector<report::results> all;
-  progress_line progress{!quiet};
+  const bool notes = given.progress == "lines" && !given.quiet;
+  progress_line progress{!given.quiet && !notes};
   for (const auto& scene : scenes) {
+    const auto label = [&](std::string_view what) {
+      return scenes.size() == 1 ? std::string{what} : fmt::format("{}: {}", scene.name, what);
+    };
     const auto sink = [&](double share, std::string_view what) {
-      const auto label = scenes.size() == 1 ? std::string{what} : fmt::format("{}: {}", scene.name, what);
-      progress.show((static_cast<double>(all.size()) + share) / static_cast<double>(scenes.size()), label);
+      progress.show((static_cast<double>(all.size()) + share) / static_cast<double>(scenes.size()), label(what));
+    };
+    options.so_far = [&](const report::results& part) {
+      all.push_back(part);
+      write_whole(given, all);
+      all.pop_back();
+      if (notes) progress_note(label(told_of(part)));
     };
     all.push_back(verify(scene, options, sink));
+    if (notes) progress_note(label(told_of(all.back())));
   }
   return all;
 }
@@ -120,6 +144,7 @@ void print_all(const arguments& given, std::span<const report::results> all,
 
 int run(const arguments& given) {
   format_option(given.format);
+  choice_option("--progress", given.progress, std::array<std::string, 2>{"auto", "lines"});
   auto options = checked_options(given);
   const auto scenes = checked_scenes(given);
   for (const auto& scene : scenes) check_options(scene, options);
@@ -130,11 +155,11 @@ int run(const arguments& given) {
   const auto cache = cache_for(given, out);
   options.store = cache.get();
 
-  const auto all = run_all(scenes, options, given.quiet);
+  const auto all = run_all(scenes, options, given);
   const auto compared = earlier.compare(all);
   {
     const defer_signals whole;
-    report::write_report(out, all, given.latex ? report::latex::yes : report::latex::no);
+    write_whole(given, all);
     earlier.save(all);
   }
   if (cache && !cache->trouble().empty())
@@ -163,6 +188,8 @@ command add_verify(CLI::App& app) {
   parser->add_option("--baseline", given->baseline, "Compare with what has this name")->type_name("NAME");
   parser->add_option("--save-baseline", given->save_baseline, "Keep the results under this name")->type_name("NAME");
   parser->add_option("--format", given->format, "On standard output: text, json [text]")->type_name("F");
+  parser->add_option("--progress", given.progress, "auto: on terminals; lines: one an experiment [auto]")
+      ->type_name("P");
   parser->add_flag("--latex", given->latex, "Write report.tex, too: tables and plots for a paper");
   parser->add_flag("--fresh", given->fresh, "Compute all anew and replace what is cached");
   parser->add_flag("--no-cache", given->no_cache, "Neither use the cache nor write to it");

@@ -1,6 +1,7 @@
 #include "comparison/compare.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
@@ -163,6 +164,10 @@ void compare_claims(const results& before, const results& after, comparison& out
   }
 }
 
+std::string to_come_of(const results& r) {
+  return r.to_come.empty() ? "nothing" : fmt::format("{}", fmt::join(r.to_come, ", "));
+}
+
 /// What differs between the runs themselves.
 void compare_settings(const results& before, const results& after, comparison& out) {
   const auto& a = before.provenance;
@@ -180,6 +185,7 @@ void compare_settings(const results& before, const results& after, comparison& o
   note("threads", a.threads, b.threads);
   note("seed", a.seed, b.seed);
   note("effort", a.effort, b.effort);
+  note("unfinished, still to come", to_come_of(before), to_come_of(after));
   if (a.cpu != b.cpu || a.isa != b.isa || a.compiler != b.compiler || a.flags != b.flags)
     out.timings_left_out = "processor, instruction set, compiler or flags differ";
 }

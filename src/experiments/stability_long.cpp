@@ -1,12 +1,12 @@
 #include "experiments/stability_long.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "ensemble/paths.hpp"
 #include "experiments/judge.hpp"
+#include "statistics/distributions.hpp"
 #include "statistics/order_fit.hpp"
 
 namespace polhode {
@@ -86,12 +86,12 @@ void report_rare_breaks(const context& c, const stability_case& in, const scheme
   const double paths = std::min(many_paths, affordable / static_cast<double>(steps));
   const auto o =
       run_until_broken(in, scheme, {in.dt(steps), steps, static_cast<int>(paths), c.seed, c.generator, true});
-  using binomial = boost::math::binomial_distribution<double>;
   auto m = stability_row(scheme.info.name, "rare_break_share", in.name, static_cast<double>(o.broken) / o.paths, "1",
                          "sampled");
   m.dt = in.dt(steps);
-  m.low = binomial::find_lower_bound_on_p(o.paths, o.broken, 0.025);
-  m.high = binomial::find_upper_bound_on_p(o.paths, o.broken, 0.025);
+  const auto share = binomial_bounds(o.paths, o.broken, 0.025);
+  m.low = share.low;
+  m.high = share.high;
   out.measurements.push_back(std::move(m));
 }
 

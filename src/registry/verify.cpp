@@ -63,12 +63,43 @@ void keep_wanted(std::vector<T>& all, const std::vector<std::string>& wanted, co
 
 std::string effort_name(effort e) { return by_effort<std::string>(e, "quick", "standard", "thorough"); }
 
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+/// What was skipped appears among the verdicts too, so that the board has no silent holes.
+void add_skipped_verdicts(report::results& out) {
+  for (const auto& skip : out.skipped)
+    for (const auto& scheme : out.schemes)
+      if (skip.scheme.empty() || skip.scheme == scheme.name)
+        out.verdicts.push_back(
+            {skip.experiment, scheme.name, "", {}, {}, {}, {}, report::verdict_kind::skipped, skip.reason});
+}
+
+/// Of this run, up to now.
+class stopwatch {
+ public:
+  void read(report::provenance& p) const {
+    p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    p.cpu_seconds = cpu_seconds() - cpu_start_;
+  }
+
+ private:
+  static double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double cpu_start_ = cpu_seconds();
+};
+
+report::results finished(report::results out, const stopwatch& watch) {
+  add_skipped_verdicts(out);
+  watch.read(out.provenance);
+  return out;
+}
 
 void run_experiments(const subject& s, const std::vector<experiment>& experiments, const verify_options& options,
-                     const progress_sink& progress, report::results& out) {
+                     const progress_sink& progress, const stopwatch& watch, report::results& out) {
   double total = 0, before = 0;
-  for (const auto& e : experiments) total += e.weight;
+  for (const auto& e : experiments) {
+    total += e.weight;
+    out.to_come.push_back(e.info.name);
+  }
   for (const auto& e : experiments) {
     const auto tell = [&](double share) {
       if (progress) progress((before + e.weight * share) / total, e.info.name);
@@ -82,16 +113,10 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
                      {s, options.effort, options.threads, options.seed, generator_named(options.generator), tell, &out},
                      options.store, out);
     before += e.weight;
+    out.to_come.erase(out.to_come.begin());
+    if (options.so_far && !out.to_come.empty()) options.so_far(finished(out, watch));
   }
   if (progress) progress(1, "done");
-}
-
-/// What was skipped appears among the verdicts too, so that the board has no silent holes.
-void add_skipped_verdicts(report::results& out) {
-  for (const auto& skip : out.skipped)
-    for (const auto& scheme : out.schemes)
-      if (skip.scheme.empty() || skip.scheme == scheme.name)
-        out.verdicts.push_back({skip.experiment, scheme.name, "", {}, {}, {}, {}, report::verdict_kind::skipped, skip.reason});
 }
 
 }  // namespace
@@ -128,13 +153,9 @@ report::results verify_subject(subject s, const verify_options& options, const p
   out.provenance.effort = effort_name(options.effort);
   out.provenance.threads = options.threads;
   out.provenance.isa = name_of(active_isa());
-  const auto start = std::chrono::steady_clock::now();
-  const double cpu_start = cpu_seconds();
-  run_experiments(s, experiments, options, progress, out);
-  add_skipped_verdicts(out);
-  out.provenance.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  out.provenance.cpu_seconds = cpu_seconds() - cpu_start;
-  return out;
+  const stopwatch watch;
+  run_experiments(s, experiments, options, progress, watch, out);
+  return finished(std::move(out), watch);
 }
 
 report::results verify(const scene& s, const verify_options& options, const progress_sink& progress) {

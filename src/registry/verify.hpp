@@ -22,6 +22,8 @@ struct verify_options {
   std::uint64_t seed = 1;
   std::string generator = "philox";  ///< of random bits: philox, or ars where the processor has AES
   std::string isa = "auto";          ///< instruction set of the inner loops; auto: the widest that this machine has
+  /// Called after every experiment but the last with what there is by then, the rest named in `to_come`.
+  std::function<void(const report::results&)> so_far = {};
   report::result_store* store = nullptr;  ///< keeps results from run to run; for schemes of the registry only
 };
 

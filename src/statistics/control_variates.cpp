@@ -2,10 +2,10 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
+
+#include "statistics/distributions.hpp"
 
 namespace polhode {
 namespace {
@@ -31,7 +31,6 @@ Eigen::VectorXd controlled(const Eigen::VectorXd& y, const Eigen::MatrixXd& cont
 
 control_means means_of_controls(const Eigen::MatrixXd& controls) {
   const auto n = static_cast<double>(controls.rows());
-  const boost::math::students_t student(n - 1);
   control_means out;
   for (Eigen::Index i = 0; i < controls.cols(); ++i) {
     const auto y = controls.col(i);
@@ -39,8 +38,7 @@ control_means means_of_controls(const Eigen::MatrixXd& controls) {
     if (!std::isfinite(error)) return {out.count, std::numeric_limits<double>::quiet_NaN()};
     if (error == 0) continue;
     ++out.count;
-    const double beyond = std::max(1e-300, cdf(complement(student, std::fabs(mean / error))));
-    const double deviate = quantile(complement(boost::math::normal(), beyond));
+    const double deviate = normal_deviate(student_t_tail(std::fabs(mean / error), n - 1));
     if (deviate > std::fabs(out.largest)) out.largest = std::copysign(deviate, mean);
   }
   return out;

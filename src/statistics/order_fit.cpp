@@ -4,9 +4,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "statistics/distributions.hpp"
 #include "statistics/resample.hpp"
 
 namespace polhode {
@@ -107,8 +107,7 @@ double half_width_of_residuals(const points& p, const line& l) {
     residual += std::pow(p.y[i] - l.at(p.x[i]), 2);
     sxx += std::pow(p.x[i] - mean, 2);
   }
-  const boost::math::students_t student(n - 2);
-  return boost::math::quantile(student, 0.975) * std::sqrt(residual / (n - 2) / sxx);
+  return student_t_quantile(0.975, n - 2) * std::sqrt(residual / (n - 2) / sxx);
 }
 
 /// The levels that are finite and above the floor, without sampling error.

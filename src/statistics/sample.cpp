@@ -1,9 +1,10 @@
 #include "statistics/sample.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <vector>
+
+#include "statistics/distributions.hpp"
 
 namespace polhode {
 
@@ -12,7 +13,7 @@ interval_estimate mean_interval(std::span<const double> values) {
   double mean = 0, square = 0;
   for (const double v : values) mean += v / n;
   for (const double v : values) square += (v - mean) * (v - mean);
-  const double half = boost::math::quantile(boost::math::students_t(n - 1), 0.975) * std::sqrt(square / (n - 1) / n);
+  const double half = student_t_quantile(0.975, n - 1) * std::sqrt(square / (n - 1) / n);
   return {mean, mean - half, mean + half};
 }
 

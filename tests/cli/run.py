@@ -54,7 +54,7 @@ class Case(unittest.TestCase):
 class Errors(Case):
     def test_the_command_line(self):
         for args, names in (((), ['verify', 'list']), (('verifi',), ["'verify'"]), (('--foo',), ['--foo']), (('verify', '--shemes', 'heun'), ["'--schemes'"]),
-                            (('verify', '-x'), ['-x']), (('verify', '--effort', 'quik'), ['quik', "'quick'", 'thorough']), (('verify', '--format', 'xml'), ['xml', 'json']),
+                            (('verify', '-x'), ['-x']), (('verify', '--effort', 'quik'), ['quik', "'quick'", 'thorough']), (('verify', '--format', 'xml'), ['xml', 'json']), (('verify', '--progress', 'dots'), ['dots', 'auto', 'lines']),
                             (('verify', '--threads', '0'), ['--threads', '1024']), (('verify', '--threads', '1025'), ['1025']), (('verify', '--threads', 'two'), ['two']),
                             (('verify', '--threads', '2.5'), ['2.5']), (('verify', '--threads'), ['--threads']), (('verify', '--threads', '1', '--threads', '2'), ['--threads']),
                             (('verify', '--seed', '-1'), ['-1']), (('verify', '--seed', '18446744073709551616'), ['18446744073709551615']), (('verify', '--seed', ''), ['--seed']),
@@ -199,6 +199,30 @@ class Cache(Case):
         runs = [self.start('verify', *FAST, '--out', f'out{i}', stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) for i in range(3)]
         for p in runs: self.assertEqual((p.communicate(timeout=300)[1], p.wait()), (b'', 0))
         self.assertEqual(self.verify()[0], (0, 0, 2))
+
+
+class Growing(Case):
+    LONG = ('paper', '--experiments', 'energy,stability', '--schemes', 'heun', '--effort', 'thorough', '--threads', '2', '--no-cache')
+
+    def test_the_page_is_there_after_the_first_experiment_and_stays_when_interrupted(self):
+        p = self.start('verify', *self.LONG, '--progress', 'lines', stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        self.assertRegex(p.stderr.readline().decode(), r'\Aenergy: 1 of 2 experiments after [\d.]+ (m?s|min)')
+        p.send_signal(signal.SIGINT)
+        self.assertEqual((p.communicate(timeout=60)[1], p.returncode), (b'', 130))
+        folder = os.path.join(self.folder.name, 'report', 'paper')
+        read = lambda name: open(os.path.join(folder, name), encoding='utf-8').read()
+        results = json.loads(read('results.json'))
+        self.assertEqual(results['to_come'], ['stability'])
+        self.assertEqual([e['name'] for e in results['experiments']], ['energy'])
+        self.assertIn('<title>paper (unfinished) · polhode</title>', read('report.html'))
+        self.assertIn('**Unfinished.** Still to come: stability.', read('report.md'))
+        rc, _, err = self.run_it('compare', folder, folder)
+        self.assertEqual((rc, err), (0, ''))
+
+    def test_what_is_finished_says_nothing_of_it(self):
+        rc, out, err = self.run_it('verify', 'paper', '--experiments', 'casimir,energy', '--schemes', 'heun', '--effort', 'quick', '--progress', 'lines')
+        self.assertEqual((rc, len(err.splitlines())), (0, 2), err)
+        self.assertNotIn('to_come', open(os.path.join(self.folder.name, 'report', 'paper', 'results.json'), encoding='utf-8').read())
 
 
 class Terminal(Case):

@@ -121,6 +121,22 @@ TEST(So4, ClaimsHoldThere) {
   expect_no_failure(verify_subject(bind(scene, make, scheme_list<magnus, lie_heun>{}), options));
 }
 
+TEST(Growing, AfterEachExperimentButTheLastWhatIsThereIsTold) {
+  verify_options options;
+  options.experiments = {"casimir", "energy", "work_precision"};
+  options.schemes = {"heun"};
+  options.effort = effort::quick;
+  std::vector<report::results> parts;
+  options.so_far = [&](const report::results& r) { parts.push_back(r); };
+  const auto whole = verify(load_scene("paper"), options);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].to_come, (std::vector<std::string>{"energy", "work_precision"}));
+  EXPECT_EQ(parts[1].to_come, std::vector<std::string>{"work_precision"});
+  EXPECT_TRUE(whole.to_come.empty());
+  EXPECT_EQ(parts[1].experiments.size(), 2u);
+  EXPECT_EQ(report::from_json(report::to_json(parts[1])).to_come, parts[1].to_come);
+}
+
 TEST(Options, UnknownNamesAreRefusedWithTheNearest) {
   const auto message = [](verify_options o) -> std::string {
     try {

@@ -111,6 +111,8 @@ export interface Results {
   reused: Reuse[];
   densities: Density[];
   counters: Record<string, number>;
+  /** Experiments that an unfinished run had before it. */
+  toCome: string[];
   /** What the file lacks, in words. */
   missing: string[];
 }

@@ -201,6 +201,7 @@ export function readResults(source: string): Results {
     reused: list(document, 'reused', missing),
     densities: list(document, 'densities', missing).filter((d) => whole(d, missing)),
     counters: Object.fromEntries(counted) as Record<string, number>,
+    toCome: Array.isArray(document.to_come) ? document.to_come.map(text) : [],
     missing,
   };
 }

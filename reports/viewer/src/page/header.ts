@@ -146,6 +146,12 @@ export function header(r: Results): HTMLElement {
         h('p', {}, sentence(counts)),
       ),
     ),
+    r.toCome.length > 0 &&
+      h(
+        'div',
+        { class: 'lacking', role: 'note' },
+        h('p', {}, h('b', {}, 'Unfinished.'), ` Still to come: ${r.toCome.join(', ')}. A later page replaces this one.`),
+      ),
     r.missing.length > 0 &&
       h(
         'div',

@@ -1,0 +1,34 @@
+#include "statistics/distributions.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/poisson.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+namespace polhode {
+
+namespace law = boost::math;
+
+double normal_quantile(double probability) { return law::quantile(law::normal(), probability); }
+
+double normal_deviate(double tail) { return law::quantile(law::complement(law::normal(), std::max(tail, 1e-300))); }
+
+double student_t_quantile(double probability, double degrees) {
+  return law::quantile(law::students_t(degrees), probability);
+}
+
+double student_t_tail(double x, double degrees) { return law::cdf(law::complement(law::students_t(degrees), x)); }
+
+double poisson_lower(double count, double mean) { return law::cdf(law::poisson(mean), count); }
+
+double poisson_upper(double count, double mean) {
+  return count == 0 ? 1 : law::cdf(law::complement(law::poisson(mean), count - 1));
+}
+
+share_bounds binomial_bounds(double n, double count, double tail) {
+  using binomial = law::binomial_distribution<double>;
+  return {binomial::find_lower_bound_on_p(n, count, tail), binomial::find_upper_bound_on_p(n, count, tail)};
+}
+
+}  // namespace polhode

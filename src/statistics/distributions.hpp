@@ -1,0 +1,29 @@
+// Quantiles and tails of the distributions that intervals are made of: Boost.Math, compiled once.
+#pragma once
+
+namespace polhode {
+
+/// x with P(X <= x) = probability, 0 < probability < 1, X standard normal.
+double normal_quantile(double probability);
+
+/// x with P(X > x) = tail, X standard normal; 1e-300 where the tail is less.
+double normal_deviate(double tail);
+
+/// x with P(X <= x) = probability, X with Student's law of `degrees` > 0 degrees of freedom.
+double student_t_quantile(double probability, double degrees);
+
+/// P(X > x) of the same.
+double student_t_tail(double x, double degrees);
+
+/// P(X <= count) and P(X >= count) of a Poisson count with mean > 0.
+double poisson_lower(double count, double mean);
+double poisson_upper(double count, double mean);
+
+struct share_bounds {
+  double low, high;
+};
+
+/// Clopper and Pearson's bounds on a probability after `count` of `n`, each missed with probability `tail`.
+share_bounds binomial_bounds(double n, double count, double tail);
+
+}  // namespace polhode
