@@ -1,4 +1,7 @@
 // Thousands of random and extreme scenes against the references: right with an honest bar, or refused.
+// POLHODE_ATTACK_SCENES and POLHODE_ATTACK_SEED change how many and which.
+#include <cstdlib>
+
 #include "support/reference_attack.hpp"
 
 namespace polhode::test {
