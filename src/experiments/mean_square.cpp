@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ensemble/paths.hpp"
 #include "experiments/judge.hpp"
@@ -19,10 +20,10 @@ namespace {
 
 using report::verdict_kind;
 
-constexpr int nodes = 24;              // of the noise of a step
-constexpr int levels = 12;             // of the order: dt times the fastest rate from 1/4, halved
-constexpr double floor_share = 1e-11;  // of the fastest rate: rounding of one step over the finest dt
-constexpr double longest = 8;          // dt times the fastest rate, from where agreement is looked for
+constexpr int nodes = 24;          // of the noise of a step
+constexpr int levels = 12;         // of the order: dt times the fastest rate from 1/4, halved
+constexpr double neutral = 1e-11;  // rate of growth over the fastest rate: neither stable nor unstable
+constexpr double longest = 8;      // dt times the fastest rate, from where agreement is looked for
 constexpr int per_octave = 8;
 constexpr const char* growth_quantity = "mean_square_growth";
 constexpr const char* claim_text = "growth of mean squares at the equilibria";
@@ -73,7 +74,7 @@ struct axis_finding {
 
 /// From short steps to long ones, up to the first at which scheme and equation disagree.
 void find_agreement(const subject& s, const scheme_entry& scheme, double rate, axis_finding& out) {
-  if (std::fabs(out.truth) <= floor_share * rate) return;  // neither stable nor unstable
+  if (std::fabs(out.truth) <= neutral * rate) return;
   for (int i = 5 * per_octave; i >= 0; --i) {
     const double dt = longest / rate * std::exp2(-static_cast<double>(i) / per_octave);
     const double own = own_mean_square_growth(s, scheme, out.axis, dt);
@@ -84,6 +85,10 @@ void find_agreement(const subject& s, const scheme_entry& scheme, double rate, a
     out.agrees_to = dt;
   }
 }
+
+/// What rounding leaves of a rate, the logarithm of a radius known to some 16 units over dt, thirty times: so that it
+/// does not bend a slope.
+double floor_at(double dt) { return 30 * 16 * std::numeric_limits<double>::epsilon() / dt; }
 
 std::string name_of_axis(int axis) { return fmt::format("axis {}", axis + 1); }
 
@@ -105,11 +110,15 @@ axis_finding find(const subject& s, const scheme_entry& scheme, int axis, report
     dt.push_back(std::exp2(-2 - l) / rate);
     const double own = own_mean_square_growth(s, scheme, axis, dt.back());
     errors.push_back(std::fabs(own - found.truth));
-    found.exact = found.exact && errors.back() <= floor_share * rate;
     out.measurements.push_back(measured(growth, dt.back(), own));
     points.push_back(measured(error, dt.back(), errors.back()));
   }
-  found.fit = fit_order(dt, errors, floor_share * rate);
+  for (std::size_t l = 0; l < dt.size(); ++l)
+    if (errors[l] <= floor_at(dt[l]))
+      errors[l] = 0;
+    else
+      found.exact = false;
+  found.fit = fit_order(dt, errors, 0);
   record_fit(out, error, found.fit, std::move(points));
   find_agreement(s, scheme, rate, found);
   if (found.agrees_to > 0)

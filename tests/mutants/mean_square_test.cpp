@@ -1,5 +1,5 @@
 // Mean squares beside the equilibria: every scheme's rate of growth tends to that of the equation, and of a scheme with
-// 5 % more noise or dissipation it does not.
+// a little more noise or dissipation it does not.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ TEST(MeanSquare, HealthySchemesGrowAsTheEquationDoes) {
 TEST(MeanSquare, MoreNoiseOrDissipationIsRefuted) {
   for (const auto* scheme : schemes)
     for (const auto kind : {kind::noise, kind::theta})
-      for (const double size : {0.05, -0.05}) {
+      for (const double size : {0.05, -0.001}) {
         const auto v = judged(load_scene("paper"), scheme, {kind, size});
         EXPECT_EQ(v.kind, verdict_kind::refuted) << scheme << ", " << described({kind, size}) << ": " << v.reason;
       }

@@ -86,7 +86,7 @@ std::vector<block> blocks() {
       {kind::theta, {0.01, 0.05}, {0.001}, three, paper, "gibbs"},
       {kind::noise, {0.01, 0.05}, {0.001}, three, paper, "weak"},
       {kind::noise, {0.05}, {0.01}, three, paper, "strong"},
-      {kind::noise, {0.05}, {0.01}, two, paper, "stability"},
+      {kind::noise, {0.001, 0.05}, {}, two, paper, "stability"},
       {kind::noise, {0.001, 0.01}, {}, three, paper, "energy"},  // E[h] at theta = 0
       {kind::branch, {3, 5}, {}, two, {"paper", "anisotropic"}, "weak"},
       {kind::branch, {5}, {}, two, paper, "gibbs"},
@@ -158,7 +158,7 @@ std::vector<row> sharpest() {
       {{kind::noise, 0.001}, "lie_heun", "paper", true, "strong"},
       {{kind::noise, -0.01}, "heun", "paper", true, "strong"},
       {{kind::noise, 0.001}, "lie_heun", "weak noise", true, "modified"},
-      {{kind::noise, 0.05}, "lie_heun", "paper", true, "stability"},
+      {{kind::noise, 0.001}, "lie_heun", "paper", true, "stability"},
       {{kind::noise, 0.001}, "strang", "paper", true, "energy"},
       {{kind::theta, 0.001}, "strang", "paper", true, "energy"},
       {{kind::theta, 0.001}, "strang_weak2", "paper", true, "gibbs"},
