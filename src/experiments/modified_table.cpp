@@ -44,7 +44,8 @@ struct operator_questions {
   transfer_question at(double dt) const {
     return {[this, dt](const transfer_operator& op) { return answer(op, dt); },
             {joined(joined(columns.exact, averages.value()), joined(variances.value, gap.value)),
-             joined(joined(columns.unit, averages.size()), joined(variances.size, gap.size)), tolerance}};
+             joined(joined(columns.unit, averages.size()), joined(variances.size, gap.size)), tolerance,
+             columns.exact.size() + averages.count() + variances.count()}};
   }
 
  private:

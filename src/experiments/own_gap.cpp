@@ -12,7 +12,7 @@ namespace {
 constexpr int krylov = 60;          // vectors
 constexpr double is_found = 1e-9;   // remainder of a Ritz value, relative
 constexpr double accuracy = 1e-12;  // of the equation's gap, absolute
-constexpr double certain = 1e-4;    // of it, relative: what it must be known to
+constexpr double certain = 1e-6;    // of it, relative: what it must be known to
 
 // No symmetry of its own.
 Eigen::VectorXd any_vector(Eigen::Index size) {

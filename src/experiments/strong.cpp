@@ -198,8 +198,8 @@ void run(const context& c, report::results& out) {
     report_scheme(r, k, found[k], out);
     note_sample_size(out, "strong", s.schemes[k].info.name, sizes[k]);
   }
-  report_the_reference(r, blocks_of(plan.first) * block_lanes, out);
   log.report("strong", out);
+  report_the_reference(r, blocks_of(plan.first) * block_lanes, out);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 report::verdict audited(const std::string& experiment, const std::string& scheme, std::uint64_t seed = 1) {
   const auto r = verify(load_scene("paper"), {{scheme}, {experiment}, effort::quick, 2, seed});
   for (const auto& v : r.verdicts)
-    if (v.scheme == noise_name) return v;
+    if (v.scheme == noise_name && v.claim == noise_claim) return v;
   ADD_FAILURE() << experiment << " has no verdict on its noise";
   return {};
 }
