@@ -13,6 +13,7 @@ inline constexpr int most_frame_degree = 16;  ///< operators on tangent directio
 ///   growth[angle][lane]                += sum over nodes of weight log |u|.
 struct frame_sums {
   int degree;                ///< <= most_frame_degree
+  int m_step;                ///< 1, or 2: of even m alone
   const double* recurrence;  ///< experiments/frame_basis.hpp
   int size;                  ///< how many functions that makes
   int angles;

@@ -1,10 +1,13 @@
 #include "experiments/shell_basis.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "ensemble/dense_algebra.hpp"
+#include "experiments/half_turns.hpp"
 
 namespace polhode {
 namespace {
@@ -26,7 +29,45 @@ std::vector<double> recurrence_of(int degree) {
   return out;
 }
 
+/// How Y_lm changes under the half turns about axes 3 and 1.
+std::size_t class_of(int l, int m) {
+  const bool odd_about_3 = m % 2 != 0, odd_about_1 = (l + m) % 2 != 0;
+  return (odd_about_3 ? 2u : 0u) + (odd_about_1 != (m < 0) ? 1u : 0u);
+}
+
+/// [class]: harmonics up to the degree.
+std::array<std::vector<int>, 4> harmonics_by_class(int degree) {
+  std::array<std::vector<int>, 4> out;
+  for (int l = 0; l <= degree; ++l)
+    for (int m = -l; m <= l; ++m) out[class_of(l, m)].push_back(harmonic_index(l, m));
+  return out;
+}
+
+/// Columns k radial ... of those harmonics.
+std::vector<int> functions_of(const std::vector<int>& harmonics, int radial) {
+  std::vector<int> out;
+  for (const int h : harmonics)
+    for (int k = 0; k < radial; ++k) out.push_back(h * radial + k);
+  return out;
+}
+
 }  // namespace
+
+sphere_rule turned_quadrature(int degree) {
+  while (degree % 4 != 3) ++degree;  // no ring on the equator, and an even number of points on each
+  const auto all = sphere_quadrature(degree);
+  const auto count = all.weights.size() / 4;
+  sphere_rule out{points_on_sphere(4 * count, 3), Eigen::VectorXd(4 * count), 0};
+  for (Eigen::Index i = 0, quarter = 0; i < all.weights.size(); ++i) {
+    if (all.points(i, 2) < 0 || i % all.per_ring >= all.per_ring / 2) continue;
+    for (Eigen::Index turn = 0; turn < 4; ++turn) {
+      out.points.row(turn * count + quarter) = all.points.row(i).cwiseProduct(half_turns.row(turn));
+      out.weights[turn * count + quarter] = all.weights[i];
+    }
+    ++quarter;
+  }
+  return out;
+}
 
 shell_basis::shell_basis(int degree, int radial, const shell& s)
     : degree_(degree),
@@ -34,7 +75,7 @@ shell_basis::shell_basis(int degree, int radial, const shell& s)
       middle_((s.least + s.greatest) / 2),
       half_((s.greatest - s.least) / 2),
       recurrence_(recurrence_of(degree)) {
-  const sphere_rule rule = sphere_quadrature(2 * degree + 2);
+  const sphere_rule rule = turned_quadrature(2 * degree + 2);
   duals_ = rule.weights.asDiagonal() * harmonics(rule.points, degree);
   const auto directions = rule.points.rows();
   points_.resize(directions * radial, 3);
@@ -56,15 +97,58 @@ Eigen::RowVectorXd shell_basis::at(const Eigen::Vector3d& pi) const {
 }
 
 // First the directions of each radius, then the radii: T_k are orthogonal over the nodes.
+void shell_basis::add_radius(int i, const std::vector<int>& harmonics, const std::vector<int>& columns,
+                             const Eigen::MatrixXd& part, Eigen::MatrixXd& out) const {
+  const Eigen::VectorXd factors = chebyshev(node(i)) / radial_;
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    for (std::size_t h = 0; h < harmonics.size(); ++h) {
+      const double value = part(static_cast<Eigen::Index>(h), static_cast<Eigen::Index>(j));
+      double* const at = &out(harmonics[h] * radial_, columns[j]);
+      at[0] += factors[0] * value;
+      for (int k = 1; k < radial_; ++k) at[k] += 2 * factors[k] * value;
+    }
+}
+
 Eigen::MatrixXd shell_basis::coefficients(const Eigen::MatrixXd& values) const {
-  const auto directions = duals_.rows(), harmonic = duals_.cols();
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(size(), values.cols()), part(harmonic, values.cols());
+  const auto directions = duals_.rows();
+  std::vector<int> harmonics(static_cast<std::size_t>(duals_.cols())), columns(static_cast<std::size_t>(values.cols()));
+  std::iota(harmonics.begin(), harmonics.end(), 0);
+  std::iota(columns.begin(), columns.end(), 0);
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(size(), values.cols()), part(duals_.cols(), values.cols());
   for (int i = 0; i < radial_; ++i) {
     part.setZero();
     add_transposed_product(duals_, values.middleRows(i * directions, directions), part);
-    const Eigen::VectorXd radials = chebyshev(node(i));
-    for (int k = 0; k < radial_; ++k)
-      out(Eigen::seqN(k, harmonic, radial_), Eigen::all) += (k == 0 ? 1.0 : 2.0) / radial_ * radials[k] * part;
+    add_radius(i, harmonics, columns, part, out);
+  }
+  return out;
+}
+
+std::vector<std::vector<int>> shell_basis::classes() const {
+  std::vector<std::vector<int>> out;
+  for (const auto& harmonics : harmonics_by_class(degree_)) out.push_back(functions_of(harmonics, radial_));
+  return out;
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 3> shell_basis::quarter() const {
+  const auto directions = duals_.rows(), count = directions / 4;
+  Eigen::Matrix<double, Eigen::Dynamic, 3> out(count * radial_, 3);
+  for (int i = 0; i < radial_; ++i) out.middleRows(i * count, count) = points_.middleRows(i * directions, count);
+  return out;
+}
+
+// A product of two functions of one class is the same at a point and its images.
+Eigen::MatrixXd shell_basis::coefficients_by_class(const Eigen::MatrixXd& values) const {
+  const auto count = duals_.rows() / 4;
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(size(), size());
+  for (const auto& harmonics : harmonics_by_class(degree_)) {
+    const auto columns = functions_of(harmonics, radial_);
+    const Eigen::MatrixXd dual = 4 * duals_(Eigen::seqN(0, count), harmonics), some = values(Eigen::all, columns);
+    Eigen::MatrixXd part(dual.cols(), some.cols());
+    for (int i = 0; i < radial_; ++i) {
+      part.setZero();
+      add_transposed_product(dual, some.middleRows(i * count, count), part);
+      add_radius(i, harmonics, columns, part, out);
+    }
   }
   return out;
 }

@@ -71,8 +71,9 @@ void add_functions(const frame_sums& q, const std::array<weighted_frame, count>&
   const double* factor = q.recurrence;
   std::array<complex_pack, count> power;
   std::array<pack, count> p, before;
+  const int most = q.degree - q.degree % q.m_step;
   for (int n = 0; n <= q.degree; n += 2)
-    for (int m = n == 0 ? 0 : -q.degree; m <= q.degree; ++m) {
+    for (int m = n == 0 ? 0 : -most; m <= most; m += q.m_step) {
       const double highest = *factor++;
       for (std::size_t i = 0; i < count; ++i) {
         power[i] = frames[i].turns(m, n);
