@@ -18,6 +18,7 @@ struct frame_sums {
   int size;                  ///< how many functions that makes
   int angles;
   const double* turns;  ///< [angle]: cos(gamma), sin(gamma)
+  int lanes;            ///< in use: the first ones
   int nodes;
   const double *weights, *states, *tangents;  ///< [node], [node][component][lane], [node][vector][component][lane]
   double *sums, *growth;

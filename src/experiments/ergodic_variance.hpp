@@ -15,6 +15,8 @@ exact_averages ergodic_variances(const subject&, const law_averages&);
 /// The scheme's, from its operator.
 Eigen::VectorXd ergodic_variances(const exact_averages&, const transfer_operator&, double dt);
 
+inline constexpr const char* variance_claim = "asymptotic variance converges";
+
 /// Measurements over dt, fits, and the verdict "asymptotic variance converges": the errors (columns `first` …) as power
 /// series in dt, whose coefficients below dt^order have to vanish.
 void report_ergodic_variances(const exact_averages&, const error_table&, Eigen::Index first, int order,

@@ -136,7 +136,7 @@ void frame_basis::make_duals(const Eigen::VectorXd& weights) {
     load_block(v_, first, tangents.data());
     load_block(w_, first, tangents.data() + states.size());
     means.clear();
-    means.add({&one, 1}, states.data(), tangents.data());
+    means.add(count, {&one, 1}, states.data(), tangents.data());
     const auto some = weights.segment(first, count).asDiagonal();
     const auto at_0 = means.functions(0, count);
     for (std::size_t k = 0; k < duals_.size(); ++k) {
@@ -173,10 +173,10 @@ void frame_means::clear() {
   std::ranges::fill(growth_, 0.0);
 }
 
-void frame_means::add(std::span<const double> weights, const double* states, const double* tangents) {
+void frame_means::add(int lanes, std::span<const double> weights, const double* states, const double* tangents) {
   add_frames({basis_.degree(), basis_.m_step(), basis_.recurrence().data(), basis_.summed(),
-              static_cast<int>(turns_.size() / 2), turns_.data(), static_cast<int>(weights.size()), weights.data(),
-              states, tangents, sums_.data(), growth_.data()});
+              static_cast<int>(turns_.size() / 2), turns_.data(), lanes, static_cast<int>(weights.size()),
+              weights.data(), states, tangents, sums_.data(), growth_.data()});
 }
 
 Eigen::MatrixXd frame_means::functions(int angle, int points) const {

@@ -82,8 +82,9 @@ class frame_means {
   /// turns: [angle]: cos(gamma), sin(gamma).
   frame_means(const frame_basis&, std::span<const double> turns);
   void clear();
-  /// Nodes of a rule: their weights, and the mapped points and tangents as in ensemble/frame_sums.hpp.
-  void add(std::span<const double> weights, const double* states, const double* tangents);
+  /// Of the lanes in use, nodes of a rule: their weights, and the mapped points and tangents as in
+  /// ensemble/frame_sums.hpp.
+  void add(int lanes, std::span<const double> weights, const double* states, const double* tangents);
   /// [point][function] of one angle, for the block's first points.
   Eigen::MatrixXd functions(int angle, int points) const;
   /// E[log |u|] of one angle.

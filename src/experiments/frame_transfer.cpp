@@ -71,7 +71,7 @@ class mapped_block {
         k.advance(state, tangent, noise(first + i));
         for (int lane = 0; lane < points_; ++lane) area[lane] += weights[i] * log_area(tangent.data(), lane);
       }
-      means.add(weights, states.data(), tangents.data());
+      means.add(points_, weights, states.data(), tangents.data());
     }
     return area;
   }

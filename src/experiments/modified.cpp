@@ -116,7 +116,8 @@ void run(const context& c, report::results& out) {
                              "leaves the sphere (experiment casimir): its step is no operator on functions there"});
   }
   report_scene(columns, out);
-  const auto averages = averages_on(s);
+  auto averages = averages_on(s);
+  keep_affordable(c, schemes, averages, out);
   const auto variances = ergodic_variances(s, averages);
   const auto tables = modified_tables(c, schemes, columns, averages, variances);
   std::vector<int> orders;

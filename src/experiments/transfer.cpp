@@ -48,7 +48,7 @@ Eigen::MatrixXd mapped_basis(const kernel& k, const shell_basis& basis, const po
   int done = 0;
   map_points(k, points, noise, [&](int first, int lanes, std::span<const double> weights, const double* states) {
     if (done == 0) std::ranges::fill(sums, 0.0);
-    add_basis({basis.degree(), basis.radial(), basis.middle(), basis.half(), basis.recurrence().data(),
+    add_basis({basis.degree(), basis.radial(), basis.middle(), basis.half(), basis.recurrence().data(), lanes,
                static_cast<int>(weights.size()), weights.data(), states, sums.data()});
     done += static_cast<int>(weights.size());
     if (done < static_cast<int>(noise.weight.size())) return;
@@ -126,7 +126,8 @@ transfer_operator transfer_on(const kernel& k, shell_basis basis, const noise_no
     out.blocks = b.classes();
   } else {
     out.matrix = b.coefficients(mapped_basis(k, b, b.points(), noise));
-    std::iota(out.blocks.emplace_back(static_cast<std::size_t>(b.size())).begin(), out.blocks.front().end(), 0);
+    auto& all = out.blocks.emplace_back(static_cast<std::size_t>(b.size()));
+    std::iota(all.begin(), all.end(), 0);
   }
   if (!out.matrix.col(0).hasNaN()) out.matrix.col(0) = Eigen::VectorXd::Unit(out.matrix.rows(), 0);  // T 1 = 1
   return out;

@@ -16,6 +16,7 @@
 #include "registry/run_experiment.hpp"
 #include "registry/scene.hpp"
 #include "registry/verify.hpp"
+#include "support/modified_attack.hpp"
 
 namespace polhode {
 namespace {
@@ -301,6 +302,39 @@ TEST(Modified, ALoopThatLeavesOutItsLastStepIsRefuted) {
     scheme.make = [inner = scheme.make](double dt) { return std::make_unique<forgetful>(inner(dt)); };
     EXPECT_EQ(judge_steps({s}, scheme).kind, report::verdict_kind::refuted) << scheme.info.name;
   }
+}
+
+// Nightly: many more, of every scheme.
+TEST(Modified, RandomScenesRefuteNoHealthyScheme) {
+  std::mt19937_64 random(20261122);
+  int holding = 0;
+  for (int n = 0; n < 6; ++n) holding += test::attack_modified(random, false);
+  EXPECT_GT(holding, 6);
+}
+
+// Weak noise along two axes: the averages need degrees beyond what quick affords.
+TEST(Modified, AveragesOfHighDegreeAreNotTriedAndSayAtWhichEffortTheyAre) {
+  auto s = bind_scene(load_scene("anisotropic"));
+  law_averages averages;
+  averages.at_horizon = {{"pi1"},
+                         {*named_observable("pi1", s.scene.inertia)},
+                         Eigen::VectorXd::Ones(1),
+                         Eigen::VectorXd::Zero(1),
+                         Eigen::VectorXd::Ones(1),
+                         32};
+  averages.stationary = averages.at_horizon;
+  const auto said = [&](effort e, int degree) {
+    auto kept = averages;
+    kept.at_horizon.degree = kept.stationary.degree = degree;
+    report::results out;
+    keep_affordable({s, e, 1}, {scheme_of(s, "strang")}, kept, out);
+    EXPECT_EQ(kept.at_horizon.count() == 0, out.verdicts.size() == 3) << degree;
+    return out.verdicts.empty() ? report::verdict_kind::holds : out.verdicts[0].kind;
+  };
+  EXPECT_EQ(said(effort::quick, 24), report::verdict_kind::holds);
+  EXPECT_EQ(said(effort::quick, 32), report::verdict_kind::not_tried);
+  EXPECT_EQ(said(effort::standard, 32), report::verdict_kind::holds);
+  EXPECT_EQ(said(effort::quick, 128), report::verdict_kind::inconclusive);
 }
 
 TEST(Modified, HealthySchemesHoldAndThoseOffTheSphereAreSkipped) {

@@ -127,6 +127,6 @@ void add_direction(const frame_sums& q, int angle, int lane) {
 }  // namespace polhode
 
 extern "C" POLHODE_FLATTEN void POLHODE_ENTRY(polhode_add_frames_)(const polhode::frame_sums& q) {
-  for (int lane = 0; lane < polhode::block_lanes; lane += static_cast<int>(polhode::pack::size()))
+  for (int lane = 0; lane < q.lanes; lane += static_cast<int>(polhode::pack::size()))
     for (int angle = 0; angle < q.angles; ++angle) polhode::add_direction(q, angle, lane);
 }
