@@ -12,7 +12,8 @@ namespace polhode {
 namespace {
 
 constexpr std::array sphere_bases{basis_rule{12, 1, 0}, basis_rule{16, 1, 0}, basis_rule{20, 1, 0},
-                                  basis_rule{24, 1, 0}, basis_rule{32, 1, 0}, basis_rule{40, 1, 0}};
+                                  basis_rule{24, 1, 0}, basis_rule{32, 1, 0}, basis_rule{40, 1, 0},
+                                  basis_rule{48, 1, 0}};
 constexpr std::array sphere_nodes{5, 7, 9, 11, 13};
 constexpr std::array shell_bases{basis_rule{8, 5, 4}, basis_rule{10, 6, 4.5}, basis_rule{12, 7, 5},
                                  basis_rule{16, 7, 5}};
@@ -150,9 +151,7 @@ transfer_answer refine_exponents(const subject& s, const scheme_entry& scheme, d
                       [&](const transfer_rule& rule) {
                         return frame_values(rule.basis) * steps_a_point(*s.model, scheme.needs_areas, rule.noise);
                       },
-                      [&](const transfer_rule& rule) -> Eigen::VectorXd {
-                        return own_exponents(s, scheme, dt, rule);
-                      }};
+                      [&](const transfer_rule& rule) -> Eigen::VectorXd { return own_exponents(s, scheme, dt, rule); }};
   return refine(frames, scheme.needs_areas, target, 1);
 }
 
