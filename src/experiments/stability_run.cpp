@@ -6,17 +6,14 @@
 #include <limits>
 #include <optional>
 
-#include "ensemble/noise_defect.hpp"
 #include "ensemble/paths.hpp"
 #include "ensemble/running_moments.hpp"
-#include "experiments/kept_normals.hpp"
 #include "experiments/sequential.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr int most_chunk = 16;                             // steps between two looks at the paths
-constexpr std::size_t kept_bytes = std::size_t{48} << 20;  // of normals, a thread
+constexpr int most_chunk = 16;     // steps between two looks at the paths
 constexpr int most_extension = 4;  // times the planned paths, where the mean energy is near its margin
 
 /// What drives a block: a scheme or the reference.
@@ -72,43 +69,19 @@ bool too_many(const stability_outcome& out, int planned) {
   return out.broken > broken_share * std::max(planned, out.paths);
 }
 
-/// The noise of a block of paths. Schemes and cases that take as many steps see the same normals, which are drawn once
-/// where they are short enough to be kept.
-class block_noise {
- public:
-  block_noise(const model& m, const stepper& s, const stability_plan& p, std::uint64_t first_path, int chunk)
-      : plan_(p),
-        run_{p.seed, first_path, p.steps, m.channels(), m.active_channels(), p.generator},
-        buffer_(m, chunk, s.needs_areas, {p.generator, noise_quality::fast}) {
-    const auto bytes = static_cast<double>(p.steps) * m.channels() * block_lanes * sizeof(float);
-    if (s.needs_areas || run_.active == 0 || noise_defect_in_force() || 8 * bytes > kept_bytes) return;
-    thread_local kept_normals kept(kept_bytes);
-    singles_ = &kept.of(run_);
-  }
-  increment_view at(std::int64_t first, int count) {
-    if (run_.active == 0) return silence(count, plan_.dt);
-    if (singles_) return increments_of(run_, *singles_, first, count, plan_.dt);
-    return buffer_.fill(plan_.seed, run_.first_path, static_cast<std::uint64_t>(first), count, plan_.dt);
-  }
-
- private:
-  const stability_plan& plan_;
-  kept_normals::run run_;
-  increment_buffer buffer_;
-  const std::vector<float>* singles_ = nullptr;
-};
-
 void run_block(const stability_case& c, const stepper& s, const stability_plan& p, int block, watched_block& b,
                stability_outcome& out) {
   const auto& m = *c.bound.model;
   const auto chunk = std::clamp<std::int64_t>(p.steps / 64, 1, most_chunk);
+  increment_buffer noise(m, static_cast<int>(chunk), s.needs_areas, {p.generator, noise_quality::fast});
   // The number of steps names the run: 2^24 paths each, and no two runs share one.
   const auto first_path = (static_cast<std::uint64_t>(p.steps) << 24) + static_cast<std::uint64_t>(block) * block_lanes;
-  block_noise noise(m, s, p, first_path, static_cast<int>(chunk));
   const int before = out.broken;
   for (std::int64_t i = 0; i < p.steps; i += chunk) {
     const int n = static_cast<int>(std::min(chunk, p.steps - i));
-    s.step.advance(b.states, noise.at(i, n));
+    s.step.advance(b.states, m.active_channels() > 0
+                                 ? noise.fill(p.seed, first_path, static_cast<std::uint64_t>(i), n, p.dt)
+                                 : silence(n, p.dt));
     b.look(out);
     if (out.broken - before == block_lanes || (!p.to_the_end && too_many(out, p.paths))) return;
   }

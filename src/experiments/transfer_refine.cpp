@@ -12,8 +12,7 @@ namespace polhode {
 namespace {
 
 constexpr std::array sphere_bases{basis_rule{12, 1, 0}, basis_rule{16, 1, 0}, basis_rule{20, 1, 0},
-                                  basis_rule{24, 1, 0}, basis_rule{32, 1, 0}, basis_rule{40, 1, 0},
-                                  basis_rule{48, 1, 0}};
+                                  basis_rule{24, 1, 0}, basis_rule{32, 1, 0}, basis_rule{40, 1, 0}};
 constexpr std::array sphere_nodes{5, 7, 9, 11, 13};
 constexpr std::array shell_bases{basis_rule{8, 5, 4}, basis_rule{10, 6, 4.5}, basis_rule{12, 7, 5},
                                  basis_rule{16, 7, 5}};
