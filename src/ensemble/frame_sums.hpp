@@ -13,10 +13,12 @@ inline constexpr int most_frame_degree = 16;  ///< operators on tangent directio
 ///   growth[angle][lane]                += sum over nodes of weight log |u|.
 struct frame_sums {
   int degree;                ///< <= most_frame_degree
+  int m_step;                ///< 1, or 2: of even m alone
   const double* recurrence;  ///< experiments/frame_basis.hpp
   int size;                  ///< how many functions that makes
   int angles;
   const double* turns;  ///< [angle]: cos(gamma), sin(gamma)
+  int lanes;            ///< in use: the first ones
   int nodes;
   const double *weights, *states, *tangents;  ///< [node], [node][component][lane], [node][vector][component][lane]
   double *sums, *growth;

@@ -70,8 +70,14 @@ exact_averages ergodic_variances(const subject& s, const law_averages& averages)
 }
 
 Eigen::MatrixXd sum_of_powers(const transfer_operator& op) {
-  const auto n = op.matrix.rows() - 1;
-  return inverse_of(Eigen::MatrixXd::Identity(n, n) - op.matrix.bottomRightCorner(n, n));
+  const auto n = op.matrix.rows();
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(n, n);
+  for (auto block : op.blocks) {
+    std::erase(block, 0);  // the constant
+    const Eigen::MatrixXd step = op.matrix(block, block);
+    out(block, block) = inverse_of(Eigen::MatrixXd::Identity(step.rows(), step.cols()) - step);
+  }
+  return out.bottomRightCorner(n - 1, n - 1);
 }
 
 Eigen::VectorXd ergodic_variances(const exact_averages& averages, const transfer_operator& op,

@@ -8,6 +8,8 @@
 
 namespace polhode {
 
+inline constexpr const char* variance_claim = "asymptotic variance converges";
+
 /// Of the observables whose stationary average is known; uncertain by what eight degrees more change.
 exact_averages ergodic_variances(const subject&, const law_averages&);
 

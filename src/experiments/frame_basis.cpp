@@ -11,6 +11,7 @@
 #include "ensemble/dense_algebra.hpp"
 #include "ensemble/frame_sums.hpp"
 #include "experiments/point_block.hpp"
+#include "experiments/shell_basis.hpp"
 
 namespace polhode {
 namespace {
@@ -61,21 +62,57 @@ points_on_sphere crossed(const points_on_sphere& x, const points_on_sphere& v) {
 
 }  // namespace
 
-frame_basis::frame_basis(int degree) : degree_(degree), first_{0} {
-  for (int n = 0; n <= degree; n += 2) {
-    int functions = 0;
-    for (int m = n == 0 ? 0 : -degree; m <= degree; ++m) {
-      add_recurrence(degree, m, n, recurrence_);
-      functions += (m == 0 && n == 0 ? 1 : 2) * (degree + 1 - std::max(std::abs(m), n));
-    }
-    first_.push_back(first_.back() + functions);
-  }
+frame_basis::frame_basis(int degree, functions which) : degree_(degree), which_(which), first_{0} {
+  list_functions();
   for (int i = 0; i < angles(); ++i) add_turn(angle(i), turns_);
-  const auto rule = sphere_quadrature(2 * degree);
-  points_ = rule.points;
+  const auto rule = turned_quadrature(2 * degree);
+  const bool all = which == functions::all;
+  const auto count = all ? rule.weights.size() : rule.weights.size() / 4;
+  points_ = rule.points.topRows(count);
   v_ = tangents_at(points_);
   w_ = crossed(points_, v_);
-  make_duals(rule.weights / (4 * pi));
+  make_duals((all ? 1 : 4) / (4 * pi) * rule.weights.head(count));
+}
+
+void frame_basis::list_functions() {
+  const int most = degree_ - degree_ % m_step();
+  for (int n = 0; n <= degree_; n += 2) {
+    const auto parts = [&](int m) { return m == 0 && n == 0 ? 1 : 2; };
+    std::vector<int> at(static_cast<std::size_t>(2 * most + 1));  // [m + most]: the first of that m
+    for (int m = n == 0 ? 0 : -most; m <= most; m += m_step()) {
+      add_recurrence(degree_, m, n, recurrence_);
+      at[static_cast<std::size_t>(m + most)] = summed_;
+      summed_ += parts(m) * (degree_ + 1 - std::max(std::abs(m), n));
+    }
+    for (int m = n == 0 || which_ == functions::invariant ? 0 : -most; m <= most; m += m_step()) {
+      const int least = std::max(std::abs(m), n), mirrored = n == 0 ? m : -m;
+      for (int l = least; l <= degree_; ++l)
+        for (int part = 0; part < parts(m); ++part) {
+          const auto place = [&](int of) {
+            return at[static_cast<std::size_t>(of + most)] + parts(m) * (l - least) + part;
+          };
+          const double sign = ((l - least) % 2 == 0) != (n == 0 && part == 1) ? 1 : -1;
+          if (which_ == functions::all)
+            combinations_.push_back({place(m), place(m), 1, 0});
+          else if (mirrored != m)
+            combinations_.push_back({place(m), place(mirrored), 1 / std::numbers::sqrt2, sign});
+          else if (sign > 0)
+            combinations_.push_back({place(m), place(m), 1, 0});
+        }
+    }
+    first_.push_back(static_cast<int>(combinations_.size()));
+  }
+}
+
+Eigen::MatrixXd frame_basis::combined(const Eigen::MatrixXd& values) const {
+  Eigen::MatrixXd out(values.rows(), size());
+  Eigen::Index i = 0;
+  for (const auto& c : combinations_) {
+    out.col(i) = c.scale * values.col(c.one);
+    if (c.sign != 0) out.col(i) += c.scale * c.sign * values.col(c.other);
+    ++i;
+  }
+  return out;
 }
 
 double frame_basis::angle(int i) const { return pi * i / angles(); }
@@ -99,7 +136,7 @@ void frame_basis::make_duals(const Eigen::VectorXd& weights) {
     load_block(v_, first, tangents.data());
     load_block(w_, first, tangents.data() + states.size());
     means.clear();
-    means.add({&one, 1}, states.data(), tangents.data());
+    means.add(count, {&one, 1}, states.data(), tangents.data());
     const auto some = weights.segment(first, count).asDiagonal();
     const auto at_0 = means.functions(0, count);
     for (std::size_t k = 0; k < duals_.size(); ++k) {
@@ -127,7 +164,7 @@ void frame_basis::add_coefficients(int first, const std::vector<Eigen::MatrixXd>
 
 frame_means::frame_means(const frame_basis& basis, std::span<const double> turns) : basis_(basis), turns_(turns) {
   const auto angles = turns.size() / 2;
-  sums_.resize(block_lanes * angles * static_cast<std::size_t>(basis.size()));
+  sums_.resize(block_lanes * angles * static_cast<std::size_t>(basis.summed()));
   growth_.resize(block_lanes * angles);
 }
 
@@ -136,22 +173,22 @@ void frame_means::clear() {
   std::ranges::fill(growth_, 0.0);
 }
 
-void frame_means::add(std::span<const double> weights, const double* states, const double* tangents) {
-  add_frames({basis_.degree(), basis_.recurrence().data(), basis_.size(), static_cast<int>(turns_.size() / 2),
-              turns_.data(), static_cast<int>(weights.size()), weights.data(), states, tangents, sums_.data(),
-              growth_.data()});
+void frame_means::add(int lanes, std::span<const double> weights, const double* states, const double* tangents) {
+  add_frames({basis_.degree(), basis_.m_step(), basis_.recurrence().data(), basis_.summed(),
+              static_cast<int>(turns_.size() / 2), turns_.data(), lanes, static_cast<int>(weights.size()),
+              weights.data(), states, tangents, sums_.data(), growth_.data()});
 }
 
 Eigen::MatrixXd frame_means::functions(int angle, int points) const {
   using lanes = Eigen::Map<const Eigen::Matrix<double, sum_lanes, Eigen::Dynamic>>;
-  const int angles = static_cast<int>(turns_.size() / 2), size = basis_.size();
+  const int angles = static_cast<int>(turns_.size() / 2), size = basis_.summed();
   Eigen::MatrixXd out(points, size);
   for (int first = 0; first < points; first += sum_lanes) {
     const int rows = std::min(sum_lanes, points - first);
     const auto* at = sums_.data() + static_cast<std::ptrdiff_t>(first / sum_lanes * angles + angle) * size * sum_lanes;
     out.middleRows(first, rows) = lanes(at, sum_lanes, size).topRows(rows);
   }
-  return out;
+  return basis_.combined(out);
 }
 
 Eigen::VectorXd frame_means::growth(int angle, int points) const {

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <memory>
 
+#include "experiments/half_turns.hpp"
 #include "experiments/point_block.hpp"
 #include "experiments/vectors.hpp"
 
@@ -70,7 +71,7 @@ class mapped_block {
         k.advance(state, tangent, noise(first + i));
         for (int lane = 0; lane < points_; ++lane) area[lane] += weights[i] * log_area(tangent.data(), lane);
       }
-      means.add(weights, states.data(), tangents.data());
+      means.add(points_, weights, states.data(), tangents.data());
     }
     return area;
   }
@@ -81,17 +82,37 @@ class mapped_block {
   int points_;
 };
 
-}  // namespace
-
-Eigen::Vector2d frame_transfer::exponents() const {
-  const auto law = invariant_law(matrix, 1);
-  return Eigen::Vector2d(law.dot(length_growth), law.dot(area_growth)) / dt;
+/// At a block of points from all over the basis.
+bool has_half_turns(const tangent_kernel& k, const frame_basis& basis, double radius, const noise_nodes& nodes,
+                    int active) {
+  const auto spread = [&](const points_on_sphere& all) {
+    points_in_space some(block_lanes, 3);
+    for (Eigen::Index i = 0; i < block_lanes; ++i) some.row(i) = all.row(i * all.rows() / block_lanes);
+    return some;
+  };
+  std::vector<double> vectors(vector_size + tangents_size);
+  load_block(radius * spread(basis.points()), 0, vectors.data());
+  load_block(spread(basis.first_tangents()), 0, vectors.data() + vector_size);
+  load_block(spread(basis.second_tangents()), 0, vectors.data() + 2 * vector_size);
+  return commutes_with_half_turns(vectors, nodes, active, [&k](const noise_nodes& some) -> block_step {
+    return [&k, some](int node, std::span<double> all) {
+      k.advance(all.first(vector_size), all.subspan(vector_size), noise_for_all_lanes(some)(std::size_t(node)));
+    };
+  });
 }
 
-frame_transfer make_frame_transfer(const subject& s, const scheme_entry& scheme, double dt, const transfer_rule& rule) {
-  const frame_basis basis(rule.basis.degree);
-  const auto stepper = scheme.tangent(dt);
-  const auto nodes = nodes_of(*s.model, scheme.needs_areas, dt, rule.noise);
+/// What one step of one length makes of tangent directions.
+struct tangent_step {
+  std::unique_ptr<tangent_kernel> stepper;
+  noise_nodes nodes;
+  double radius;
+};
+
+tangent_step step_of(const subject& s, const scheme_entry& scheme, double dt, const transfer_rule& rule) {
+  return {scheme.tangent(dt), nodes_of(*s.model, scheme.needs_areas, dt, rule.noise), length(s.scene.momentum)};
+}
+
+frame_transfer on_basis(const tangent_step& step, const frame_basis& basis) {
   const int size = basis.size();
   const auto angles = static_cast<std::size_t>(basis.angles());
   frame_means means(basis, basis.turns());
@@ -99,9 +120,9 @@ frame_transfer make_frame_transfer(const subject& s, const scheme_entry& scheme,
   Eigen::MatrixXd found = Eigen::MatrixXd::Zero(size, size + 2);
   std::vector<Eigen::MatrixXd> values(angles);
   for (int first = 0; first < basis.points().rows(); first += block_lanes) {
-    const mapped_block block(basis, length(s.scene.momentum), first);
+    const mapped_block block(basis, step.radius, first);
     means.clear();
-    const auto area = block.map(*stepper, nodes, means);
+    const auto area = block.map(*step.stepper, step.nodes, means);
     for (std::size_t i = 0; i < angles; ++i) {
       const int angle = static_cast<int>(i);
       values[i].resize(block.points(), size + 2);
@@ -110,7 +131,26 @@ frame_transfer make_frame_transfer(const subject& s, const scheme_entry& scheme,
     basis.add_coefficients(first, values, found);
   }
   if (!found.hasNaN()) found.col(0) = Eigen::VectorXd::Unit(size, 0);  // T 1 = 1
-  return {dt, found.leftCols(size), found.col(size), found.col(size + 1)};
+  return {step.nodes.dt, found.leftCols(size), found.col(size), found.col(size + 1)};
+}
+
+}  // namespace
+
+Eigen::Vector2d frame_transfer::exponents() const {
+  const auto law = invariant_law(matrix, 1);
+  return Eigen::Vector2d(law.dot(length_growth), law.dot(area_growth)) / dt;
+}
+
+frame_transfer make_frame_transfer(const subject& s, const scheme_entry& scheme, double dt, const transfer_rule& rule) {
+  return on_basis(step_of(s, scheme, dt, rule), frame_basis(rule.basis.degree));
+}
+
+Eigen::Vector2d own_exponents(const subject& s, const scheme_entry& scheme, double dt, const transfer_rule& rule) {
+  const auto step = step_of(s, scheme, dt, rule);
+  const frame_basis invariant(rule.basis.degree, frame_basis::functions::invariant);
+  if (has_half_turns(*step.stepper, invariant, step.radius, step.nodes, s.model->active_channels()))
+    return on_basis(step, invariant).exponents();
+  return on_basis(step, frame_basis(rule.basis.degree)).exponents();
 }
 
 }  // namespace polhode

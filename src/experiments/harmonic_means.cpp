@@ -19,7 +19,7 @@ harmonic_means::harmonic_means(int degree)
 
 void harmonic_means::add(std::span<const double> states) {
   const double one = 1;
-  add_basis({basis_.degree(), 1, 1, 0, basis_.recurrence().data(), 1, &one, states.data(), sums_.data()});
+  add_basis({basis_.degree(), 1, 1, 0, basis_.recurrence().data(), block_lanes, 1, &one, states.data(), sums_.data()});
   bodies_ += block_lanes;
 }
 

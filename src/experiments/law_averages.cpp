@@ -1,7 +1,5 @@
 #include "experiments/law_averages.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -14,7 +12,6 @@ namespace {
 constexpr std::array at_horizon{"energy", "pi1", "pi2", "pi3", "pi1^2", "pi3^2", "exp(pi3)"};
 constexpr std::array in_the_long_run{"energy", "pi1^2", "exp(pi3)"};
 constexpr double accuracy = 1e-11;  // of an observable's size
-constexpr int most_degree = 24;     // at which all operators of a scheme take their powers in a second
 
 using found_average = std::pair<std::string, reference_value>;
 
@@ -29,6 +26,7 @@ exact_averages collect(const subject& s, double radius, const std::vector<found_
     value.push_back(*average.value);
     uncertainty.push_back(average.uncertainty);
     size.push_back(size_on_sphere(f, radius));
+    out.degree = std::max(out.degree, average.degree);
   }
   const auto count = static_cast<Eigen::Index>(value.size());
   out.value = Eigen::Map<Eigen::VectorXd>(value.data(), count);
@@ -74,15 +72,6 @@ law_averages averages_on(const subject& s) {
   out.stationary = collect(s, p.radius, late);
   if (out.at_horizon.count() > 0) out.no_horizon.clear();
   if (out.stationary.count() > 0) out.no_law.clear();
-  const auto leave_out = [&](exact_averages& averages, std::string& reason, int degree) {
-    if (degree <= most_degree || averages.count() == 0) return;
-    reason = fmt::format("averages need harmonics of degree {}, and {} are affordable", degree, most_degree);
-    averages = collect(s, p.radius, {});
-  };
-  int needed = 0;
-  for (const auto& [name, average] : after) needed = std::max(needed, average.degree);
-  leave_out(out.at_horizon, out.no_horizon, needed);
-  leave_out(out.stationary, out.no_law, law.degree);
   return out;
 }
 

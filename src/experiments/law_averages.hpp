@@ -13,6 +13,7 @@ struct exact_averages {
   std::vector<std::string> names;  ///< of observables
   std::vector<sphere_function> functions;
   Eigen::VectorXd value, uncertainty, size;  ///< size: root mean square over the sphere
+  int degree = 0;                            ///< of the harmonics that the values took
 
   Eigen::Index count() const { return value.size(); }
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ensemble/paths.hpp"
+#include "experiments/undecided.hpp"
 #include "statistics/power_series.hpp"
 
 namespace polhode {
@@ -15,6 +16,8 @@ namespace {
 constexpr double narrow = 0.01;   // of the largest constant
 constexpr double natural = 1e-2;  // of rate^order: a constant below that is small
 constexpr int degree = 12, finer = 16;
+constexpr const char *weak_constant = "leading constant of the weak error",
+                     *bias_constant = "leading constant of the stationary bias";
 constexpr std::array<double, 4> expansion_steps{1.0 / 16, 1.0 / 32, 1.0 / 64, 1.0 / 128};  // of the fastest time scale
 
 double half_of(const interval_estimate& e) { return (e.high - e.low) / 2; }
@@ -36,9 +39,9 @@ void report_constants(const claim& c, const std::string& kind, const std::vector
                       report::results& out) {
   for (const auto& one : constants) {
     const auto add = [&](const char* how, const interval_estimate& e) {
-      out.measurements.push_back(measured(
-          {c.experiment, c.scheme, fmt::format("leading constant {}, {}", kind, how), one.observable, "", "transfer"},
-          {}, e.value, e.low, e.high));
+      out.measurements.push_back(
+          measured({c.experiment, c.scheme, fmt::format("{}, {}", kind, how), one.observable, "", "transfer"}, {},
+                   e.value, e.low, e.high));
     };
     add("measured", one.measured);
     add("predicted", one.predicted);
@@ -110,18 +113,30 @@ report::verdict judge_constants(const claim& c, const std::vector<leading_consta
   return v;
 }
 
+void keep_affordable(const context& c, const std::vector<scheme_entry>& schemes, law_averages& averages,
+                     report::results& out) {
+  const auto degree_afforded = [](effort e) { return by_effort(e, 24.0, 48.0, 96.0); };
+  const auto keep = [&](exact_averages& some, const std::string& reason, bool applies, const char* claim) {
+    if (some.count() == 0 && !applies)
+      out.skipped.push_back({"modified", "", fmt::format("{}: {}", claim, reason)});
+    else if (some.count() == 0)
+      leave_open(schemes, "modified", claim, reason, out);
+    return some.count() > 0 && affords(c, schemes,
+                                       {"modified", claim, "knowing the averages", "degrees of harmonics",
+                                        static_cast<double>(some.degree), degree_afforded},
+                                       out);
+  };
+  const bool noisy = c.subject.model->noise() != noise_class::none,
+             one_law = noisy && no_unique_law(*sphere_problem_of(c.subject)).empty();
+  if (!keep(averages.at_horizon, averages.no_horizon, noisy, weak_constant)) averages.at_horizon = {};
+  const bool bias = keep(averages.stationary, averages.no_law, one_law, bias_constant),
+             variance = keep(averages.stationary, averages.no_law, one_law, variance_claim);
+  if (!bias || !variance) averages.stationary = {};
+}
+
 void report_leading_constants(const context& c, const std::vector<scheme_entry>& schemes, const law_averages& averages,
                               const std::vector<error_table>& tables, const std::vector<int>& orders,
                               report::results& out) {
-  const auto skip = [&](const char* what, const std::string& reason) {
-    if (!reason.empty()) out.skipped.push_back({"modified", "", fmt::format("{}: {}", what, reason)});
-  };
-  if (averages.no_horizon == averages.no_law) {
-    skip("leading constants", averages.no_horizon);
-  } else {
-    skip("leading constant of the weak error", averages.no_horizon);
-    skip("leading constant of the stationary bias", averages.no_law);
-  }
   if (averages.count() == 0) return;
   const double rate = fastest_rate(c.subject);
   std::vector<double> dt;
@@ -136,14 +151,14 @@ void report_leading_constants(const context& c, const std::vector<scheme_entry>&
     const std::span all(predicted[k]);
     const auto report = [&](const char* what, const exact_averages& kind, Eigen::Index before) {
       if (kind.count() == 0) return;
-      const claim about{"modified", tables[k].scheme, fmt::format("leading constant of {}", what)};
+      const claim about{"modified", tables[k].scheme, what};
       const auto found = leading_constants(kind, tables[k], modified_columns::count + before,
                                            all.subspan(static_cast<std::size_t>(before)), orders[k]);
-      report_constants(about, fmt::format("of {}", what), found, out);
+      report_constants(about, what, found, out);
       out.verdicts.push_back(judge_constants(about, found, orders[k], rate));
     };
-    report("the weak error", averages.at_horizon, 0);
-    report("the stationary bias", averages.stationary, averages.at_horizon.count());
+    report(weak_constant, averages.at_horizon, 0);
+    report(bias_constant, averages.stationary, averages.at_horizon.count());
   }
 }
 

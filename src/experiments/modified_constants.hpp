@@ -23,7 +23,11 @@ std::vector<leading_constant> leading_constants(const exact_averages&, const err
 /// hundredth of rate^order; else inconclusive.
 report::verdict judge_constants(const claim&, const std::vector<leading_constant>&, int order, double rate);
 
-/// Verdicts and constants of all schemes, for both kinds of averages; a skip where an average is not known.
+/// Leaves those averages of which the claims of this experiment are affordable, and says why the others are not tried,
+/// not decided, or do not apply.
+void keep_affordable(const context&, const std::vector<scheme_entry>&, law_averages&, report::results&);
+
+/// Verdicts and constants of all schemes, for both kinds of averages where they are known.
 void report_leading_constants(const context&, const std::vector<scheme_entry>&, const law_averages&,
                               const std::vector<error_table>&, const std::vector<int>& orders, report::results&);
 

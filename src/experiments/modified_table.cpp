@@ -18,7 +18,15 @@ constexpr int most_without = 3;       // coarse levels that may have no logarith
 constexpr double least_share = 1e-2;  // of all rates, that a group of parameters is compared with
 constexpr double tolerance = 1e-3;    // of a difference, where the operator is refined
 
-constexpr double unseen = tolerance / 1000;  // of a difference: what two refinements may agree on by accident
+// Of a difference: what two refinements may agree on by accident. A rule of n nodes leaves a term
+// (lambda dt)^n n! / (2n)! of the expectation, lambda the generator on degree 2; the next rule, of two nodes more,
+// leaves (lambda dt)^2 (n+2)(n+1) / ((2n+4)(2n+3)(2n+2)(2n+1)) of that, lambda dt <= 1 at the steps of modified_levels.
+// A change that would stop the refinement, a `tolerance` of the difference, but vanishes by accident hides that share
+// of itself. (Harmonics that a higher degree adds come back to degree 2 after four factors of dt and more; their share
+// is smaller yet. Rounding has its own floor, transfer_refine.cpp.)
+constexpr double n = 5;  // the coarsest rule
+constexpr double unseen = tolerance * (n + 2) * (n + 1) / ((2 * n + 4) * (2 * n + 3) * (2 * n + 2) * (2 * n + 1));
+static_assert(unseen <= unseen_share);
 
 Eigen::VectorXd numbers_of(const body_parameters& p, double residual) {
   const auto& q = p.noise;
@@ -77,7 +85,7 @@ std::optional<transfer_answer> answer_at(const subject& s, const scheme_entry& s
   try {
     auto found = refine(s, scheme, dt, roundings, question);
     if (!found.error.allFinite()) return std::nullopt;
-    found.uncertainty = found.uncertainty.cwiseMax(unseen * found.error.cwiseAbs());
+    found.uncertainty = found.uncertainty.cwiseMax(unseen_share * found.error.cwiseAbs());
     return found;
   } catch (const no_logarithm&) {
   }

@@ -22,6 +22,9 @@ struct modified_columns {
 };
 modified_columns columns_on(const sphere_problem&);
 
+/// No uncertainty is less than that of a difference, whatever two refinements agree on (modified_table.cpp).
+inline constexpr double unseen_share = 1.75e-6;
+
 /// Steps at which the logarithm is looked for: dt times the fastest rate from 0.3 down to a hundredth, numbers
 /// of steps that are the scene's fewest times a power of two.
 level_grid modified_levels(const subject&);

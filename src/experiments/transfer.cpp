@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 
 #include "ensemble/basis_sums.hpp"
 #include "ensemble/dense_algebra.hpp"
+#include "experiments/half_turns.hpp"
 #include "experiments/point_block.hpp"
 #include "experiments/vectors.hpp"
 
@@ -37,25 +39,25 @@ void map_points(const kernel& k, const points_in_space& points, const noise_node
   }
 }
 
-/// Values of T B_j at the points of the basis.
-Eigen::MatrixXd mapped_basis(const kernel& k, const shell_basis& basis, const noise_nodes& noise) {
+/// Values of T B_j at those points.
+Eigen::MatrixXd mapped_basis(const kernel& k, const shell_basis& basis, const points_in_space& points,
+                             const noise_nodes& noise) {
   const int size = basis.size();
-  Eigen::MatrixXd values(basis.points().rows(), size);
+  Eigen::MatrixXd values(points.rows(), size);
   std::vector<double> sums(static_cast<std::size_t>(size) * block_lanes);
   int done = 0;
-  map_points(k, basis.points(), noise,
-             [&](int first, int lanes, std::span<const double> weights, const double* states) {
-               if (done == 0) std::ranges::fill(sums, 0.0);
-               add_basis({basis.degree(), basis.radial(), basis.middle(), basis.half(), basis.recurrence().data(),
-                          static_cast<int>(weights.size()), weights.data(), states, sums.data()});
-               done += static_cast<int>(weights.size());
-               if (done < static_cast<int>(noise.weight.size())) return;
-               done = 0;
-               for (int lane = 0; lane < lanes; ++lane)
-                 for (int j = 0; j < size; ++j)
-                   values(first + lane, j) =
-                       sums[static_cast<std::size_t>((lane / sum_lanes * size + j) * sum_lanes + lane % sum_lanes)];
-             });
+  map_points(k, points, noise, [&](int first, int lanes, std::span<const double> weights, const double* states) {
+    if (done == 0) std::ranges::fill(sums, 0.0);
+    add_basis({basis.degree(), basis.radial(), basis.middle(), basis.half(), basis.recurrence().data(), lanes,
+               static_cast<int>(weights.size()), weights.data(), states, sums.data()});
+    done += static_cast<int>(weights.size());
+    if (done < static_cast<int>(noise.weight.size())) return;
+    done = 0;
+    for (int lane = 0; lane < lanes; ++lane)
+      for (int j = 0; j < size; ++j)
+        values(first + lane, j) =
+            sums[static_cast<std::size_t>((lane / sum_lanes * size + j) * sum_lanes + lane % sum_lanes)];
+  });
   return values;
 }
 
@@ -103,11 +105,50 @@ shell shell_of(const kernel& k, const subject& s, const noise_nodes& noise, std:
   return rule.radial == 1 ? shell{c, c} : shell_around(k, c, noise, steps, rule.deviations);
 }
 
-transfer_operator transfer_on(const kernel& k, shell_basis basis, const noise_nodes& noise) {
-  transfer_operator out{std::move(basis), {}};
-  out.matrix = out.basis.coefficients(mapped_basis(k, out.basis, noise));
+/// At a block of points from all over the basis.
+bool has_half_turns(const kernel& k, const shell_basis& basis, const noise_nodes& noise, int active) {
+  const auto& all = basis.points();
+  points_in_space some(block_lanes, 3);
+  for (Eigen::Index i = 0; i < block_lanes; ++i) some.row(i) = all.row(i * all.rows() / block_lanes);
+  std::vector<double> block(3 * block_lanes);
+  load_block(some, 0, block.data());
+  return commutes_with_half_turns(block, noise, active, [&k](const noise_nodes& nodes) -> block_step {
+    return
+        [&k, table = k.share(nodes.path())](int node, std::span<double> states) { k.advance(states, table, node, 1); };
+  });
+}
+
+transfer_operator transfer_on(const kernel& k, shell_basis basis, const noise_nodes& noise, int active) {
+  transfer_operator out{std::move(basis), {}, {}};
+  const auto& b = out.basis;
+  if (has_half_turns(k, b, noise, active)) {
+    out.matrix = b.coefficients_by_class(mapped_basis(k, b, b.quarter(), noise));
+    out.blocks = b.classes();
+  } else {
+    out.matrix = b.coefficients(mapped_basis(k, b, b.points(), noise));
+    auto& all = out.blocks.emplace_back(static_cast<std::size_t>(b.size()));
+    std::iota(all.begin(), all.end(), 0);
+  }
   if (!out.matrix.col(0).hasNaN()) out.matrix.col(0) = Eigen::VectorXd::Unit(out.matrix.rows(), 0);  // T 1 = 1
   return out;
+}
+
+/// law T^steps, one row.
+Eigen::MatrixXd law_after_steps(Eigen::MatrixXd law, Eigen::MatrixXd power, std::int64_t steps) {
+  Eigen::MatrixXd next(law.rows(), law.cols());
+  const auto take = [&] {
+    next.setZero();
+    add_product(law, power, next);
+    law.swap(next);
+  };
+  for (; steps > power.rows(); steps /= 2) {  // squaring costs less than so many steps
+    if (steps % 2 == 1) take();
+    Eigen::MatrixXd square = Eigen::MatrixXd::Zero(power.rows(), power.cols());
+    add_product(power, power, square);
+    power.swap(square);
+  }
+  for (; steps > 0; --steps) take();
+  return law;
 }
 
 }  // namespace
@@ -134,14 +175,7 @@ sphere_problem with_more_dissipation(sphere_problem p, double share) {
 
 Eigen::RowVectorXd transfer_operator::law_after(const Eigen::Vector3d& start, std::int64_t steps) const {
   Eigen::RowVectorXd law = basis.at(start);
-  Eigen::MatrixXd power = matrix;
-  for (; steps > matrix.rows(); steps /= 2) {  // squaring costs less than so many steps
-    if (steps % 2 == 1) law *= power;
-    Eigen::MatrixXd square = Eigen::MatrixXd::Zero(power.rows(), power.cols());
-    add_product(power, power, square);
-    power.swap(square);
-  }
-  for (; steps > 0; --steps) law *= power;
+  for (const auto& block : blocks) law(block) = law_after_steps(law(block), matrix(block, block), steps);
   return law;
 }
 
@@ -155,7 +189,10 @@ Eigen::RowVectorXd invariant_law(const Eigen::MatrixXd& matrix, double first) {
 }
 
 Eigen::RowVectorXd transfer_operator::stationary_law() const {
-  return invariant_law(matrix, basis.at(Eigen::Vector3d::UnitZ() * basis.middle())[0]);
+  Eigen::RowVectorXd law = Eigen::RowVectorXd::Zero(matrix.rows());
+  const auto& own = blocks.front();  // in the others it has nothing, being the only one
+  law(own) = invariant_law(matrix(own, own), basis.at(Eigen::Vector3d::UnitZ() * basis.middle())[0]);
+  return law;
 }
 
 transfer_operator make_transfer(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,
@@ -163,7 +200,8 @@ transfer_operator make_transfer(const subject& s, const scheme_entry& scheme, do
   const auto stepper = scheme.make(dt);
   const auto noise = nodes_of(*s.model, scheme.needs_areas, dt, rule.noise);
   const shell around = shell_of(*stepper, s, noise, steps, rule.basis);
-  return transfer_on(*stepper, shell_basis(rule.basis.degree, rule.basis.radial, around), noise);
+  return transfer_on(*stepper, shell_basis(rule.basis.degree, rule.basis.radial, around), noise,
+                     s.model->active_channels());
 }
 
 Eigen::VectorXd mean_after_step(const subject& s, const scheme_entry& scheme, double dt, const noise_rule& rule,
@@ -189,7 +227,8 @@ Eigen::VectorXd change_by_far_noise(const subject& s, const scheme_entry& scheme
   const auto noise = nodes_of(*s.model, scheme.needs_areas, dt, near);
   const shell_basis basis(rule.degree, rule.radial, shell_of(*stepper, s, noise, steps, rule));
   const auto far = far_nodes_of(*s.model, scheme.needs_areas, dt);
-  return (ask(transfer_on(*stepper, basis, far)) - ask(transfer_on(*stepper, basis, noise))).cwiseAbs();
+  const int active = s.model->active_channels();
+  return (ask(transfer_on(*stepper, basis, far, active)) - ask(transfer_on(*stepper, basis, noise, active))).cwiseAbs();
 }
 
 double taken_back(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,

@@ -6,6 +6,9 @@
 // coefficients of f is E[f(Pi_n)] without sampling error, and the law that T leaves as it is is the scheme's stationary
 // law. What is left is the error of the projection and of the rules (transfer_refine.hpp).
 //
+// Where a step commutes with the half turns of the body (half_turns.hpp), which is tried out at some points and all
+// nodes, the operator is computed from a quarter of the points, block by block.
+//
 // Areas, where a scheme asks for them: the weak surrogate of ensemble/paths.hpp, independent normals of variance
 // dt^2/4. Near a shell functions go on as polynomials of the radius; a path far beyond is taken back (Milstein and
 // Tretyakov, SIAM J. Numer. Anal. 43 (2005) 1139; for such schemes the moments themselves need not exist).
@@ -15,6 +18,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "experiments/noise_nodes.hpp"
 #include "experiments/shell_basis.hpp"
@@ -48,6 +52,7 @@ Eigen::RowVectorXd invariant_law(const Eigen::MatrixXd& matrix, double first);
 struct transfer_operator {
   shell_basis basis;
   Eigen::MatrixXd matrix;  ///< T B_j = sum_i matrix(i, j) B_i; not finite where a step of the scheme is not
+  std::vector<std::vector<int>> blocks;  ///< functions that the matrix does not mix, the constant in the first
 
   Eigen::RowVectorXd law_after(const Eigen::Vector3d& start, std::int64_t steps) const;
   /// Of total weight one, as law_after; it is unique where the scheme forgets its start.

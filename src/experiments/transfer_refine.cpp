@@ -151,9 +151,7 @@ transfer_answer refine_exponents(const subject& s, const scheme_entry& scheme, d
                       [&](const transfer_rule& rule) {
                         return frame_values(rule.basis) * steps_a_point(*s.model, scheme.needs_areas, rule.noise);
                       },
-                      [&](const transfer_rule& rule) -> Eigen::VectorXd {
-                        return make_frame_transfer(s, scheme, dt, rule).exponents();
-                      }};
+                      [&](const transfer_rule& rule) -> Eigen::VectorXd { return own_exponents(s, scheme, dt, rule); }};
   return refine(frames, scheme.needs_areas, target, 1);
 }
 

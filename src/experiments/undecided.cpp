@@ -34,7 +34,7 @@ bool affords(const context& c, std::span<const scheme_entry> schemes, const dear
   const auto affordable = [&](effort e) { return d.work <= d.affordable(e); };
   if (affordable(c.effort)) return true;
   const auto needed =
-      fmt::format("{} takes {:.1e} {}, at most {:.1e} are affordable", d.what, d.work, d.unit, d.affordable(c.effort));
+      fmt::format("{} takes {:.2g} {}, at most {:.2g} are affordable", d.what, d.work, d.unit, d.affordable(c.effort));
   const auto enough = std::ranges::find_if(efforts, affordable);
   if (enough != efforts.end())
     leave_untried(
@@ -42,7 +42,7 @@ bool affords(const context& c, std::span<const scheme_entry> schemes, const dear
         fmt::format("{}; tried at effort {}", needed, names[static_cast<std::size_t>(enough - efforts.begin())]), out);
   else
     leave_open(schemes, d.experiment, d.claim,
-               fmt::format("{}, {:.1e} at effort thorough", needed, d.affordable(effort::thorough)), out);
+               fmt::format("{}, {:.2g} at effort thorough", needed, d.affordable(effort::thorough)), out);
   return false;
 }
 

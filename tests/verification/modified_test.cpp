@@ -303,6 +303,31 @@ TEST(Modified, ALoopThatLeavesOutItsLastStepIsRefuted) {
   }
 }
 
+// Weak noise along two axes: the averages need degrees beyond what quick affords.
+TEST(Modified, AveragesOfHighDegreeAreNotTriedAndSayAtWhichEffortTheyAre) {
+  auto s = bind_scene(load_scene("anisotropic"));
+  law_averages averages;
+  averages.at_horizon = {{"pi1"},
+                         {*named_observable("pi1", s.scene.inertia)},
+                         Eigen::VectorXd::Ones(1),
+                         Eigen::VectorXd::Zero(1),
+                         Eigen::VectorXd::Ones(1),
+                         32};
+  averages.stationary = averages.at_horizon;
+  const auto said = [&](effort e, int degree) {
+    auto kept = averages;
+    kept.at_horizon.degree = kept.stationary.degree = degree;
+    report::results out;
+    keep_affordable({s, e, 1}, {scheme_of(s, "strang")}, kept, out);
+    EXPECT_EQ(kept.at_horizon.count() == 0, out.verdicts.size() == 3) << degree;
+    return out.verdicts.empty() ? report::verdict_kind::holds : out.verdicts[0].kind;
+  };
+  EXPECT_EQ(said(effort::quick, 24), report::verdict_kind::holds);
+  EXPECT_EQ(said(effort::quick, 32), report::verdict_kind::not_tried);
+  EXPECT_EQ(said(effort::standard, 32), report::verdict_kind::holds);
+  EXPECT_EQ(said(effort::quick, 128), report::verdict_kind::inconclusive);
+}
+
 TEST(Modified, HealthySchemesHoldAndThoseOffTheSphereAreSkipped) {
   const auto r = quick(bind_scene(load_scene("paper")));
   int holding = 0, skipped = 0;

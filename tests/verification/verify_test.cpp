@@ -25,9 +25,12 @@ report::results quick(const scene& s, std::vector<std::string> experiments, std:
   return verify(s, options);
 }
 
-/// One noise vector leaves laws that no affordable degree resolves.
+/// Under one noise vector no affordable degree resolves the law of tangent directions, nor means to the bias of a
+/// splitting of weak order two.
 bool stays_open(const report::results& r, const report::verdict& v) {
-  return r.scene.name == "single" && (v.claim == "order of the stationary bias" || v.claim == "order of the exponents");
+  if (r.scene.name != "single") return false;
+  if (v.claim == "leading constant of the stationary bias" || v.claim == "asymptotic variance converges") return true;
+  return v.claim == "order of the exponents" || (v.claim == "order of the stationary bias" && v.scheme == "strang");
 }
 
 void expect_no_failure(const report::results& r) {

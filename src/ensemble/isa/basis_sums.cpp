@@ -71,7 +71,7 @@ void add_state(const basis_sums& q, const double* state, double weight, double* 
 template <bool on_a_sphere>
 void add_all(const basis_sums& q) {
   const int group = (q.degree + 1) * (q.degree + 1) * q.radial * sum_lanes;
-  for (int lane = 0; lane < block_lanes; lane += static_cast<int>(pack::size()))
+  for (int lane = 0; lane < q.lanes; lane += static_cast<int>(pack::size()))
     for (int i = 0; i < q.nodes; ++i)
       add_state<on_a_sphere>(q, q.states + i * 3 * block_lanes + lane, q.weights[i],
                              q.sums + lane / sum_lanes * group + lane % sum_lanes);

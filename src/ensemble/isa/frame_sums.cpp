@@ -71,8 +71,9 @@ void add_functions(const frame_sums& q, const std::array<weighted_frame, count>&
   const double* factor = q.recurrence;
   std::array<complex_pack, count> power;
   std::array<pack, count> p, before;
+  const int most = q.degree - q.degree % q.m_step;
   for (int n = 0; n <= q.degree; n += 2)
-    for (int m = n == 0 ? 0 : -q.degree; m <= q.degree; ++m) {
+    for (int m = n == 0 ? 0 : -most; m <= most; m += q.m_step) {
       const double highest = *factor++;
       for (std::size_t i = 0; i < count; ++i) {
         power[i] = frames[i].turns(m, n);
@@ -126,6 +127,6 @@ void add_direction(const frame_sums& q, int angle, int lane) {
 }  // namespace polhode
 
 extern "C" POLHODE_FLATTEN void POLHODE_ENTRY(polhode_add_frames_)(const polhode::frame_sums& q) {
-  for (int lane = 0; lane < polhode::block_lanes; lane += static_cast<int>(polhode::pack::size()))
+  for (int lane = 0; lane < q.lanes; lane += static_cast<int>(polhode::pack::size()))
     for (int angle = 0; angle < q.angles; ++angle) polhode::add_direction(q, angle, lane);
 }
