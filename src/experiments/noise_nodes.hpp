@@ -30,12 +30,15 @@ inline constexpr double farthest_noise = 8;
 /// beyond 5 sqrt(dt) lie 1.5e-5 of those of three channels.
 noise_nodes far_nodes_of(const model&, bool with_areas, double dt);
 
-/// In sqrt(dt): what a step makes of increments longer than that is not asked. Of three channels 7.5e-8 are.
-inline constexpr double rare_noise = 6;
+/// In sqrt(dt): what a step makes of increments longer than that is not judged. Of three channels 9e-7 are. A branch at
+/// 5 sqrt(dt) must be seen: one that drops its noise loses 7e-5 of sigma, ten times the share below. What is left of a
+/// smooth step lies another ten times below that: nothing but rounding on the sphere (1e-12 of three channels), and on
+/// a shell the paths that one increment beyond 6 sqrt(dt) throws out of it.
+inline constexpr double rare_noise = 5.5;
 
 /// The share of sigma that a step loses which drops its noise beyond rare_noise: half that of the variance,
 /// E[r^2; r > R] / E[r^2] = P(r' > R), r and r' the lengths of standard normal vectors of k and k + 2 components
-/// (integration by parts). 4.8e-7 of three channels, 3.7e-8 of one.
+/// (integration by parts). 6.6e-6 of three channels, 6e-7 of one.
 double rare_share(int active_channels);
 
 }  // namespace polhode

@@ -168,8 +168,8 @@ transfer_operator make_transfer(const subject& s, const scheme_entry& scheme, do
 
 Eigen::VectorXd change_by_far_noise(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,
                                     const std::function<Eigen::VectorXd(const transfer_operator&)>& ask) {
-  constexpr noise_rule near{6, 2};
-  const basis_rule rule = scheme.info.casimir.exact ? basis_rule{10, 1, 0} : basis_rule{6, 4, 4};
+  constexpr noise_rule near{8, 2};
+  const basis_rule rule = scheme.info.casimir.exact ? basis_rule{10, 1, 0} : basis_rule{6, 4, 6};
   const auto stepper = scheme.make(dt);
   const auto noise = nodes_of(*s.model, scheme.needs_areas, dt, near);
   const shell_basis basis(rule.degree, rule.radial, shell_of(*stepper, s, noise, steps, rule));
