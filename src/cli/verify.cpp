@@ -188,7 +188,7 @@ command add_verify(CLI::App& app) {
   parser->add_option("--baseline", given->baseline, "Compare with what has this name")->type_name("NAME");
   parser->add_option("--save-baseline", given->save_baseline, "Keep the results under this name")->type_name("NAME");
   parser->add_option("--format", given->format, "On standard output: text, json [text]")->type_name("F");
-  parser->add_option("--progress", given.progress, "auto: on terminals; lines: one an experiment [auto]")
+  parser->add_option("--progress", given->progress, "auto: on terminals; lines: one an experiment [auto]")
       ->type_name("P");
   parser->add_flag("--latex", given->latex, "Write report.tex, too: tables and plots for a paper");
   parser->add_flag("--fresh", given->fresh, "Compute all anew and replace what is cached");

@@ -205,7 +205,8 @@ verdict judge_table(const order_question& q, double expected, const error_table&
 bool unresolved(const error_table& t, const std::vector<error_column>& columns) {
   const double largest = largest_error(t, columns);
   if (!std::isfinite(largest) || largest < negligible_error) return false;
-  return std::ranges::none_of(find_columns({{}, {}, columns, {}, {}}, 0, t), has_fit);
+  const auto found = find_columns({{}, {}, columns, {}, {}}, 0, t);
+  return std::ranges::none_of(found, has_fit) && !rare_branch({}, columns, found, t);
 }
 
 }  // namespace polhode
