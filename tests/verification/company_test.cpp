@@ -31,9 +31,12 @@ TEST_F(Company, ChangesNothingThatIsSaidOfAScheme) {
     options.schemes = {scheme};
     const auto alone = of_schemes(verify(scene, options));
     // Rows of no scheme are the scene's own: the same in every run.
-    for (const auto& m : alone.measurements)
-      if (!m.scheme.empty() || scheme == schemes.front()) rows.measurements.push_back(m);
-    append(rows.fits, alone.fits);
+    const auto append_own = [&](auto& to, const auto& from) {
+      for (const auto& row : from)
+        if (!row.scheme.empty() || scheme == schemes.front()) to.push_back(row);
+    };
+    append_own(rows.measurements, alone.measurements);
+    append_own(rows.fits, alone.fits);
     append(rows.verdicts, alone.verdicts);
     append(rows.skipped, alone.skipped);
   }

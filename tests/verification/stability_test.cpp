@@ -154,6 +154,7 @@ TEST(Stability, ThreadsAndCompanyChangeNothing) {
     if (schemes.size() > 1) {
       std::erase_if(r.measurements, [](const auto& m) { return m.scheme == "milstein"; });
       std::erase_if(r.verdicts, [](const auto& v) { return v.scheme == "milstein"; });
+      std::erase_if(r.fits, [](const auto& f) { return f.scheme == "milstein"; });
       std::erase_if(r.schemes, [](const auto& v) { return v.name == "milstein"; });
     }
     return report::to_json(r);

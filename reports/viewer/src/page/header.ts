@@ -150,7 +150,12 @@ export function header(r: Results): HTMLElement {
       h(
         'div',
         { class: 'lacking', role: 'note' },
-        h('p', {}, h('b', {}, 'Unfinished.'), ` Still to come: ${r.toCome.join(', ')}. A later page replaces this one.`),
+        h(
+          'p',
+          {},
+          h('b', {}, 'Unfinished.'),
+          ` Still to come: ${r.toCome.join(', ')}. A later page replaces this one.`,
+        ),
       ),
     r.missing.length > 0 &&
       h(

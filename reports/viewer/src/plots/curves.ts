@@ -39,7 +39,9 @@ export function curvePlots(found: Findings): Plot[] {
   );
   const plots: Plot[] = [],
     taken = new Set<Measurement>();
-  for (const rows of over.values()) {
+  const ofSchemes = (rows: Measurement[]): boolean => rows[0]?.scheme !== '';
+  const ordered = [...over.values()];
+  for (const rows of [...ordered.filter(ofSchemes), ...ordered.filter((rows) => !ofSchemes(rows))]) {
     const first = rows[0] as Measurement;
     const levels = standing.get(key(first)) ?? [];
     const plot = oneEach(rows)
