@@ -110,17 +110,20 @@ void report_reach(const order_question& q, const error_table& t, report::results
   if (std::ranges::any_of(t.taken_back, [](double share) { return share > 0; }))
     for (std::size_t i = 0; i < t.taken_back.size(); ++i)
       out.measurements.push_back(measured(s, t.dt[i], t.taken_back[i]));
-  s.quantity = "change by noise far out";
-  s.unit = "";
-  for (Eigen::Index k = 0; k < t.far_noise.change.size(); ++k) {
-    s.observable = q.columns[static_cast<std::size_t>(k)].observable;
-    out.measurements.push_back(measured(s, t.far_noise.dt, t.far_noise.change[k]));
-  }
+  if (t.far_noise.change.size() == 0) return;
+  double largest = 0;
+  for (Eigen::Index k = 0; k < t.far_noise.change.size(); ++k)
+    if (const double change = t.far_noise.change[k] / q.columns[static_cast<std::size_t>(k)].scale;
+        !(change <= largest))
+      largest = change;  // also what is not a number
+  s.quantity = "largest change by noise far out";
+  s.unit = "size of the observable";
+  out.measurements.push_back(measured(s, t.far_noise.dt, largest));
 }
 
 void report_orders(const order_question& q, double expected, const error_table& t, report::results& out) {
-  report_reach(q, t, out);
   report_errors(q, expected, t, out);
+  report_reach(q, t, out);
   out.verdicts.push_back(judge_table(q, expected, t));
 }
 
