@@ -13,7 +13,7 @@ namespace polhode {
 namespace {
 
 constexpr double longest = 0.3;       // dt times the fastest rate
-constexpr int levels = 6;             // enough for a series with four terms and its uncertainty
+constexpr int levels = 7;             // all three polynomials of a series hold the dt^4 of a squared residual
 constexpr int most_without = 3;       // coarse levels that may have no logarithm
 constexpr double least_share = 1e-2;  // of all rates, that a group of parameters is compared with
 constexpr double tolerance = 1e-3;    // of a difference, where the operator is refined

@@ -29,9 +29,10 @@ inline constexpr double unseen_share = 1.75e-6;
 /// of steps that are the scene's fewest times a power of two.
 level_grid modified_levels(const subject&);
 
-/// Differences from the scene and their uncertainty [level][column], of every scheme, at the coarsest six of the levels
-/// at which the logarithm is found. Behind the columns those of the averages: of the law after the horizon's steps, of
-/// the stationary one, the asymptotic variances, and the spectral gap; the last asks for no refinement of its own.
+/// Differences from the scene and their uncertainty [level][column], of every scheme, at the coarsest seven of the
+/// levels at which the logarithm is found. Behind the columns those of the averages: of the law after the horizon's
+/// steps, of the stationary one, the asymptotic variances, and the spectral gap; the last asks for no refinement of its
+/// own.
 std::vector<error_table> modified_tables(const context&, const std::vector<scheme_entry>&, const modified_columns&,
                                          const law_averages&, const exact_averages& variances,
                                          const exact_averages& gap);

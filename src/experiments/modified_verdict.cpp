@@ -14,11 +14,11 @@ constexpr double narrow = 1e-4;  // half-width, of a parameter at the coarsest d
 
 // Half-width of the coefficients of the residual's square y^2, which is to be as narrow as what is known of y allows: a
 // residual of `narrow` at dt = 0 shows; and as the levels are known to a share u = unseen_share of themselves at best,
-// their squares to 2 u, a coefficient c_j dt_0^j of the six halved levels is known to 2 u sum_i |w_ji| (dt_i / dt_0)^2p
-// of the largest square, w the weights of the series (statistics/power_series.cpp). That sum is 0.041 and 2.14 for j =
-// 0 and 1 where p = 1, and 0.0013, 0.076 and 1.37 for j = 0, 1, 2 where p = 2: below three. The series' own truncation
-// has no share in it: where that is wider, nothing is concluded.
-constexpr double most_gain = 3;
+// their squares to 2 u, a coefficient c_j dt_0^j of the seven halved levels is known to 2 u sum_i |w_ji| (dt_i /
+// dt_0)^2p of the largest square, w the weights of the series (statistics/power_series.cpp). That sum is 0.011 and 1.18
+// for j = 0 and 1 where p = 1, and 1e-4, 0.012 and 0.46 for j = 0, 1, 2 where p = 2: below 1.2. The series' own
+// truncation has no share in it: where that is wider, nothing is concluded.
+constexpr double most_gain = 1.2;
 double allowed_square(double largest) { return std::max(narrow * narrow, 2 * most_gain * unseen_share * largest); }
 
 /// A coefficient of one column, times dt^power at the coarsest dt, in the column's scale.

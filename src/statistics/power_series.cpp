@@ -48,10 +48,13 @@ struct level_values {
   }
 };
 
-/// By the polynomial through all of these levels.
-std::vector<interval_estimate> coefficients_through(const level_values& all, std::span<const double> uncertainty,
-                                                    std::size_t count) {
-  const double scale = std::ranges::max(all.dt);
+}  // namespace
+
+std::vector<interval_estimate> series_coefficients(std::span<const double> dt, std::span<const double> value,
+                                                   std::span<const double> uncertainty, std::size_t count) {
+  if (dt.size() < count + 2) throw std::invalid_argument("series_coefficients: too few levels");
+  const double scale = std::ranges::max(dt);
+  const level_values all{{dt.begin(), dt.end()}, {value.begin(), value.end()}};
   const auto fewer = all.without_coarsest(), fewest = fewer.without_coarsest();
   const auto weights = weights_of(all.dt, scale);
   const Eigen::VectorXd best = all.series(scale), second = fewer.series(scale), third = fewest.series(scale);
@@ -59,29 +62,13 @@ std::vector<interval_estimate> coefficients_through(const level_values& all, std
   for (std::size_t j = 0; j < count; ++j) {
     const auto row = static_cast<Eigen::Index>(j);
     double noise = 0;
-    for (std::size_t i = 0; i < all.dt.size(); ++i)
+    for (std::size_t i = 0; i < dt.size(); ++i)
       noise += std::fabs(weights(row, static_cast<Eigen::Index>(i))) * uncertainty[i];
     const double last = std::fabs(best[row] - second[row]), before = std::fabs(second[row] - third[row]);
     const double unit = std::pow(scale, static_cast<double>(j));
     const double half = (next_terms * std::max(last, before / accident) + noise) / unit;
     out.push_back({best[row] / unit, best[row] / unit - half, best[row] / unit + half});
   }
-  return out;
-}
-
-}  // namespace
-
-std::vector<interval_estimate> series_coefficients(std::span<const double> dt, std::span<const double> value,
-                                                   std::span<const double> uncertainty, std::size_t count) {
-  if (dt.size() < count + 2) throw std::invalid_argument("series_coefficients: too few levels");
-  const level_values all{{dt.begin(), dt.end()}, {value.begin(), value.end()}};
-  auto out = coefficients_through(all, uncertainty, count);
-  if (dt.size() < count + 3) return out;
-  std::vector<double> finer_uncertainty(uncertainty.begin(), uncertainty.end());
-  finer_uncertainty.erase(finer_uncertainty.begin() + (std::ranges::max_element(dt) - dt.begin()));
-  const auto finer = coefficients_through(all.without_coarsest(), finer_uncertainty, count);
-  for (std::size_t j = 0; j < count; ++j)
-    if (finer[j].high - finer[j].low < out[j].high - out[j].low) out[j] = finer[j];
   return out;
 }
 
