@@ -35,7 +35,7 @@ struct reference_value {
   double uncertainty = 0;         ///< proved, or what three degrees say; never below rounding
   int degree = 0;
   std::string reason{};    ///< empty if converged to the tolerance; else one sentence
-  bool forgotten = false;  ///< an expectation after so long a time that it is the stationary one
+  bool forgotten = false;  ///< an expectation after so long a time that it is taken from the stationary law
 
   bool converged() const { return value && reason.empty(); }
 };

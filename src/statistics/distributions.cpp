@@ -10,8 +10,6 @@ namespace polhode {
 
 namespace law = boost::math;
 
-double normal_quantile(double probability) { return law::quantile(law::normal(), probability); }
-
 double normal_deviate(double tail) { return law::quantile(law::complement(law::normal(), std::max(tail, 1e-300))); }
 
 double student_t_quantile(double probability, double degrees) {
@@ -24,6 +22,10 @@ double poisson_lower(double count, double mean) { return law::cdf(law::poisson(m
 
 double poisson_upper(double count, double mean) {
   return count == 0 ? 1 : law::cdf(law::complement(law::poisson(mean), count - 1));
+}
+
+double binomial_quantile(double probability, double n, double share) {
+  return law::quantile(law::binomial(n, share), probability);
 }
 
 share_bounds binomial_bounds(double n, double count, double tail) {

@@ -3,9 +3,6 @@
 
 namespace polhode {
 
-/// x with P(X <= x) = probability, 0 < probability < 1, X standard normal.
-double normal_quantile(double probability);
-
 /// x with P(X > x) = tail, X standard normal; 1e-300 where the tail is less.
 double normal_deviate(double tail);
 
@@ -18,6 +15,9 @@ double student_t_tail(double x, double degrees);
 /// P(X <= count) and P(X >= count) of a Poisson count with mean > 0.
 double poisson_lower(double count, double mean);
 double poisson_upper(double count, double mean);
+
+/// The count at which P(X <= count) reaches probability < 1/2, rounded down; X binomial, n trials of this share.
+double binomial_quantile(double probability, double n, double share);
 
 struct share_bounds {
   double low, high;

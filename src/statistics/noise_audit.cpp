@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/poisson.hpp>
 #include <cmath>
 #include <numbers>
+
+#include "statistics/distributions.hpp"
 
 namespace polhode {
 namespace {
@@ -48,15 +48,10 @@ std::vector<std::pair<int, int>> channel_pairs(int channels) {
   return out;
 }
 
-double deviate_of(double probability) {
-  return boost::math::quantile(boost::math::complement(boost::math::normal(), std::max(probability, 1e-300)));
-}
-
 /// Of a Poisson count, by its exact tails.
 double poisson_deviate(double count, double mean) {
-  const boost::math::poisson law(mean);
-  if (count < mean) return -deviate_of(std::min(0.5, cdf(law, count)));
-  return deviate_of(std::min(0.5, count == 0 ? 1 : cdf(boost::math::complement(law, count - 1))));
+  if (count < mean) return -normal_deviate(std::min(0.5, poisson_lower(count, mean)));
+  return normal_deviate(std::min(0.5, poisson_upper(count, mean)));
 }
 
 /// Products of lanes `apart` from each other.
@@ -209,9 +204,9 @@ void noise_audit::compare_heads(std::vector<noise_deviation>& out) const {
 }
 
 void noise_audit::compare_paths(std::vector<noise_deviation>& out) const {
-  out.push_back({"number of paths that start alike", deviate_of(path_audit_.probability_of_repeats() / 2)});
+  out.push_back({"number of paths that start alike", normal_deviate(path_audit_.probability_of_repeats() / 2)});
   out.push_back({paths_ ? "product of two steps within 64" : "product of two lanes",
-                 deviate_of(path_audit_.probability_of_products() / 2)});
+                 normal_deviate(path_audit_.probability_of_products() / 2)});
 }
 
 void noise_audit::add_area_deviations(
@@ -264,7 +259,7 @@ std::vector<noise_deviation> noise_audit::deviations() const {
 }
 
 double audit_threshold(std::size_t deviations) {
-  return deviate_of(audit_false_alarm / 2 / std::max(1.0, static_cast<double>(deviations)));
+  return normal_deviate(audit_false_alarm / 2 / std::max(1.0, static_cast<double>(deviations)));
 }
 
 }  // namespace polhode

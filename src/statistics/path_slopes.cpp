@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 
+#include "statistics/distributions.hpp"
 #include "statistics/resample.hpp"
 
 namespace polhode {
@@ -17,8 +17,7 @@ constexpr std::size_t least_paths = 32;
 interval_estimate median_of(std::vector<double> values) {
   std::ranges::sort(values);
   const auto n = values.size();
-  const boost::math::binomial rank(static_cast<double>(n), 0.5);
-  const auto below = static_cast<std::size_t>(boost::math::quantile(rank, 0.025));
+  const auto below = static_cast<std::size_t>(binomial_quantile(0.025, static_cast<double>(n), 0.5));
   return {(values[(n - 1) / 2] + values[n / 2]) / 2, values[below == 0 ? 0 : below - 1], values[n - below]};
 }
 
