@@ -61,10 +61,15 @@ std::optional<reference_value> expectation_long_after(const sphere_problem& prob
   return late;
 }
 
+struct propagated_value {
+  projected_value found;
+  bool relaxed;  ///< before the time was over
+};
+
 /// exp(time A) f at y. The remainder (A - A_L) g of the Galerkin solution g, summed over the time, bounds its error.
 /// Once g is a constant but for rounding it stays one, as the semigroup is a contraction: there it ends.
-std::optional<projected_value> propagated(const sparse_matrix& tall, const cut_function& cut, const Eigen::VectorXd& y,
-                                          double time, int degree) {
+std::optional<propagated_value> propagated(const sparse_matrix& tall, const cut_function& cut, const Eigen::VectorXd& y,
+                                           double time, int degree) {
   const Eigen::VectorXd& f = cut.coefficients;
   const sparse_matrix whole = tall.topRows(tall.cols());
   const index_set block = blocks_of(whole, f);
@@ -90,7 +95,7 @@ std::optional<projected_value> propagated(const sparse_matrix& tall, const cut_f
   const bool relaxed = apart <= least && passed < (1 - 1e-9) * time;
   if (!relaxed && cost > affordable) return {};
   const double floor = least * std::max(1.0, std::sqrt(steps) / 10);
-  return projected_value{y(block).dot(g), floor, bound + cut.cut_off + 2 * (relaxed ? apart : 0) + floor};
+  return propagated_value{{y(block).dot(g), floor, bound + cut.cut_off + 2 * (relaxed ? apart : 0) + floor}, relaxed};
 }
 
 }  // namespace
@@ -141,17 +146,22 @@ double needed_degree(const sphere_problem& problem) {
 reference_value expectation(const sphere_problem& problem, const sphere_function& f, const Eigen::Vector3d& start,
                             double time, double tolerance, int wanted) {
   if (problem.covariance.isZero(0)) return on_the_path(problem, f, start, time);
-  const auto value_at = [&](int degree) {
-    return propagated(tall_operator(problem, degree), cut_to(problem, f, degree),
-                      harmonics_at(start.normalized(), degree), time, degree);
+  bool relaxed = false;
+  const auto value_at = [&](int degree) -> std::optional<projected_value> {
+    const auto at = propagated(tall_operator(problem, degree), cut_to(problem, f, degree),
+                               harmonics_at(start.normalized(), degree), time, degree);
+    if (!at) return {};
+    relaxed = at->relaxed;
+    return at->found;
   };
   // Where three degrees can tell they may: the proved bound grows with time, the error need not.
   const double needed = needed_degree(problem);
   const bool comparable = degrees.back() >= needed_share * needed;
   const double size = comparable ? observable_coefficients(problem, f, degrees.front()).norm() / unit_of_mean : 0;
   const std::vector<int> chosen{wanted};
-  const auto found = raise_degree(wanted > 0 ? std::span<const int>(chosen) : degrees,
-                                  {.absolute = tolerance, .size = size}, needed, value_at, wanted);
+  auto found = raise_degree(wanted > 0 ? std::span<const int>(chosen) : degrees, {.absolute = tolerance, .size = size},
+                            needed, value_at, wanted);
+  found.relaxed = relaxed;
   if (found.converged()) return found;
   const auto late = expectation_long_after(problem, f, time, tolerance, wanted);
   return late ? *late : found;

@@ -36,6 +36,7 @@ struct reference_value {
   int degree = 0;
   std::string reason{};    ///< empty if converged to the tolerance; else one sentence
   bool forgotten = false;  ///< an expectation after so long a time that it is taken from the stationary law
+  bool relaxed = false;    ///< an expectation of which only the constant was left before the time was over
 
   bool converged() const { return value && reason.empty(); }
 };

@@ -112,8 +112,9 @@ void answer_expectation(const scene& s, const sphere_problem& p, const reference
   const auto f = observable_of(s, out.observable);
   const auto found = expectation(p, f, start, *out.time, value_tolerance * size_of(p, f), o.degree);
   out.method = p.covariance.isZero(0) ? "no noise: the one path, by Boost.Odeint"
-               : found.forgotten ? "the stationary law in spherical harmonics: the start is forgotten"
-                                 : "Kolmogorov's backward equation in spherical harmonics";
+               : found.forgotten      ? "the stationary law in spherical harmonics: the start is forgotten"
+                                      : "Kolmogorov's backward equation in spherical harmonics";
+  if (found.relaxed) out.method += ", until only the stationary mean is left";
   take(s, found, out);
 }
 
