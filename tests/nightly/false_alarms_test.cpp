@@ -104,15 +104,15 @@ TEST(FreshSeeds, RefuteNoStrongClaimAndOrdersCoverTheirMean) {
   std::map<std::string, interval_record> orders;
   over_seeds(10'001, {}, {"strong"}, [&](const report::results& r) {
     alarms.add(r);
-    for (const auto& f : r.fits) orders[f.scheme].add(f.order, f.low, f.high);
+    for (const auto& f : r.fits) orders[f.scheme + ", " + f.quantity].add(f.order, f.low, f.high);
   });
   alarms.print();
-  std::printf("| scheme | mean order | covered |\n|---|---|---|\n");
-  for (const auto& [scheme, o] : orders) {
+  std::printf("| scheme, error | mean order | covered |\n|---|---|---|\n");
+  for (const auto& [what, o] : orders) {
     const auto [low, high] = share_interval(o.covering(o.mean()), o.count());
-    std::printf("| %s | %.4f | %.3f [%.3f, %.3f] |\n", scheme.c_str(), o.mean(),
+    std::printf("| %s | %.4f | %.3f [%.3f, %.3f] |\n", what.c_str(), o.mean(),
                 o.covering(o.mean()) / static_cast<double>(o.count()), low, high);
-    EXPECT_TRUE(high >= 0.93 && low <= 0.97) << scheme << ": coverage in [" << low << ", " << high << "]";
+    EXPECT_TRUE(high >= 0.93 && low <= 0.97) << what << ": coverage in [" << low << ", " << high << "]";
   }
 }
 
