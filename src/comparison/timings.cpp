@@ -29,7 +29,7 @@ struct cost_change {
 /// The costs of one scheme, with noise or without it.
 struct cost_group {
   std::vector<cost_change> rows;
-  double median = 0, threshold = 0;
+  double median = 0, threshold = 0, strain = 0;
   bool moved() const { return std::fabs(median) > threshold; }
   void take_out(double common) {
     median -= common;
@@ -42,10 +42,20 @@ using group_key = std::tuple<std::string, bool>;  // scheme, without noise
 bool is_cost(const measurement& m) { return m.method == "timed" && m.quantity == "cost" && m.value && m.dt; }
 bool without_noise(const measurement& m) { return m.observable == "energy_law"; }
 
-std::optional<double> yardstick_of(const results& r) {
+struct yardstick {
+  double ns, high;  ///< median, upper quartile
+};
+
+std::optional<yardstick> yardstick_of(const results& r) {
   for (const auto& m : r.measurements)
-    if (m.quantity == "yardstick" && m.method == "timed" && m.value && *m.value > 0) return m.value;
+    if (m.quantity == "yardstick" && m.method == "timed" && m.value && *m.value > 0)
+      return yardstick{*m.value, std::max(*m.value, m.high.value_or(*m.value))};
   return std::nullopt;
+}
+
+/// By how much the state of the machine differs: what the yardstick says of it, of half of the run and of its quarter.
+double difference_of_state(const yardstick& a, const yardstick& b) {
+  return std::max(std::fabs(std::log(b.ns / a.ns)), std::fabs(std::log(b.high / a.high)));
 }
 
 /// Standard error of log(value).
@@ -82,16 +92,22 @@ std::map<group_key, cost_group> groups_of(const results& before, const results& 
   return out;
 }
 
+/// The standard deviation of normal values, by their median distance from their median.
+double robust_deviation(std::vector<double> x) {
+  const double middle = median_of(x);
+  for (double& v : x) v = std::fabs(v - middle);
+  return 1.4826 * median_of(std::move(x));
+}
+
 void judge(cost_group& g, double z) {
-  std::vector<double> changes, errors, distances;
+  std::vector<double> changes, errors;
   for (const auto& r : g.rows) {
     changes.push_back(r.change);
     errors.push_back(r.error);
   }
   g.median = median_of(changes);
-  for (const double x : changes) distances.push_back(std::fabs(x - g.median));
   const double n = static_cast<double>(g.rows.size()), of_median = 1.2533 / std::sqrt(n);
-  const double scatter = 1.4826 * median_of(distances) * of_median, own = shared * median_of(errors);
+  const double scatter = robust_deviation(changes) * of_median, own = shared * median_of(errors);
   g.threshold = between_runs + z * std::hypot(scatter, own);
 }
 
@@ -125,11 +141,12 @@ void tell_moved(const std::string& scheme, const cost_group* noisy, const cost_g
 
 /// Costs that have moved otherwise than their scheme's, the farthest with their number.
 void tell_apart(const std::string& scheme, const cost_group& g, bool silent, double z, report::comparison& out) {
+  const double least = apart + g.strain;
   const cost_change* farthest = nullptr;
   int count = 0;
   for (const auto& r : g.rows) {
     const double distance = std::fabs(r.change - g.median);
-    if (!(distance > apart + z * r.error)) continue;
+    if (!(distance > least + z * r.error)) continue;
     ++count;
     if (!farthest || distance > std::fabs(farthest->change - g.median)) farthest = &r;
   }
@@ -138,28 +155,66 @@ void tell_apart(const std::string& scheme, const cost_group& g, bool silent, dou
       change_of(scheme,
                 fmt::format("cost of a step against the yardstick{}, apart from the other dt{}",
                             silent ? ", without noise" : "", count > 1 ? fmt::format(", and {} more", count - 1) : ""),
-                farthest->change, apart + z * farthest->error);
+                farthest->change, least + z * farthest->error);
   found.dt = farthest->dt;
   out.changes.push_back(found);
+}
+
+std::vector<cost_group*> of_kind(std::map<group_key, cost_group>& groups, bool silent) {
+  std::vector<cost_group*> out;
+  for (auto& [key, g] : groups)
+    if (std::get<1>(key) == silent) out.push_back(&g);
+  return out;
+}
+
+std::vector<double> medians_of(const std::vector<cost_group*>& groups) {
+  std::vector<double> out;
+  for (const auto* g : groups) out.push_back(g->median);
+  return out;
 }
 
 /// What all schemes have in common is one cause: taken out of each, and told once if it is large.
 void take_out_common(std::map<group_key, cost_group>& groups, report::comparison& out) {
   bool told = false;
   for (const bool silent : {false, true}) {
-    std::vector<double> medians;
-    for (const auto& [key, g] : groups)
-      if (std::get<1>(key) == silent) medians.push_back(g.median);
-    if (medians.size() < fewest_schemes) continue;
-    const double common = median_of(medians);
-    for (auto& [key, g] : groups)
-      if (std::get<1>(key) == silent) g.take_out(common);
+    const auto same = of_kind(groups, silent);
+    if (same.size() < fewest_schemes) continue;
+    const double common = median_of(medians_of(same));
+    for (auto* g : same) g->take_out(common);
     if (std::fabs(common) <= of_all || std::exchange(told, true)) continue;
     out.changes.push_back(change_of("",
                                     fmt::format("cost of a step against the yardstick{}, common to {} schemes",
-                                                silent ? ", without noise" : "", medians.size()),
+                                                silent ? ", without noise" : "", same.size()),
                                     common, of_all));
   }
+}
+
+/// Where the machine was in another state, schemes are slowed by different amounts: see the header.
+void widen(std::map<group_key, cost_group>& groups, double state, double z) {
+  for (const bool silent : {false, true}) {
+    const auto same = of_kind(groups, silent);
+    if (same.empty()) continue;
+    const double apart_from_each_other = same.size() < fewest_schemes ? state : z * robust_deviation(medians_of(same));
+    for (auto* g : same) {
+      g->strain = std::min(state, apart_from_each_other);
+      g->threshold += g->strain;
+    }
+  }
+}
+
+void note_state(const std::map<group_key, cost_group>& groups, const yardstick& a, const yardstick& b,
+                report::comparison& out) {
+  double least = 0;
+  bool strained = false;
+  for (const auto& [_, g] : groups) {
+    strained = strained || g.strain > between_runs;
+    least = std::max(least, g.threshold);
+  }
+  if (strained)
+    out.settings.push_back(fmt::format(
+        "the machine's state: the yardstick took {:.3g} ns (a quarter of them above {:.3g}), now {:.3g} ({:.3g}); "
+        "changes of cost below {:.0f} % are not told",
+        a.ns, a.high, b.ns, b.high, 100 * std::expm1(least)));
 }
 
 }  // namespace
@@ -173,12 +228,14 @@ void compare_timings(const results& before, const results& after, report::compar
         fmt::format("{} has no yardstick beside its timings", a ? "the later run" : "the earlier run");
     return;
   }
-  auto groups = groups_of(before, after, std::log(*b / *a));
+  auto groups = groups_of(before, after, std::log(b->ns / a->ns));
   for (const auto& [_, g] : groups) out.timings += g.rows.size();
   const double per_group = two_sided(false_alarms / static_cast<double>(std::max<std::size_t>(1, groups.size())));
   const double per_row = two_sided(false_alarms / static_cast<double>(std::max<std::size_t>(1, out.timings)));
   for (auto& [_, g] : groups) judge(g, per_group);
   take_out_common(groups, out);
+  widen(groups, difference_of_state(*a, *b), per_group);
+  note_state(groups, *a, *b, out);
   for (auto& [key, g] : groups) {
     const auto& [scheme, silent] = key;
     const auto other = groups.find({scheme, !silent});

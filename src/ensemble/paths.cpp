@@ -49,7 +49,7 @@ increment_view increment_buffer::fill(std::uint64_t seed, std::uint64_t first_pa
                                       double dt) {
   const auto* defect = noise_defect_in_force();
   if (defect) first_path = defect->path(first_path);
-  const auto draw = [&](noise_kind kind, int rows, int wanted, double scale, std::vector<double>& out, float* singles) {
+  const auto draw = [&](noise_kind kind, int rows, int wanted, double scale, lane_vector<double>& out, float* singles) {
     fill_normals({seed, kind, first_path, first_step, steps, rows, wanted, scale, out.data(), source_, singles});
     count_normals(static_cast<std::uint64_t>(steps) * static_cast<std::uint64_t>(wanted) * block_lanes);
   };

@@ -9,6 +9,7 @@
 #include <polhode/noise/normal.hpp>
 
 #include "ensemble/kernel.hpp"
+#include "ensemble/lanes.hpp"
 #include "ensemble/model.hpp"
 
 namespace polhode {
@@ -30,9 +31,9 @@ class increment_buffer {
  private:
   int channels_, active_, pairs_;
   noise_source source_;
-  std::vector<double> dw_;
-  std::vector<float> singles_;  // in place of dw_, where normals are fast: half the memory
-  std::vector<double> area_;
+  lane_vector<double> dw_;
+  lane_vector<float> singles_;  // in place of dw_, where normals are fast: half the memory
+  lane_vector<double> area_;
 };
 
 /// No noise at all: nothing is stored, and nothing drawn.

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/align/aligned_allocator.hpp>
 #include <cmath>
 #include <ctime>
+#include <memory>
+#include <span>
 
 #include "ensemble/denormals.hpp"
+#include "ensemble/lanes.hpp"
 #include "ensemble/paths.hpp"
 #include "ensemble/yardstick.hpp"
 
@@ -24,10 +28,27 @@ double thread_time() {
   return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
 }
 
+/// States at a place of their own in a page for each slot, all over it: loads and stores a page apart look alike to the
+/// processor, and where the stack lies in its page differs from one run of the program to the next.
+class placed_states {
+ public:
+  placed_states(std::size_t count, int slot)
+      : memory_(page / sizeof(double) + count),
+        values_(
+            memory_.data() + static_cast<std::size_t>(slot) * (page / slots / cache_line * cache_line) / sizeof(double),
+            count) {}
+  std::span<double> values() const { return values_; }
+
+ private:
+  static constexpr std::size_t page = 4096;
+  std::vector<double, boost::alignment::aligned_allocator<double, page>> memory_;
+  std::span<double> values_;
+};
+
 /// One block of paths, set back to its start whenever the horizon is over.
 class timed_block {
  public:
-  timed_block(const context& c, const scheme_entry& scheme, double dt)
+  timed_block(const context& c, const scheme_entry& scheme, double dt, int slot)
       : dt_(dt),
         seed_(c.seed),
         silent_(c.subject.model->active_channels() == 0),
@@ -35,6 +56,7 @@ class timed_block {
         noise_(*c.subject.model, chunk, scheme.needs_areas, {c.generator, noise_quality::fast}),
         chunks_(silent_ && !scheme.info.implicit ? silent_chunks : noisy_chunks),
         start_(replicated(c.subject.scene.momentum)),
+        states_(start_.size(), slot),
         chunks_to_horizon_(
             static_cast<int>(std::clamp(std::ceil(c.subject.scene.horizon / (dt * chunk)), 1.0, double(chunks_)))) {}
 
@@ -43,9 +65,10 @@ class timed_block {
     const double begin = thread_time();
     for (int i = 0; i < chunks_; ++i) {
       const bool first = i % chunks_to_horizon_ == 0, last = (i + 1) % chunks_to_horizon_ == 0 || i + 1 == chunks_;
-      if (first) states_ = start_;
+      if (first) std::ranges::copy(start_, states_.values().begin());
       const auto at = static_cast<std::uint64_t>(i) * chunk;
-      stepper_->advance(states_, silent_ ? silence(chunk, dt_) : noise_.fill(seed_, 0, at, chunk, dt_), {first, last});
+      stepper_->advance(states_.values(), silent_ ? silence(chunk, dt_) : noise_.fill(seed_, 0, at, chunk, dt_),
+                        {first, last});
     }
     return (thread_time() - begin) / (double{chunk} * chunks_ * block_lanes);
   }
@@ -57,7 +80,8 @@ class timed_block {
   std::unique_ptr<kernel> stepper_;
   increment_buffer noise_;
   int chunks_;
-  std::vector<double> start_, states_;
+  std::vector<double> start_;
+  placed_states states_;
   int chunks_to_horizon_;
 };
 
@@ -66,12 +90,14 @@ double normals_of(const model& m, bool areas) {
   return active + (areas && active > 1 ? pairs : 0);
 }
 
-/// The loop that never changes, on memory of its own.
+/// The loop that never changes, on memory of its own, which lies alike in every run of the program.
 class yardstick {
  public:
-  yardstick() : table_(3 * block_lanes * yardstick_rows), states_(3 * block_lanes, 0.57735), mixed_(2 * block_lanes) {
-    for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = 0.01 + 1e-5 * static_cast<double>(i % 97);
-    for (std::size_t i = 0; i < mixed_.size(); ++i) mixed_[i] = static_cast<std::uint32_t>(i);
+  yardstick() : memory_(std::make_unique<memory>()) {
+    for (std::size_t i = 0; i < memory_->table.size(); ++i)
+      memory_->table[i] = 0.01 + 1e-5 * static_cast<double>(i % 97);
+    memory_->states.fill(0.57735);
+    for (std::size_t i = 0; i < memory_->mixed.size(); ++i) memory_->mixed[i] = static_cast<std::uint32_t>(i);
     run();
   }
 
@@ -80,22 +106,24 @@ class yardstick {
     double best = HUGE_VAL;
     for (int i = 0; i < runs; ++i) {
       const double begin = thread_time();
-      run_yardstick({chunk * noisy_chunks, table_.data(), states_.data(), mixed_.data()});
+      run_yardstick({chunk * noisy_chunks, memory_->table.data(), memory_->states.data(), memory_->mixed.data()});
       best = std::min(best, (thread_time() - begin) / (double{chunk} * noisy_chunks * block_lanes));
     }
     return best;
   }
 
  private:
-  std::vector<double> table_, states_;
-  std::vector<std::uint32_t> mixed_;
+  struct alignas(4096) memory {
+    std::array<double, 3 * block_lanes * yardstick_rows> table;
+    std::array<double, 3 * block_lanes> states;
+    std::array<std::uint32_t, 2 * block_lanes> mixed;
+  };
+  std::unique_ptr<memory> memory_;
 };
 
-/// ns a path and step of one slot, its memory at another place than that of the slots before.
+/// ns a path and step of one slot.
 double time_of_slot(const priced_step& step, int slot) {
-  const std::vector<double> elsewhere(static_cast<std::size_t>(1 + 520 * slot));
-  [[maybe_unused]] const volatile double kept = elsewhere.back();
-  timed_block block(*step.where, *step.scheme, step.dt);
+  timed_block block(*step.where, *step.scheme, step.dt, slot);
   block.run();  // warms the caches
   double best = HUGE_VAL;
   for (int i = 0; i < runs; ++i) best = std::min(best, block.run());

@@ -68,21 +68,28 @@ report::results timed(bool slower) {
   return verify_subject(subject, options);
 }
 
+/// Both runs found the machine as it was; else `compare` says below what it tells nothing.
+bool in_one_state(const report::comparison& c) { return c.settings.empty(); }
+
 TEST(Timings, OneAlarmInAHundredAtMostAndAFivePerCentSlowerKernelIsFound) {
   constexpr int pairs = 20;
   std::size_t compared = 0, alarms = 0;
-  int found = 0;
+  int found = 0, asked = 0;
   for (int i = 0; i < pairs; ++i) {
     const auto a = timed(false), b = timed(false), c = timed(true);
     const auto same = compare(a, b), planted = compare(b, c);
     compared += same.timings;
     alarms += same.changes.size();
     for (const auto& x : same.changes) std::printf("%s: %s: %g\n", x.scheme.c_str(), x.what.c_str(), *x.after);
+    if (!in_one_state(planted)) continue;
+    ++asked;
     found += std::ranges::any_of(planted.changes, [](const auto& x) { return x.scheme == slowed && *x.after > 1; });
   }
-  std::printf("%zu alarms over %zu timings in %d pairs; slower kernel found in %d\n", alarms, compared, pairs, found);
+  std::printf(
+      "%zu alarms over %zu timings in %d pairs; slower kernel found in %d of %d pairs on a machine in one state\n",
+      alarms, compared, pairs, found, asked);
   EXPECT_LE(static_cast<double>(alarms), 0.01 * static_cast<double>(compared));
-  EXPECT_GE(found, pairs - 2);
+  EXPECT_GE(10 * found, 9 * asked);
 }
 
 }  // namespace

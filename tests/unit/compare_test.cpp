@@ -138,15 +138,19 @@ TEST(Compare, AClaimThatIsMadeNoLongerIsNotedUnlessItWasNotAsked) {
   EXPECT_EQ(kinds(before, after), none{});
 }
 
-/// Costs of a run as a noisy machine times them: `speed` slows everything, the yardstick with it; `run` is what this
-/// run's placement does to each scheme; each cost has its own noise, which its interval knows.
+/// Costs of a run as a noisy machine times them: `speed` slows everything, the yardstick with it, and a neighbour on
+/// the same core slows the yardstick most; `run` is what this run does to each scheme alone; each cost has its own
+/// noise, which its interval knows.
 struct machine {
   std::mt19937_64 random;
   double own_noise = 0.006, placement = 0.003;  // of a busy machine
+  double speeds = 0.1;
+  double neighbour = 0;  // by how much it slows the yardstick, in log
 
   report::results timed(double slower_scheme = 1, double slower_kernel = 1) {
     std::normal_distribution<double> noise;
-    const double speed = std::exp(0.1 * noise(random));
+    const double speed = std::exp(speeds * noise(random));
+    std::uniform_real_distribution<double> share;
     report::results r = with({});
     const auto add = [&](const char* scheme, const char* quantity, const char* kind, double dt, double value,
                          double error) {
@@ -156,10 +160,10 @@ struct machine {
       m.high = value * std::exp(1.96 * error);
       r.measurements.push_back(m);
     };
-    add("", "yardstick", "", 0, 1.3 * speed, 0.02);
+    add("", "yardstick", "", 0, 1.3 * speed * std::exp(neighbour), 0.02);
     for (const char* scheme : {"euler", "heun", "lie_heun", "magnus", "milstein", "strang", "implicit"})
       for (const bool silent : {false, true}) {
-        const double run = placement * noise(random);
+        const double run = placement * noise(random) + neighbour * share(random);
         const bool planted = scheme == std::string("heun");
         const double slower = !planted ? 1 : silent ? slower_scheme * slower_kernel : slower_scheme;
         for (int level = 0; level < 9; ++level) {
@@ -180,8 +184,21 @@ TEST(CompareTimings, RunsOfOneProgramDifferInOneOfAHundredAtMost) {
   EXPECT_LE(alarms, 12);  // 5 expected at most, 3 standard deviations
 }
 
+TEST(CompareTimings, AnotherStateOfTheMachineIsNoChange) {
+  machine quiet{std::mt19937_64(14)}, busy{std::mt19937_64(15)};
+  busy.neighbour = 0.4;
+  int alarms = 0, told = 0;
+  for (int pair = 0; pair < 200; ++pair) {
+    const auto c = compare(quiet.timed(), busy.timed());
+    alarms += !c.changes.empty();
+    for (const auto& s : c.settings) told += s.find("the machine's state") != std::string::npos;
+  }
+  EXPECT_GE(told, 196);  // but where the schemes happen to be slowed alike
+  EXPECT_LE(alarms, 6);  // 2 expected at most, 3 standard deviations
+}
+
 TEST(CompareTimings, AFivePerCentSlowerSchemeIsOneLine) {
-  machine m{std::mt19937_64(8), 0.004};
+  machine m{std::mt19937_64(8), 0.004, 0.003, 0};
   int found = 0, lines = 0;
   for (int pair = 0; pair < 200; ++pair) {
     const auto changes = compare(m.timed(), m.timed(1.05)).changes;
@@ -196,7 +213,7 @@ TEST(CompareTimings, AFivePerCentSlowerSchemeIsOneLine) {
 }
 
 TEST(CompareTimings, AFivePerCentSlowerKernelIsFoundWhereNoNoiseIsDrawn) {
-  machine m{std::mt19937_64(9), 0.004};
+  machine m{std::mt19937_64(9), 0.004, 0.003, 0};
   int found = 0;
   for (int pair = 0; pair < 100; ++pair)
     for (const auto& c : compare(m.timed(), m.timed(1, 1.05)).changes)
