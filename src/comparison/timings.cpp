@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -174,30 +175,38 @@ std::vector<double> medians_of(const std::vector<cost_group*>& groups) {
 }
 
 /// What all schemes have in common is one cause: taken out of each, and told once if it is large.
-void take_out_common(std::map<group_key, cost_group>& groups, report::comparison& out) {
+void take_out_common(std::map<group_key, cost_group>& groups, double state, report::comparison& out) {
+  const double least = of_all + state;
   bool told = false;
   for (const bool silent : {false, true}) {
     const auto same = of_kind(groups, silent);
     if (same.size() < fewest_schemes) continue;
     const double common = median_of(medians_of(same));
     for (auto* g : same) g->take_out(common);
-    if (std::fabs(common) <= of_all || std::exchange(told, true)) continue;
+    if (std::fabs(common) <= least || std::exchange(told, true)) continue;
     out.changes.push_back(change_of("",
                                     fmt::format("cost of a step against the yardstick{}, common to {} schemes",
                                                 silent ? ", without noise" : "", same.size()),
-                                    common, of_all));
+                                    common, least));
   }
 }
 
+/// Three times the largest change but one (of seven that scatter evenly, one in a hundred is that far ahead).
+double scatter_of_others(const std::vector<cost_group*>& groups) {
+  std::vector<double> size;
+  for (const auto* g : groups) size.push_back(std::fabs(g->median));
+  std::ranges::nth_element(size, size.begin() + 1, std::greater{});
+  return 3 * size[1];
+}
+
 /// Where the machine was in another state, schemes are slowed by different amounts: see the header.
-void widen(std::map<group_key, cost_group>& groups, double state, double z) {
+void widen(std::map<group_key, cost_group>& groups, double state) {
   for (const bool silent : {false, true}) {
     const auto same = of_kind(groups, silent);
-    if (same.empty()) continue;
-    const double apart_from_each_other = same.size() < fewest_schemes ? state : z * robust_deviation(medians_of(same));
+    const double strain = same.size() < fewest_schemes ? state : std::min(state, scatter_of_others(same));
     for (auto* g : same) {
-      g->strain = std::min(state, apart_from_each_other);
-      g->threshold += g->strain;
+      g->strain = strain;
+      g->threshold += strain;
     }
   }
 }
@@ -233,8 +242,9 @@ void compare_timings(const results& before, const results& after, report::compar
   const double per_group = two_sided(false_alarms / static_cast<double>(std::max<std::size_t>(1, groups.size())));
   const double per_row = two_sided(false_alarms / static_cast<double>(std::max<std::size_t>(1, out.timings)));
   for (auto& [_, g] : groups) judge(g, per_group);
-  take_out_common(groups, out);
-  widen(groups, difference_of_state(*a, *b), per_group);
+  const double state = difference_of_state(*a, *b);
+  take_out_common(groups, state, out);
+  widen(groups, state);
   note_state(groups, *a, *b, out);
   for (auto& [key, g] : groups) {
     const auto& [scheme, silent] = key;

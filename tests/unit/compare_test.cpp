@@ -185,8 +185,7 @@ TEST(CompareTimings, RunsOfOneProgramDifferInOneOfAHundredAtMost) {
 }
 
 TEST(CompareTimings, AnotherStateOfTheMachineIsNoChange) {
-  machine quiet{std::mt19937_64(14)}, busy{std::mt19937_64(15)};
-  busy.neighbour = 0.4;
+  machine quiet{std::mt19937_64(14), 0.006, 0.003, 0.03}, busy{std::mt19937_64(15), 0.006, 0.003, 0.03, 0.4};
   int alarms = 0, told = 0;
   for (int pair = 0; pair < 200; ++pair) {
     const auto c = compare(quiet.timed(), busy.timed());
@@ -235,7 +234,7 @@ TEST(CompareTimings, OneStepSizeThatGoesItsOwnWayIsTold) {
 }
 
 TEST(CompareTimings, WhatAllSchemesHaveInCommonIsOneLine) {
-  machine m{std::mt19937_64(13)};
+  machine m{std::mt19937_64(13), 0.006, 0.003, 0};
   const auto before = m.timed();
   auto after = m.timed();
   for (auto& row : after.measurements)
