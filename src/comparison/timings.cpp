@@ -21,6 +21,7 @@ using report::results;
 constexpr double false_alarms = 0.01;      // of a comparison
 constexpr double quantile = 1.96;          // of the intervals
 constexpr std::size_t fewest_schemes = 5;  // that have something in common
+constexpr std::size_t fewest_others = 7;   // by whose scatter one is judged
 
 /// A cost at one dt, before and after, in units of the yardsticks: its change and the standard error of that.
 struct cost_change {
@@ -191,7 +192,8 @@ void take_out_common(std::map<group_key, cost_group>& groups, double state, repo
   }
 }
 
-/// Three times the largest change but one (of seven that scatter evenly, one in a hundred is that far ahead).
+/// Three times the largest change but one (of seven that scatter evenly, one is that far ahead in two of a hundred
+/// cases).
 double scatter_of_others(const std::vector<cost_group*>& groups) {
   std::vector<double> size;
   for (const auto* g : groups) size.push_back(std::fabs(g->median));
@@ -203,7 +205,7 @@ double scatter_of_others(const std::vector<cost_group*>& groups) {
 void widen(std::map<group_key, cost_group>& groups, double state) {
   for (const bool silent : {false, true}) {
     const auto same = of_kind(groups, silent);
-    const double strain = same.size() < fewest_schemes ? state : std::min(state, scatter_of_others(same));
+    const double strain = same.size() < fewest_others ? state : std::min(state, scatter_of_others(same));
     for (auto* g : same) {
       g->strain = strain;
       g->threshold += strain;

@@ -11,7 +11,7 @@
 // loop more than another for as long as it is there; z: the two-sided quantile at level 0.01 over the number of groups.
 // strain: a processor shared with other work slows no step by more than the yardstick, which has the most operations in
 // flight, and some hardly at all; so D may move by as much as the yardstick (its median, or its upper quartile) has
-// moved from run to run, and by no more than three times the largest but one that is seen, of five schemes or more. It
+// moved from run to run, and by no more than three times the largest but one that is seen, of seven schemes or more. It
 // is none where both runs found the machine in the same state.
 // What all schemes (five or more) have in common is taken out first, and told once where it is above `of_all` and what
 // the yardstick has moved by: it is the machine's, or that of what they share. Runs with noise and without (the energy law) are two groups of a scheme,

@@ -72,25 +72,30 @@ double slope_at_the_finest(const points& p) {
 }
 
 struct selection {
-  std::vector<level> levels;
+  std::vector<level> finest, levels;  ///< that may take part, and that do: the last of them
   std::string rule;
 };
+
+std::vector<level> asymptotic_part(std::vector<level> kept) {
+  while (static_cast<int>(kept.size()) > least_levels) {
+    const double off = std::fabs(off_the_others(points_of(kept)));
+    if (off <= off_the_line || off <= standard_errors * kept.front().error) break;
+    kept.erase(kept.begin());
+  }
+  return kept;
+}
 
 /// The rule of the header.
 selection select_levels(std::vector<level> all, int left_out_at_floor) {
   std::ranges::sort(all, [](const level& a, const level& b) { return a.x > b.x; });
   const int spare = std::max(0, static_cast<int>(all.size()) - most_levels);
-  std::vector<level> kept(all.begin() + spare, all.end());
-  int early = 0;
-  while (static_cast<int>(kept.size()) > least_levels) {
-    const double off = std::fabs(off_the_others(points_of(kept)));
-    if (off <= off_the_line || off <= standard_errors * kept.front().error) break;
-    kept.erase(kept.begin());
-    ++early;
-  }
-  return {kept, fmt::format("{} levels used; left out: {} coarser than the finest {}, {} pre-asymptotic, {} at the "
-                            "rounding floor or not finite",
-                            kept.size(), spare, most_levels, early, left_out_at_floor)};
+  const std::vector<level> finest(all.begin() + spare, all.end());
+  const auto kept = asymptotic_part(finest);
+  const auto early = finest.size() - kept.size();
+  return {finest, kept,
+          fmt::format("{} levels used; left out: {} coarser than the finest {}, {} pre-asymptotic, {} at the "
+                      "rounding floor or not finite",
+                      kept.size(), spare, most_levels, early, left_out_at_floor)};
 }
 
 order_fit result_of(const selection& s, const line& l, double low, double high, std::size_t count) {
@@ -157,7 +162,8 @@ std::optional<order_fit> fit_order(std::span<const double> dt, std::span<const d
 }
 
 std::optional<order_fit> fit_power_law(std::span<const double> x, std::span<const double> value) {
-  const selection all{finite_levels(x, value, 0), "every point that is finite and above zero"};
+  const auto points = finite_levels(x, value, 0);
+  const selection all{points, points, "every point that is finite and above zero"};
   if (all.levels.size() < least_levels) return std::nullopt;
   return exact_fit(all, x.size());
 }
@@ -188,21 +194,25 @@ void select_levels_of(std::span<const double> dt, double least_mean, moments& m)
   }
   const auto left_out = m.values.levels - static_cast<int>(levels.size());
   m.chosen = select_levels(std::move(levels), left_out);
-  if (m.chosen.levels.size() < least_levels) m.chosen.levels.clear();
+  if (m.chosen.levels.size() < least_levels) m.chosen = {};
 }
 
-/// `resampled`: means of the replicates, [replicate][chosen level].
+/// `resampled`: means of the replicates, [replicate][level that may take part]. Each chooses its own levels for its
+/// slope, as the choice is part of what would come out otherwise.
 order_fit resampled_fit(const moments& m, const Eigen::Ref<const Eigen::MatrixXd>& resampled) {
-  points p = points_of(m.chosen.levels);
+  const auto early = m.chosen.finest.size() - m.chosen.levels.size();
+  const points p = points_of(m.chosen.levels);
   const line l = weighted_line(p);
   const double last = slope_at_the_finest(p);
   std::vector<double> slopes, off, finest;
+  auto levels = m.chosen.finest;
   for (Eigen::Index r = 0; r < resampled.rows(); ++r) {
-    for (std::size_t k = 0; k < p.y.size(); ++k)
-      p.y[k] = m.power * std::log2(resampled(r, static_cast<Eigen::Index>(k)));
-    slopes.push_back(weighted_line(p).slope);
-    off.push_back(off_the_others(p));
-    finest.push_back(slope_at_the_finest(p));
+    for (std::size_t k = 0; k < levels.size(); ++k)
+      levels[k].y = m.power * std::log2(resampled(r, static_cast<Eigen::Index>(k)));
+    slopes.push_back(weighted_line(points_of(asymptotic_part(levels))).slope);
+    const auto same = points_of(std::span(levels).subspan(early));
+    off.push_back(off_the_others(same));
+    finest.push_back(slope_at_the_finest(same));
   }
   const auto [low, high] = central_interval(slopes, 0.95);
   const auto [least, most] = central_interval(off, 0.95);
@@ -215,16 +225,16 @@ order_fit resampled_fit(const moments& m, const Eigen::Ref<const Eigen::MatrixXd
 
 std::vector<std::optional<order_fit>> resampled_fits(std::span<const moments> all, std::uint64_t seed) {
   Eigen::Index columns = 0;
-  for (const auto& m : all) columns += static_cast<Eigen::Index>(m.chosen.levels.size());
+  for (const auto& m : all) columns += static_cast<Eigen::Index>(m.chosen.finest.size());
   values_of_paths values(all.front().values.paths, columns);
   Eigen::Index next = 0;
   for (const auto& m : all)
-    for (const auto& l : m.chosen.levels) values.col(next++) = matrix_of(m.values).col(l.index);
+    for (const auto& l : m.chosen.finest) values.col(next++) = matrix_of(m.values).col(l.index);
   const auto resampled = resampled_means(values, seed);
   std::vector<std::optional<order_fit>> out;
   next = 0;
   for (const auto& m : all) {
-    const auto count = static_cast<Eigen::Index>(m.chosen.levels.size());
+    const auto count = static_cast<Eigen::Index>(m.chosen.finest.size());
     out.push_back(count > 0 ? std::optional(resampled_fit(m, resampled.middleCols(next, count))) : std::nullopt);
     next += count;
   }

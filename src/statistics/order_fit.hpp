@@ -45,7 +45,8 @@ struct mean_and_error {
 };
 mean_and_error level_mean(const squared_errors&, int level);
 
-/// Root-mean-square errors against dt, weighted least squares; the interval by resampling paths (levels share them).
+/// Root-mean-square errors against dt, weighted least squares; the interval by resampling paths (levels share them), the
+/// choice of levels with them.
 std::optional<order_fit> fit_order(std::span<const double> dt, const squared_errors&, double floor, std::uint64_t seed);
 
 /// Errors of coupled levels in L^p: (mean |error|^p)^(1/p).
