@@ -96,7 +96,7 @@ std::optional<interval_estimate> rate_of(const squared_errors& changes, double s
     for (int i = 0; i < levels; ++i) clear.values.push_back(changes.at(path, i));
   std::vector<double> abscissa;
   for (int i = 0; i < levels; ++i) abscissa.push_back(std::exp2(-1.0 - i));
-  const auto fit = fit_order_of_means(abscissa, clear, seed);
+  const auto fit = fit_power_law_of_means(abscissa, clear, seed);
   if (!fit) return std::nullopt;
   const double unit = std::numbers::ln2 / (2 * span);
   return interval_estimate{unit * fit->order, unit * fit->low, unit * fit->high};

@@ -13,6 +13,7 @@ namespace polhode {
 namespace {
 
 constexpr int most_levels = 6, least_levels = 4, replicates = 400;
+constexpr const char* every_point = "every point that is finite and above zero";
 constexpr double off_the_line = 0.05, standard_errors = 3;
 
 struct points {
@@ -163,7 +164,7 @@ std::optional<order_fit> fit_order(std::span<const double> dt, std::span<const d
 
 std::optional<order_fit> fit_power_law(std::span<const double> x, std::span<const double> value) {
   const auto points = finite_levels(x, value, 0);
-  const selection all{points, points, "every point that is finite and above zero"};
+  const selection all{points, points, every_point};
   if (all.levels.size() < least_levels) return std::nullopt;
   return exact_fit(all, x.size());
 }
@@ -181,6 +182,7 @@ namespace {
 struct moments {
   squared_errors values;
   double power = 1;
+  bool every_level = false;
   selection chosen = {};
 };
 
@@ -193,7 +195,7 @@ void select_levels_of(std::span<const double> dt, double least_mean, moments& m)
                       std::max(1e-12, m.power * at.error / at.mean / std::log(2.0))});
   }
   const auto left_out = m.values.levels - static_cast<int>(levels.size());
-  m.chosen = select_levels(std::move(levels), left_out);
+  m.chosen = m.every_level ? selection{levels, levels, every_point} : select_levels(std::move(levels), left_out);
   if (m.chosen.levels.size() < least_levels) m.chosen = {};
 }
 
@@ -209,7 +211,7 @@ order_fit resampled_fit(const moments& m, const Eigen::Ref<const Eigen::MatrixXd
   for (Eigen::Index r = 0; r < resampled.rows(); ++r) {
     for (std::size_t k = 0; k < levels.size(); ++k)
       levels[k].y = m.power * std::log2(resampled(r, static_cast<Eigen::Index>(k)));
-    slopes.push_back(weighted_line(points_of(asymptotic_part(levels))).slope);
+    slopes.push_back(weighted_line(points_of(m.every_level ? levels : asymptotic_part(levels))).slope);
     const auto same = points_of(std::span(levels).subspan(early));
     off.push_back(off_the_others(same));
     finest.push_back(slope_at_the_finest(same));
@@ -277,10 +279,10 @@ std::optional<order_fit> fit_order(std::span<const double> dt, const squared_err
   return fit_orders(dt, {&rms, 1}, floor, seed).front();
 }
 
-std::optional<order_fit> fit_order_of_means(std::span<const double> dt, const squared_errors& values,
-                                            std::uint64_t seed) {
-  moments m{values};
-  select_levels_of(dt, 0, m);
+std::optional<order_fit> fit_power_law_of_means(std::span<const double> x, const squared_errors& values,
+                                                std::uint64_t seed) {
+  moments m{values, 1, true};
+  select_levels_of(x, 0, m);
   return resampled_fits({&m, 1}, seed).front();
 }
 
@@ -291,7 +293,9 @@ std::optional<order_fit> fit_order_of_clear_means(std::span<const double> dt, sq
     const double sign = std::fabs(m.mean) < clear * m.error ? 0 : m.mean < 0 ? -1 : 1;
     for (int path = 0; path < values.paths; ++path) values.at(path, l) *= sign;
   }
-  return fit_order_of_means(dt, values, seed);
+  moments m{std::move(values)};
+  select_levels_of(dt, 0, m);
+  return resampled_fits({&m, 1}, seed).front();
 }
 
 error_model fit_error_model(std::span<const double> dt, const squared_errors& e, const std::vector<bool>& used,

@@ -45,8 +45,8 @@ struct mean_and_error {
 };
 mean_and_error level_mean(const squared_errors&, int level);
 
-/// Root-mean-square errors against dt, weighted least squares; the interval by resampling paths (levels share them), the
-/// choice of levels with them.
+/// Root-mean-square errors against dt, weighted least squares; the interval by resampling paths (levels share them),
+/// the choice of levels with them.
 std::optional<order_fit> fit_order(std::span<const double> dt, const squared_errors&, double floor, std::uint64_t seed);
 
 /// Errors of coupled levels in L^p: (mean |error|^p)^(1/p).
@@ -60,14 +60,14 @@ mean_and_error level_norm(const squared_errors&, double p, int level);
 std::vector<std::optional<order_fit>> fit_orders(std::span<const double> dt, std::span<const error_norm>, double floor,
                                                  std::uint64_t seed);
 
-/// The order of the mean itself of any values of coupled levels. Levels whose mean is not positive are left out, and
-/// the others must be well clear of zero, as resampled means have a logarithm too.
-std::optional<order_fit> fit_order_of_means(std::span<const double> dt, const squared_errors& values,
-                                            std::uint64_t seed);
-
-/// The same of |mean|; levels whose mean is within `clear` standard errors of zero leave the fit.
+/// The order of |mean| itself of any values of coupled levels. Levels whose mean is within `clear` standard errors of
+/// zero leave the fit, as resampled means have a logarithm too.
 std::optional<order_fit> fit_order_of_clear_means(std::span<const double> dt, squared_errors values, double clear,
                                                   std::uint64_t seed);
+
+/// The growth law of the mean against any abscissa; all levels take part whose mean is positive.
+std::optional<order_fit> fit_power_law_of_means(std::span<const double> x, const squared_errors& values,
+                                                std::uint64_t seed);
 
 /// The mean square error in powers of dt, weighted least squares over the used levels.
 struct error_model {
