@@ -84,7 +84,8 @@ TEST_P(OneAnswer, IsGivenByTheTableAndBySelect) {
 INSTANTIATE_TEST_SUITE_P(Select, OneAnswer,
                          testing::Values(question{"weak", "weak", "weak", true},
                                          question{"stationary", "gibbs", "stationary", false},
-                                         question{"energy", "energy", "energy_law", true}),
+                                         question{"energy", "energy", "energy_law", true},
+                                         question{"strong", "strong", "strong", true}),
                          [](const auto& one) { return std::string(one.param.goal); });
 
 }  // namespace
