@@ -36,4 +36,20 @@ Eigen::MatrixXd coefficients_on(const shell_basis& basis, const law_observables&
   return out;
 }
 
+transfer_answer bias_reference::of(const subject& s, const scheme_entry& e, double dt, std::int64_t steps) const {
+  auto found = refine(s, e, dt, steps, question);
+  const auto n = std::ssize(columns);
+  if (found.error.size() > n && found.by_basis.size() > 0)
+    found.uncertainty.head(n) += found.error.tail(n) - found.by_basis.head(n);
+  found.error.conservativeResize(n);
+  found.uncertainty.conservativeResize(n);
+  found.uncertainty += uncertainty;
+  return found;
+}
+
+Eigen::VectorXd bias_reference::change_by_far_noise(const subject& s, const scheme_entry& e, double dt,
+                                                    std::int64_t steps) const {
+  return polhode::change_by_far_noise(s, e, dt, steps, question.ask).head(std::ssize(columns));
+}
+
 }  // namespace polhode

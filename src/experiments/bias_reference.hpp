@@ -19,17 +19,25 @@ Eigen::MatrixXd coefficients_of(const law_observables&, double radius, int degre
 /// The same on the basis of an operator.
 Eigen::MatrixXd coefficients_on(const shell_basis&, const law_observables&);
 
+/// Answers of `question`: one a column, then, where it has as many more, how far each of these is known on the degree
+/// of the operator: that takes the place of the last change with the degree.
 struct bias_reference {
   std::vector<error_column> columns;
-  transfer_question question;     ///< its answers: one a column
+  transfer_question question;
   Eigen::VectorXd uncertainty{};  ///< that is not in the question's answers, a column
-  double widened = 1;             ///< times which their own uncertainty is taken
+
+  transfer_answer of(const subject&, const scheme_entry&, double dt, std::int64_t steps) const;
+  Eigen::VectorXd change_by_far_noise(const subject&, const scheme_entry&, double dt, std::int64_t steps) const;
 };
 
 /// By the density itself: means of the observables, and how far the density is from the true one.
 bias_reference bias_by_density(const subject&, const stationary_law&);
 
-/// By the means of h and h^2, where the density is not known. Empty, with the reason, where these are not either.
-std::optional<bias_reference> bias_by_means(const subject&, std::string& reason);
+/// Where the density is not known, by the difference of two laws on harmonics of one degree, the scheme's and the
+/// equation's. Neither is resolved there. But the operator of a short step and the generator lack the same harmonics:
+/// P exp(dt L) P = 1 + dt P L P + …, so what the degree does to both means is the same but for O(dt^p), and their
+/// difference settles earlier than either. How far it is known: difference_bar.hpp. Empty, with the reason, where the
+/// mean of h itself is not known roughly.
+std::optional<bias_reference> bias_by_difference(const subject&, const stationary_law&, std::string& reason);
 
 }  // namespace polhode

@@ -50,28 +50,23 @@ void report_stationary_bias(const context& c, report::results& out) {
   for (const auto& e : s.schemes)
     if (e.info.casimir.exact) schemes.push_back(e);
   const auto law = true_law(s);
-  std::string reason = law.reason;
-  const auto reference = is_usable(law) ? std::optional(bias_by_density(s, law)) : bias_by_means(s, reason);
+  std::string reason;
+  const auto reference = is_usable(law) ? std::optional(bias_by_density(s, law)) : bias_by_difference(s, law, reason);
   if (!reference) {
     leave_open(schemes, "gibbs", bias_claim, "the true stationary mean of h is " + reason, out);
     return;
   }
   const auto expected = [&](const scheme_entry& e) { return weak_order_on(e.info, s.model->noise()); };
-  const order_question q{"gibbs",
-                         bias_claim,
-                         reference->columns,
-                         expected,
-                         [&](const scheme_entry& e, double dt, std::int64_t steps) {
-                           auto found = refine(s, e, dt, steps, reference->question);
-                           found.uncertainty *= reference->widened;
-                           return found;
-                         },
-                         [&](const scheme_entry& e, double dt, std::int64_t steps) {
-                           return change_by_far_noise(s, e, dt, steps, reference->question.ask);
-                         }};
-  auto tables = answer_all(c, schemes, scene_levels(s), q);
-  for (auto& table : tables)
-    for (auto& u : table.uncertainty) u += reference->uncertainty;
+  const order_question q{
+      "gibbs",
+      bias_claim,
+      reference->columns,
+      expected,
+      [&](const scheme_entry& e, double dt, std::int64_t steps) { return reference->of(s, e, dt, steps); },
+      [&](const scheme_entry& e, double dt, std::int64_t steps) {
+        return reference->change_by_far_noise(s, e, dt, steps);
+      }};
+  const auto tables = answer_all(c, schemes, scene_levels(s), q);
   for (std::size_t k = 0; k < tables.size(); ++k) report_orders(q, expected(schemes[k]), tables[k], out);
 }
 
