@@ -270,12 +270,13 @@ experiment gibbs_experiment() {
             "with 95 % confidence (Dvoretzky-Kiefer-Wolfowitz).",
             moment_margin, ks_bound),
         "Without dissipation the law is uniform for any noise that reaches every direction.",
-        "Bias of E[h], E[h^2] and distance of the densities (L2) over dt: the law that the scheme's transfer "
-        "operator leaves as it is, nothing sampled (experiment weak). True law: the Gibbs density, or for other "
-        "noise the null vector of the Kolmogorov operator; where neither is resolved, the means of h and h^2 alone, "
-        "with the bar "
-        "that a Poisson equation proves. Judged like the weak errors; the slowest of the three "
-        "decides on the order, and the limit at dt = 0 is asked of both means.",
+        "Bias of the mean of every observable and distance of the densities (L2) over dt: the law that the scheme's "
+        "transfer operator leaves as it is, nothing sampled (experiment weak). True law: the Gibbs density, or for "
+        "other noise the null vector of the Kolmogorov operator. Where neither is resolved: the difference of the two "
+        "laws on harmonics of one degree, without distance, uncertain by the remainders of both Poisson equations "
+        "against both laws, in absolute values degree by degree (Becker and Rannacher 2001): at least what four "
+        "degrees more change. Judged like the weak errors; the slowest decides on the order, and the limit at dt = 0 "
+        "is asked of all means. Means that vanish by symmetry have no slope.",
         "Normals: fast ones (right to 1e-6). Areas are drawn from the weak surrogate (independent normals of variance "
         "dt^2/4)."}},
       4,

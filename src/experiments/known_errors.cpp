@@ -7,7 +7,7 @@
 
 #include "ensemble/paths.hpp"
 #include "experiments/energy_error.hpp"
-#include "experiments/law_errors.hpp"
+#include "experiments/known_law_errors.hpp"
 #include "experiments/levels.hpp"
 #include "experiments/transfer_report.hpp"
 #include "experiments/vectors.hpp"
@@ -103,34 +103,6 @@ void add_energy_errors(const context& c, error_kind& kind) {
     }
 }
 
-/// Of all observables, at every step up to the horizon or at equilibrium: the worst.
-known_error worst_of(const std::string& scheme, double dt, const law_error& found, const law_observables& all) {
-  known_error out{scheme, dt, 0, 0, 0};
-  for (const auto& o : found.worst_in_time(all))
-    if (o.bound() > out.high || !std::isfinite(o.bound()))
-      out = {scheme, dt, o.value, std::max(0.0, o.value - o.uncertainty), o.bound()};
-  return out;
-}
-
-/// For schemes that keep the sphere the measure of `select`, in place of a kind's rows at the same dt: these know fewer
-/// observables, and the horizon alone.
-template <class Law>
-void measure_on_the_sphere(const context& c, const Law& law, error_kind& kind) {
-  constexpr double tolerance = 0.1;
-  std::vector<known_error*> rows;
-  std::vector<const scheme_entry*> entries;
-  for (auto& e : kind.errors)
-    for (const auto& s : c.subject.schemes)
-      if (s.info.name == e.scheme && s.info.casimir.exact) {
-        rows.push_back(&e);
-        entries.push_back(&s);
-      }
-  parallel_for(c.threads, static_cast<int>(rows.size()), [&](int i) {
-    auto& e = *rows[static_cast<std::size_t>(i)];
-    e = worst_of(e.scheme, e.dt, law.error(*entries[static_cast<std::size_t>(i)], e.dt, tolerance), law.observables());
-  });
-}
-
 }  // namespace
 
 std::vector<error_kind> known_errors(const context& c) {
@@ -147,10 +119,11 @@ std::vector<error_kind> known_errors(const context& c) {
   gather(before, kinds[2], by_observable(s, "bias"));
   gather(before, kinds[4], constant("drift", 1));
   constexpr double accuracy = 1e-12;  // of the truth
-  if (!kinds[1].errors.empty()) measure_on_the_sphere(c, weak_law(s, s.scene.horizon, accuracy), kinds[1]);
+  if (!kinds[1].errors.empty())
+    measure_on_the_sphere(c, weak_law(s, s.scene.horizon, accuracy), s.scene.horizon, kinds[1]);
   if (!kinds[2].errors.empty()) {
     const equilibrium_law law(s, accuracy);
-    if (law.reason().empty()) measure_on_the_sphere(c, law, kinds[2]);
+    if (law.reason().empty()) measure_on_the_sphere(c, law, longest_at_equilibrium(s), kinds[2]);
   }
   const auto ran = [&](const char* name) {
     return std::ranges::find(before.experiments, name, &report::experiment::name) != before.experiments.end();

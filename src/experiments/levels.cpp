@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace polhode {
+namespace {
+
+constexpr double time_scales = 4;
+
+}  // namespace
 
 double fastest_rate(const subject& s) {
   double square = 0;
@@ -15,8 +20,9 @@ double fastest_rate(const subject& s) {
   return c / least + s.scene.theta * square * (1 / least - 1 / greatest) + noise;
 }
 
+double longest_at_equilibrium(const subject& s) { return time_scales / fastest_rate(s); }
+
 level_grid asymptotic_levels(const subject& s, double resolution) {
-  constexpr double time_scales = 4;
   constexpr int fit_levels = 6;
   const double rate = fastest_rate(s);
   level_grid grid{rate > 0 ? std::min(s.scene.horizon, time_scales / rate) : s.scene.horizon, {}};

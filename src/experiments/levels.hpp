@@ -21,6 +21,9 @@ struct level_grid {
 /// The fastest rate of the system at its initial momentum: rotation, dissipation and noise added.
 double fastest_rate(const subject&);
 
+/// The longest step at which a stationary law is asked for: four times the fastest time scale.
+double longest_at_equilibrium(const subject&);
+
 /// The finest dt times the fastest rate is at most 1/resolution.
 level_grid asymptotic_levels(const subject&, double resolution);
 

@@ -10,8 +10,15 @@ namespace polhode {
 /// closed form), else what the Kolmogorov operator leaves as it is. Without a density or with a reason: not known.
 stationary_law true_law(const subject&);
 
-/// The part of experiment gibbs that rests on transfer.hpp: bias of E[h] and E[h^2] and distance of the densities over
-/// dt, and the order of the bias against the claimed weak order. Appends a skip where the true law is not known.
+/// The same of any problem, to an accuracy in L2.
+stationary_law law_of(const sphere_problem&, bool isotropic, double accuracy);
+
+/// Near enough to what was asked for.
+bool is_usable(const stationary_law&);
+
+/// The part of experiment gibbs that rests on transfer.hpp: bias of every observable's mean and distance of the
+/// densities over dt, and the order of the bias against the claimed weak order. Appends a skip where the true law is
+/// not known.
 void report_stationary_bias(const context&, report::results&);
 
 }  // namespace polhode

@@ -122,7 +122,7 @@ transfer_answer refine(const ladder& l, bool with_areas, const transfer_target& 
   Eigen::ArrayXd change = basis.change + channel.change;
   if (with_areas) change += area.change;
   change = change.max(answers.floor());
-  return {error, change, error.allFinite() && answers.small(change, error), rule};
+  return {error, change, error.allFinite() && answers.small(change, error), rule, 0, basis.change};
 }
 
 }  // namespace

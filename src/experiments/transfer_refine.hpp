@@ -29,6 +29,7 @@ struct transfer_answer {
   bool resolved = false;               ///< to the tolerance
   transfer_rule rule{};                ///< by which the answer was found
   double taken_back = 0;               ///< bound on the probability that a path is taken back to the shell
+  Eigen::VectorXd by_basis{};          ///< of the uncertainty: the last change with the basis
 };
 
 /// Of a scheme that leaves the sphere: in the law of its paths without those that are taken back to the shell (rejected

@@ -152,11 +152,12 @@ experiment work_precision_experiment() {
         "yardstick, in whose time ns are counted): the median over the slots and its 96 % interval. Never taken from "
         "an earlier run; no verdict rests on it.",
         "Free of the machine: steps and standard normals per path and unit of time.",
-        "Errors are those found by the experiments strong, weak, gibbs (bias of E[h] and E[h^2]), energy (law) and "
-        "casimir of this run, in units of |Pi_0|, of the observable's root mean square over the sphere, of h_0, and "
-        "relative; of several observables the worst. The energy law is found without noise, and priced without. "
-        "Schemes "
-        "that keep the Casimirs are run here over the same levels, 64 paths each.",
+        "Errors are those found by the experiments strong, weak, gibbs (bias of all means), energy (law) and casimir "
+        "of this run, in units of |Pi_0|, of the observable's root mean square over the sphere, of h_0, and relative; "
+        "of several observables the worst. Of schemes that keep the sphere weak and stationary errors are those of the "
+        "goals of select (at every step up to the horizon; at equilibrium), at longer steps too, and between two steps "
+        "where the error hardly falls from one to the other. The energy law is found without noise, and priced "
+        "without. Schemes that keep the Casimirs are run here over the same levels, 64 paths each.",
         "On the Pareto front: no other point is as cheap and as accurate, and better in one of the two. A point whose "
         "error is not clear of its uncertainty is neither on the front nor beats anything.",
         "To reach an accuracy: the longest dt from which on down all measured errors are within it, by a power law "

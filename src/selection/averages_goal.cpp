@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/combined_law_error.hpp"
+#include "experiments/levels.hpp"
 #include "experiments/transfer_report.hpp"
 #include "reports/model/errors.hpp"
 #include "selection/goal.hpp"
@@ -11,7 +13,7 @@
 namespace polhode {
 namespace {
 
-constexpr double tolerance = 0.02, rough_tolerance = 0.1, extrapolated_tolerance = 1e-6;  // of an error
+constexpr double tolerance = 0.02, rough_tolerance = 0.1;  // of an error
 constexpr const extrapolation& combination = extrapolations.front();
 constexpr double reference_accuracy = 1e-12, rounding = 1e-12;  // of the observable's size
 
@@ -55,25 +57,10 @@ class averages_goal : public goal {
   virtual law_error law_error_at(const candidate&, double dt, double relative, std::int64_t finer) const = 0;
 
   error_estimate resolved_to(double relative, const candidate& c, double dt) const {
-    if (c.combination != nullptr) return worst_asked(combined(relative, c, dt).worst_in_time(observables()));
-    return worst_asked(law_error_at(c, dt, relative, 1).worst_in_time(observables()));
-  }
-
-  /// What is left after the leading powers have dropped out is small against the errors themselves: these are resolved
-  /// to a share of the tolerance asked for.
-  law_error combined(double relative, const candidate& c, double dt) const {
-    auto found = law_error_at(c, dt, rough_tolerance, 1);
-    const double share = relative * question_.tolerance / found.error.cwiseAbs().maxCoeff();
-    const double needed = std::isfinite(share) ? std::clamp(share, extrapolated_tolerance, tolerance) : tolerance;
-    error_table table{c.name, {}, {}, {}};
-    for (int i = 0; i < c.combination->levels(); ++i) {
-      const auto level = law_error_at(c, dt / (1 << i), needed, 1 << i);
-      table.add(dt / (1 << i), {level.error, level.uncertainty, true});
-    }
-    table = extrapolate(table, *c.combination);
-    found.error = table.error[0];
-    found.uncertainty = table.uncertainty[0];
-    return found;
+    const auto at = [&](double step, double share, std::int64_t finer) { return law_error_at(c, step, share, finer); };
+    const auto found = c.combination != nullptr ? combined_error(*c.combination, dt, relative * question_.tolerance, at)
+                                                : at(dt, relative, 1);
+    return worst_asked(found.worst_in_time(observables()));
   }
 
   error_estimate worst_asked(std::vector<observable_error> all) const {
@@ -136,7 +123,7 @@ class stationary_goal final : public averages_goal {
     if (!c.scheme.info.casimir.exact) return "leaves the sphere, so it has no stationary law there";
     return std::nullopt;
   }
-  double longest_step() const override { return 4 / fastest_rate(context_.subject); }
+  double longest_step() const override { return longest_at_equilibrium(context_.subject); }
   std::vector<std::string> notes() const override {
     std::vector<std::string> out{
         fmt::format("the worst of {} under the scheme's own stationary law, each in units of its root mean square over "

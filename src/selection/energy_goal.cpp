@@ -23,13 +23,14 @@ class energy_goal final : public goal {
     return {truth_.error(c.scheme, dt), floor()};
   }
 
+  const subject& priced_on(const subject&) const override { return still_; }
   double floor() const override { return rounding; }
   double longest_step() const override { return time_; }
   std::string unit() const override { return "h_0"; }
   std::vector<std::string> notes() const override {
     return {
-        "the energy law is that of the motion without noise; what noise does to the energy is goal weak or "
-        "stationary"};
+        "the energy law is that of the motion without noise, and a step is priced without; what noise does to the "
+        "energy is goal weak or stationary"};
   }
 
  private:

@@ -50,6 +50,8 @@ class goal {
   virtual bool affordable(const candidate&, double dt) const { return longest_step() / dt <= 2e6; }
   /// Normals beyond the scheme's own that a step of it needs: for Levy areas that belong to the path.
   virtual double further_normals(const candidate&, double) const { return 0; }
+  /// On what a step is priced: where the question is of the motion without noise, without it.
+  virtual const subject& priced_on(const subject& s) const { return s; }
   virtual double floor() const = 0;         ///< errors below it are rounding
   virtual double longest_step() const = 0;  ///< beyond it a step has no meaning
   virtual std::string unit() const = 0;     ///< of errors and tolerance

@@ -17,6 +17,8 @@ constexpr double share = 0.9;     // of the tolerance that is aimed at
 constexpr int most_tries = 10;
 constexpr double shortest = 0.1;  // of a step: down to there the tolerance is to be met
 constexpr double generous = 0.5;  // of the tolerance: a longer step is worth a try
+constexpr int most_lengthened = 3;
+constexpr double worthwhile = 1.05;  // times a step: what a longer one must be
 
 }  // namespace
 
@@ -66,7 +68,8 @@ prospect search::predict(const candidate& who) const {
 }
 
 choice search::priced(const candidate& who, double dt) const {
-  const auto step = cost_of_step(context_, who.scheme, dt);
+  const context where{goal_.priced_on(context_.subject), context_.effort, 1, context_.seed, context_.generator};
+  const auto step = cost_of_step(where, who.scheme, dt);
   const double further = step.normals > 0 ? goal_.further_normals(who, dt) : 0;
   const double normal = further > 0 ? ns_per_normal(context_) : 0;
   const auto per_time = [&](double ns) { return who.runs() * (ns + further * normal) / dt; };
@@ -114,34 +117,51 @@ descent search::look_below(const candidate& who, double dt, std::uint64_t seed) 
   return out;
 }
 
+/// From a step that is better than it need be, towards the one that is too long: between the two by a power law, and
+/// where none is known by the scheme's own.
+double search::longer_than(const descent& good, const std::optional<descent>& bad, double order) const {
+  const double aim = share * question_.tolerance;
+  const double own = good.longest * std::clamp(std::pow(aim / good.worst, 1 / order), 1.0, 4.0);
+  if (!bad || !std::isfinite(bad->worst)) return whole_steps(bad ? std::sqrt(good.longest * bad->too_long) : own);
+  const double part = std::log(aim / good.worst) / std::log(bad->worst / good.worst);
+  return whole_steps(std::min(4 * good.longest, good.longest * std::pow(bad->too_long / good.longest, part)));
+}
+
+choice search::found(const prospect& p, const descent& seen) const {
+  auto out = priced(p.who, seen.longest);
+  out.predicted = p.law->at(seen.longest);
+  out.checked = seen.at_longest.value;
+  out.bound = seen.worst;
+  out.checked_to = seen.shortest;
+  out.order = p.law->order;
+  out.observed = seen.at_longest.observed;
+  return out;
+}
+
 std::optional<choice> search::check(const prospect& p, std::string& fault) const {
-  std::optional<choice> best;
+  std::optional<descent> good, bad;
   double dt = p.dt;
-  for (int i = 0; i < most_tries; ++i) {
+  for (int i = 0, lengthened = 0; i < most_tries; ++i) {
     if (!goal_.affordable(p.who, dt)) {
-      if (!best) fault = fmt::format("needs about {:.1e} steps to be checked", goal_.longest_step() / dt);
+      if (!good) fault = fmt::format("needs about {:.1e} steps to be checked", goal_.longest_step() / dt);
       break;
     }
     const auto seen = look_below(p.who, dt, context_.seed + 1 + static_cast<std::uint64_t>(i));
-    const bool met = seen.too_long == 0;
-    if (met) {
-      best = priced(p.who, dt);
-      best->predicted = p.law->at(dt);
-      best->checked = seen.at_longest.value;
-      best->bound = seen.worst;
-      best->checked_to = seen.shortest;
-      best->order = p.law->order;
-      best->observed = seen.at_longest.observed;
+    if (seen.too_long == 0)
+      good = seen;
+    else if (!bad || seen.too_long < bad->too_long)
+      bad = seen;
+    if (!good) {
+      fault = fmt::format("error {:.2g} at dt = {:.3g}", seen.worst, seen.too_long);
+      const double factor = std::pow(share * question_.tolerance / seen.worst, 1 / p.law->order);
+      dt = whole_steps(seen.too_long * (std::isfinite(factor) ? std::clamp(factor, 0.1, 4.0) : 0.25));
+      continue;
     }
-    const bool longer = met && seen.worst < generous * question_.tolerance && i == 0 && dt < goal_.longest_step();
-    if (best && !longer) break;
-    const double factor = std::pow(share * question_.tolerance / seen.worst, 1 / p.law->order);
-    const double from = met ? dt : seen.too_long;
-    if (!best) fault = fmt::format("error {:.2g} at dt = {:.3g}", seen.worst, from);
-    dt = whole_steps(from * (std::isfinite(factor) ? std::clamp(factor, 0.1, 4.0) : 0.25));
-    if (best && dt <= best->dt) break;
+    if (good->worst >= generous * question_.tolerance || lengthened++ == most_lengthened) break;
+    dt = longer_than(*good, bad, p.law->order);
+    if (dt < worthwhile * good->longest) break;
   }
-  return best;
+  return good ? std::optional(found(p, *good)) : std::nullopt;
 }
 
 }  // namespace polhode

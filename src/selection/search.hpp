@@ -45,7 +45,9 @@ class search {
   /// Steps between dt and dt/10, the longest first.
   std::vector<double> rungs_below(double dt) const;
   descent look_below(const candidate&, double dt, std::uint64_t seed) const;
+  double longer_than(const descent& good, const std::optional<descent>& bad, double order) const;
   choice priced(const candidate&, double dt) const;
+  choice found(const prospect&, const descent&) const;
 
   const context& context_;
   const goal& goal_;

@@ -34,7 +34,11 @@ std::map<std::string, table_row> table_of(const report::results& r, const std::s
 
 struct question {
   const char *goal, *experiment, *table;
+  bool whole;  ///< steps fill the horizon in `select`; the table's power law knows of no such thing
 };
+
+/// The next shorter step of which a whole number fills the time.
+double whole_step(double time, double dt) { return time / std::ceil(time / dt * (1 - 1e-9)); }
 
 class OneAnswer : public testing::TestWithParam<question> {};
 
@@ -47,8 +51,14 @@ TEST_P(OneAnswer, IsGivenByTheTableAndBySelect) {
   const auto report = verify(scene, options);
   int compared = 0;
   for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
-    const auto table = table_of(report, fmt::format("{} {:.0e}", GetParam().table, tolerance));
+    auto table = table_of(report, fmt::format("{} {:.0e}", GetParam().table, tolerance));
     if (table.empty()) continue;
+    if (GetParam().whole)
+      for (auto& [_, row] : table) {
+        const double dt = whole_step(scene.horizon, row.dt);
+        row.cost *= row.dt / dt;
+        row.dt = dt;
+      }
     select_options asked;
     asked.goal = GetParam().goal;
     asked.tolerance = tolerance;
@@ -72,9 +82,10 @@ TEST_P(OneAnswer, IsGivenByTheTableAndBySelect) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Select, OneAnswer,
-                         testing::Values(question{"weak", "weak", "weak"},
-                                         question{"stationary", "gibbs", "stationary"},
-                                         question{"energy", "energy", "energy_law"}),
+                         testing::Values(question{"weak", "weak", "weak", true},
+                                         question{"stationary", "gibbs", "stationary", false},
+                                         question{"energy", "energy", "energy_law", true},
+                                         question{"strong", "strong", "strong", true}),
                          [](const auto& one) { return std::string(one.param.goal); });
 
 }  // namespace
