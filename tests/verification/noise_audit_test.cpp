@@ -1,6 +1,7 @@
 // Broken noise is found by the audit of the run that it drives, and healthy noise is not.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <polhode/noise/normal.hpp>
 
@@ -56,6 +57,23 @@ TEST_P(BrokenNoise, IsRefutedByTheAudit) {
   }
 }
 INSTANTIATE_TEST_SUITE_P(Planted, BrokenNoise, testing::ValuesIn(defects));
+
+// Common to many bodies, where lanes are bodies and what repeats is paths; and in runs that end when paths break.
+const planted common_defects[] = {plant<increments_times>("variance x 1.02", std::sqrt(1.02)),
+                                  plant<lanes_repeated>("paths repeated")};
+
+struct BrokenNoiseOfLongRuns : testing::TestWithParam<planted> {};
+
+TEST_P(BrokenNoiseOfLongRuns, IsRefutedByTheAudit) {
+  const auto defect = GetParam().make();
+  const planted_noise_defect in_force(*defect);
+  for (const char* experiment : {"attractor", "stability"}) {
+    const auto v = audited(experiment, "lie_euler");
+    EXPECT_EQ(v.kind, report::verdict_kind::refuted) << experiment << ": " << v.reason;
+    std::printf("%-24s | %-9s | %s\n", GetParam().what, experiment, v.reason.c_str());
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Planted, BrokenNoiseOfLongRuns, testing::ValuesIn(common_defects));
 
 TEST(HealthyNoise, HasItsLaw) {
   for (const std::uint64_t seed : {1, 2, 3})
