@@ -14,6 +14,8 @@ namespace {
 
 using report::verdict_kind;
 
+constexpr int least_times = 32;
+
 using lane_values = std::array<double, block_lanes>;
 
 /// Squared, of each lane.
@@ -79,7 +81,11 @@ void report_path_slopes(const order_question& q, const squared_errors& largest, 
 
 }  // namespace
 
-int looks_in_coarsest(const level_grid& grid) { return grid.steps[grid.steps.size() - 2] / grid.steps.front(); }
+int looks_in_coarsest(const level_grid& grid) {
+  const auto& steps = grid.steps;
+  const int of_the_fit = steps[steps.size() - std::min<std::size_t>(steps.size(), fitted_levels)];
+  return (of_the_fit < least_times ? of_the_fit : steps[steps.size() - 2]) / steps.front();
+}
 
 void largest_errors::advance(const kernel& k, const driven_block& truth, std::size_t level, int first_path,
                              std::span<double> states) {
@@ -110,9 +116,10 @@ void report_path_orders(const order_question& q, const squared_errors& at_the_en
   const auto fits = fit_orders(q.dt, asked, 1e-13 * length(q.c.subject.scene.momentum), q.c.seed);
   for (std::size_t i = 0; i < norms.size(); ++i) {
     report_norm(q, norms[i], fits[i], out);
-    if (i == 0)
-      out.verdicts.back().reason += fmt::format(" (largest over the ends of all steps, of {} to {} a level)",
-                                                q.grid.steps.front(), q.grid.steps[q.grid.steps.size() - 2]);
+    if (i > 0) continue;
+    const int fewest = q.grid.steps.front();
+    out.verdicts.back().reason += fmt::format(" (largest over the ends of a level's steps, {} to {} times)", fewest,
+                                              fewest * looks_in_coarsest(q.grid));
   }
   report_path_slopes(q, largest, fits.front(), out);
 }

@@ -12,9 +12,11 @@
 
 namespace polhode {
 
-/// So often in a step of the coarsest level are errors looked at: at the ends of a level's own steps, as the claim is
-/// E max_n |X_n - X(t_n)|^2 (Kloeden, Platen, Numerical Solution of SDEs, 1992, section 10.6), of the finest level at
-/// those of the level before it. So every kernel is also seen taking more than one step at a call.
+/// So often in a step of the coarsest level are errors looked at, at the ends of a level's own steps: the claim is
+/// E max_n |X_n - X(t_n)|^2 (Kloeden, Platen, Numerical Solution of SDEs, 1992, section 10.6). The finest level is
+/// looked at where the level before it is, so that every kernel is also seen taking more than one step at a call. Of
+/// few times a maximum misses a share ~ n^(-1/2) of the supremum, and a slope would be that share's: where the coarsest
+/// level of a fit has fewer than 32 steps, all of the fit are looked at where it is.
 int looks_in_coarsest(const level_grid&);
 
 /// The largest |X_dt - X|^2 of each path over those times.
