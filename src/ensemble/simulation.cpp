@@ -47,7 +47,9 @@ class ensemble_run {
     noiseless_ = p.noise == ensemble_noise::none || m.active_channels() == 0;
     if (!noiseless_ && p.noise == ensemble_noise::common) {
       const shared_increments drawn(m, p.seed, p.steps, p.dt, p.with_areas, p.threads, p.source, p.path);
-      common_ = k.share(drawn.view(0, static_cast<int>(p.steps)));
+      const auto all = drawn.view(0, static_cast<int>(p.steps));
+      if (p.hear) p.hear(all);
+      common_ = k.share(all);
       out_.drawn = drawn.drawn();
     }
     out_.states.resize(static_cast<std::size_t>(m.dimension()) * static_cast<std::size_t>(p.bodies));

@@ -28,6 +28,7 @@ struct simulation_plan {
   std::uint64_t seed = 0;
   std::uint64_t path = 0;  ///< whose noise is common to all
   int threads = 1;
+  std::function<void(const increment_view&)> hear = {};  ///< is told of a common noise before it is used
 };
 
 struct ensemble_snapshot {

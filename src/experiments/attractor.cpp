@@ -51,16 +51,16 @@ framed frame_of(const subject& s) {
   return out;
 }
 
-void report_shape(const context& c, const attractor_frame& f, report::results& out) {
+void report_shape(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const auto& lambda = f.exponents;
   if (!lambda.lambda1 || std::fabs(*lambda.lambda1) <= 3 * lambda.uncertainty)
     out.skipped.push_back({"attractor", "",
                            "collapse and dimensions: the sign of lambda_1 is not known" +
                                (lambda.reason.empty() ? "" : ", which is " + lambda.reason)});
   else if (*lambda.lambda1 < 0)
-    report_collapse(c, f, out);
+    report_collapse(c, f, log, out);
   else
-    report_dimensions(c, f, out);
+    report_dimensions(c, f, log, out);
 }
 
 void run(const context& c, report::results& out) {
@@ -74,10 +74,12 @@ void run(const context& c, report::results& out) {
     return;
   }
   out.measurements.push_back(measured({"attractor", "", "dt of the averages", "", "time", "exact"}, {}, frame.dt));
-  report_averages(part_of(c, 0, 0.5), frame, out);
-  report_pullback(part_of(c, 0.5, 0.65), frame, out);
-  report_shape(part_of(c, 0.65, 0.95), frame, out);
-  report_densities(part_of(c, 0.95, 1), frame, out);
+  noise_log log(*c.subject.model, 0, {});
+  report_averages(part_of(c, 0, 0.5), frame, log, out);
+  report_pullback(part_of(c, 0.5, 0.65), frame, log, out);
+  report_shape(part_of(c, 0.65, 0.95), frame, log, out);
+  report_densities(part_of(c, 0.95, 1), frame, log, out);
+  log.report("attractor", out);
 }
 
 }  // namespace
@@ -120,7 +122,8 @@ experiment attractor_experiment() {
         "D_2 <= D_1 <= D_0, and D_1 is Kaplan and Yorke's. Finite samples miss boxes, the more the smaller: D_0 comes "
         "out too low, D_1 slightly (first order corrected), D_2 not; boxes whose sizes are not small against the "
         "sphere see its curvature and the whole attractor.",
-        "Normals: fast ones. Areas from the weak surrogate, as in the transfer operator."}},
+        "Normals: fast ones. Areas from the weak surrogate, as in the transfer operator. Noise: the moments and "
+        "correlations of all paths drawn, part by part, against their law; of one scheme, as all have the same."}},
       4,
       cannot_say,
       run};

@@ -1,12 +1,14 @@
 // The parts of the experiment `attractor`, and what they all rest on.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "ensemble/simulation.hpp"
 #include "experiments/experiment.hpp"
 #include "experiments/judge.hpp"
+#include "experiments/noise_verdict.hpp"
 #include "references/lyapunov.hpp"
 
 namespace polhode {
@@ -34,15 +36,21 @@ simulation_plan common_noise_plan(const context&, double dt);
 /// Path-steps of one scheme that a part may take, given those at quick effort.
 double affordable(effort, double path_steps_at_quick);
 
+/// Is told of a path's noise.
+using path_listener = std::function<void(int path, const increment_view&)>;
+
+// Each part tells the log of its noise path by path, whatever the number of bodies: of one scheme, as all have the same
+// paths.
+
 /// Averages over noise paths against the true law.
-void report_averages(const context&, const attractor_frame&, report::results&);
+void report_averages(const context&, const attractor_frame&, noise_log&, report::results&);
 /// Snapshots at time 0 of bodies that started at -T, one noise.
-void report_pullback(const context&, const attractor_frame&, report::results&);
+void report_pullback(const context&, const attractor_frame&, noise_log&, report::results&);
 /// Where lambda_1 < 0: the rate at which close bodies meet.
-void report_collapse(const context&, const attractor_frame&, report::results&);
+void report_collapse(const context&, const attractor_frame&, noise_log&, report::results&);
 /// Where lambda_1 > 0: dimensions of snapshots.
-void report_dimensions(const context&, const attractor_frame&, report::results&);
+void report_dimensions(const context&, const attractor_frame&, noise_log&, report::results&);
 /// Densities to look at: one noise path at four times, and the true law.
-void report_densities(const context&, const attractor_frame&, report::results&);
+void report_densities(const context&, const attractor_frame&, noise_log&, report::results&);
 
 }  // namespace polhode

@@ -16,7 +16,6 @@
 #include "ensemble/uniform_start.hpp"
 #include "experiments/attractor.hpp"
 #include "experiments/harmonic_means.hpp"
-#include "experiments/noise_verdict.hpp"
 #include "experiments/progress_counter.hpp"
 #include "experiments/sequential.hpp"
 #include "experiments/transfer_refine.hpp"
@@ -61,7 +60,7 @@ struct scheme_run {
 };
 
 void run_paths(const context& c, const attractor_frame& f, std::int64_t steps, int block, std::span<const int> open,
-               std::vector<scheme_run>& runs, noise_log& log) {
+               std::vector<scheme_run>& runs, const path_listener& hear) {
   const Eigen::VectorXd truth = harmonic_means::of_density(*f.law.density, degree);
   const bool areas =
       std::ranges::any_of(open, [&](int k) { return runs[static_cast<std::size_t>(k)].scheme->needs_areas; });
@@ -70,7 +69,7 @@ void run_paths(const context& c, const attractor_frame& f, std::int64_t steps, i
   for (int path = block * block_lanes; path < (block + 1) * block_lanes; ++path) {
     const auto address = static_cast<std::uint64_t>(path);
     const shared_increments drawn(*c.subject.model, c.seed, steps, f.dt, areas, 1, fast_noise(c), address);
-    log.add_path(path, drawn.view(0, static_cast<int>(steps)));
+    hear(path, drawn.view(0, static_cast<int>(steps)));
     for (const int k : open) {
       auto& run = runs[static_cast<std::size_t>(k)];
       start_uniformly(c.seed, address * block_lanes, f.problem.radius, states);
@@ -210,7 +209,7 @@ std::vector<scheme_run> prepared(const context& c, const attractor_frame& f, int
 
 }  // namespace
 
-void report_averages(const context& c, const attractor_frame& f, report::results& out) {
+void report_averages(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const auto steps = f.steps_in(-std::log(forgotten) / f.gap, f.dt);
   sampling_plan plan{least_paths, by_effort(c.effort, 8192, 32'768, 131'072)};
   const double most = affordable(c.effort, most_path_steps);
@@ -223,10 +222,11 @@ void report_averages(const context& c, const attractor_frame& f, report::results
     return;
   auto runs = prepared(part_of(c, 0, 0), f, plan.most);
   std::vector<grand_mean> found(runs.size());
-  noise_log log(*c.subject.model, blocks_of(plan.most));
+  const auto part = log.open({"averages"}, blocks_of(plan.most));
+  const auto hear = [&](int path, const increment_view& v) { log.add_path(path, v, part); };
   const auto sizes = sample_until_tight(
       part_of(c, 0.2, 1), plan, static_cast<int>(runs.size()),
-      [&](int block, std::span<const int> open) { run_paths(c, f, steps, block, open, runs, log); },
+      [&](int block, std::span<const int> open) { run_paths(c, f, steps, block, open, runs, hear); },
       [&](int scheme, int paths) {
         const auto k = static_cast<std::size_t>(scheme);
         found[k] = mean_of(runs[k].means.leftCols(paths), c.seed);
@@ -238,7 +238,6 @@ void report_averages(const context& c, const attractor_frame& f, report::results
     report_mean(name, runs[k], found[k], out);
     out.verdicts.back().reason += "; " + sizes[k].text();
   }
-  log.report("attractor", out);
 }
 
 }  // namespace polhode

@@ -104,7 +104,7 @@ void report_rate(const std::string& name, const clock& t, const std::vector<doub
 
 }  // namespace
 
-void report_collapse(const context& c, const attractor_frame& f, report::results& out) {
+void report_collapse(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double exact = *f.exponents.lambda1, margin = rate_margin * -f.lambda2();
   const auto t = clock_of(f);
   const std::int64_t steps = t.steps();
@@ -118,10 +118,12 @@ void report_collapse(const context& c, const attractor_frame& f, report::results
   std::vector<std::vector<double>> rates(f.schemes.size(), std::vector<double>(most));
   std::vector<std::unique_ptr<kernel>> kernels;
   for (const auto& scheme : f.schemes) kernels.push_back(scheme.make(t.dt));
+  const auto part = log.open({"collapse"}, blocks_of(plan.most));
   const auto run_path = [&](std::uint64_t path, std::span<const int> open) {
     const bool areas =
         std::ranges::any_of(open, [&](int k) { return f.schemes[static_cast<std::size_t>(k)].needs_areas; });
     const shared_increments drawn(*c.subject.model, c.seed, steps, t.dt, areas, 1, fast_noise(c), path);
+    log.add_path(static_cast<int>(path), drawn.view(0, static_cast<int>(steps)), part);
     std::vector<double> start(3 * block_lanes), states;
     start_uniformly(c.seed, path * block_lanes, f.problem.radius, start);
     for (const int scheme : open) {

@@ -58,12 +58,14 @@ std::vector<double> law_in_bins(const Eigen::VectorXd& density) {
 
 }  // namespace
 
-void report_densities(const context& c, const attractor_frame& f, report::results& out) {
+void report_densities(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double unit = -1 / f.exponents.sum;
   auto p = common_noise_plan(c, f.dt);
   p.bodies = by_effort(c.effort, 1 << 17, 1 << 19, 1 << 20);
   for (const double time : shown_at) p.snapshots.push_back(f.steps_in(time * unit, p.dt));
   p.steps = p.snapshots.back();
+  const auto part = log.open({"densities"}, 1);
+  p.hear = [&](const increment_view& v) { log.add_path(0, v, part); };
   const auto run = simulate_ensemble(*c.subject.model, *c.subject.model->reference(), p, c.progress);
   for (std::size_t i = 0; i < p.snapshots.size(); ++i) {
     const double time = static_cast<double>(p.snapshots[i]) * p.dt;

@@ -10,6 +10,7 @@
 #include "ensemble/sphere_bins.hpp"
 #include "experiments/attractor.hpp"
 #include "experiments/progress_counter.hpp"
+#include "experiments/sequential.hpp"
 #include "experiments/transfer_report.hpp"
 #include "experiments/undecided.hpp"
 #include "statistics/box_dimension.hpp"
@@ -34,8 +35,8 @@ struct dimension_plan {
 /// The side of a box of that many along a hemisphere, by its area on the unit sphere.
 double side_of(int boxes) { return std::sqrt(8.0) / boxes; }
 
-std::vector<std::vector<box_level>> clouds_of(const context& c, const dimension_plan& plan,
-                                              const scheme_entry& scheme) {
+std::vector<std::vector<box_level>> clouds_of(const context& c, const dimension_plan& plan, const scheme_entry& scheme,
+                                              const path_listener& hear) {
   auto p = common_noise_plan(c, plan.dt);
   p.steps = plan.steps;
   p.bodies = plan.bodies;
@@ -45,6 +46,7 @@ std::vector<std::vector<box_level>> clouds_of(const context& c, const dimension_
   std::vector<std::vector<box_level>> clouds;
   for (int path = 0; path < plan.paths; ++path) {
     p.path = static_cast<std::uint64_t>(path);
+    if (hear) p.hear = [&](const increment_view& v) { hear(path, v); };
     const auto run = simulate_ensemble(*c.subject.model, *stepper, p);
     clouds.push_back(count_boxes(run.snapshots[0].picture, 2, hemisphere_bins::side, coarsest));
   }
@@ -105,9 +107,20 @@ void report_cloud(const std::string& name, const dimension_plan& plan, double ex
   out.verdicts.push_back(v);
 }
 
+std::vector<scheme_entry> tried(const context& c, const attractor_frame& f, report::results& out) {
+  std::vector<scheme_entry> schemes;
+  for (const auto& scheme : f.schemes)
+    if (c.effort != effort::quick || weak_order_on(scheme.info, c.subject.model->noise()) >= 2)
+      schemes.push_back(scheme);
+    else
+      leave_untried({&scheme, 1}, "attractor", dimension_claim, "at quick effort of schemes of weak order two alone",
+                    out);
+  return schemes;
+}
+
 }  // namespace
 
-void report_dimensions(const context& c, const attractor_frame& f, report::results& out) {
+void report_dimensions(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double time = longer * std::log(1 / side_of(hemisphere_bins::side)) / -f.lambda2();
   const dimension_plan plan{f.dt, f.steps_in(time, f.dt), by_effort(c.effort, 1 << 15, 1 << 16, 1 << 16), noise_paths};
   const double path_steps = static_cast<double>(plan.steps * plan.bodies) * plan.paths;
@@ -118,15 +131,13 @@ void report_dimensions(const context& c, const attractor_frame& f, report::resul
     return;
   out.measurements.push_back(measured({"attractor", "", "Kaplan-Yorke dimension", "", "", "exact"}, {},
                                       f.exponents.dimension, f.exponents.dimension, f.exponents.dimension));
-  progress_counter done(static_cast<int>(f.schemes.size()), c.progress);
-  for (const auto& scheme : f.schemes) {
-    const std::string name(scheme.info.name);
-    if (c.effort == effort::quick && weak_order_on(scheme.info, c.subject.model->noise()) < 2) {
-      leave_untried({&scheme, 1}, "attractor", dimension_claim, "at quick effort of schemes of weak order two alone",
-                    out);
-      continue;
-    }
-    report_cloud(name, plan, f.exponents.dimension, clouds_of(c, plan, scheme), out);
+  const auto schemes = tried(c, f, out);
+  progress_counter done(static_cast<int>(schemes.size()), c.progress);
+  const auto part = log.open({"dimensions"}, blocks_of(plan.paths));
+  const path_listener hear = [&](int path, const increment_view& v) { log.add_path(path, v, part); };
+  for (const auto& scheme : schemes) {
+    const auto clouds = clouds_of(c, plan, scheme, &scheme == &heard_among(schemes) ? hear : path_listener{});
+    report_cloud(std::string(scheme.info.name), plan, f.exponents.dimension, clouds, out);
     done.add();
   }
 }

@@ -18,6 +18,7 @@
 #include "experiments/attractor.hpp"
 #include "experiments/harmonic_means.hpp"
 #include "experiments/progress_counter.hpp"
+#include "experiments/sequential.hpp"
 #include "experiments/undecided.hpp"
 
 namespace polhode {
@@ -60,16 +61,18 @@ snapshots pulled_back(const context& c, const attractor_frame& f, const pullback
   return out;
 }
 
-/// Squares of the change from T to the next T, by noise path.
+/// Squares of the change from T to the next T, by noise path; `hear` is told on any thread.
 squared_errors changes_of(const context& c, const attractor_frame& f, const pullback_plan& plan,
-                          const scheme_entry& scheme) {
+                          const scheme_entry& scheme, const path_listener& hear) {
   const auto stepper = scheme.make(f.dt);
   const std::int64_t all = spans * plan.steps;
   squared_errors out{plan.paths, spans - 1, std::vector<double>(static_cast<std::size_t>(plan.paths * (spans - 1)))};
   parallel_for(c.threads, plan.paths, [&](int path) {
     const shared_increments drawn(*c.subject.model, c.seed, all, f.dt, scheme.needs_areas, 1, fast_noise(c),
                                   static_cast<std::uint64_t>(path));
-    const auto at = pulled_back(c, f, plan, *stepper, stepper->share(drawn.view(0, static_cast<int>(all))));
+    const auto view = drawn.view(0, static_cast<int>(all));
+    if (hear) hear(path, view);
+    const auto at = pulled_back(c, f, plan, *stepper, stepper->share(view));
     for (int i = 0; i + 1 < spans; ++i) {
       const auto &here = at[static_cast<std::size_t>(i)], &next = at[static_cast<std::size_t>(i + 1)];
       out.at(path, i) = (here[0] - next[0]).dot(here[1] - next[1]);
@@ -141,7 +144,7 @@ void report_rate(const std::string& name, const std::optional<interval_estimate>
 
 }  // namespace
 
-void report_pullback(const context& c, const attractor_frame& f, report::results& out) {
+void report_pullback(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double span = -span_time / f.exponents.sum;
   pullback_plan plan{f.steps_in(span, f.dt), by_effort(c.effort, 64, 384, 384), by_effort(c.effort, 2, 4, 4)};
   const double most = affordable(c.effort, most_path_steps);
@@ -155,14 +158,21 @@ void report_pullback(const context& c, const attractor_frame& f, report::results
                out))
     return;
   progress_counter done(static_cast<int>(f.schemes.size()), c.progress);
+  const auto part = log.open({"pullback"}, blocks_of(plan.paths));
+  std::vector<std::optional<noise_audit>> heard(static_cast<std::size_t>(plan.paths));
+  const path_listener hear = [&](int path, const increment_view& v) {
+    heard[static_cast<std::size_t>(path)] = log.alone(path, v, part);
+  };
   for (const auto& scheme : f.schemes) {
     const std::string name(scheme.info.name);
-    const auto changes = changes_of(c, f, plan, scheme);
+    const auto changes = changes_of(c, f, plan, scheme, &scheme == &heard_among(f.schemes) ? hear : path_listener{});
     const double between = static_cast<double>(plan.steps) * f.dt;
     report_changes(name, changes, between, out);
     report_rate(name, rate_of(changes, between, c.seed), f.gap, out);
     done.add();
   }
+  for (int path = 0; path < plan.paths; ++path)
+    if (const auto& one = heard[static_cast<std::size_t>(path)]) log.join(path, *one, part);
 }
 
 }  // namespace polhode

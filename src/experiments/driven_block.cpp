@@ -26,24 +26,29 @@ std::vector<direction> directions_of(const subject& s) {
 }
 
 driven_block::driven_block(const context& c, const level_grid& grid, int cells, noise_source source,
-                           const kernel& reference, const std::vector<direction>& directions)
+                           const kernel& reference, const std::vector<direction>& directions, int looks)
     : context_(c),
       ladder_(*c.subject.model, grid, cells, source),
       reference_(reference),
       directions_(directions),
+      course_(static_cast<std::size_t>(looks)),
       twins_(grid.steps.size()),
       varied_(directions.size()) {}
 
 void driven_block::start(std::uint64_t first_path) {
   first_path_ = first_path;
-  truth_ = replicated(context_.subject.scene.momentum);
-  std::ranges::fill(twins_, truth_);
-  std::ranges::fill(varied_, truth_);
+  const auto initial = replicated(context_.subject.scene.momentum);
+  for (auto* states : {&course_, &twins_, &varied_}) std::ranges::fill(*states, initial);
 }
 
 void driven_block::advance(int chunk) {
   fine_ = ladder_.fill(context_.seed, first_path_, chunk);
-  reference_.advance(truth_, fine_);
+  const int looks = static_cast<int>(course_.size());
+  for (int i = 0; i < looks; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    course_[at] = course_[i > 0 ? at - 1 : course_.size() - 1];
+    reference_.advance(course_[at], part_of(fine_, i, looks));
+  }
   for (std::size_t l = 0; l < twins_.size(); ++l) reference_.advance(twins_[l], ladder_.level(l));
   advance_varied(ladder_.level(varied_level()));
 }
@@ -70,6 +75,14 @@ std::vector<std::vector<double>> driven_block::responses() const {
   for (auto& r : out)
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = (r[i] - twin[i]) / more;
   return out;
+}
+
+increment_view part_of(const increment_view& v, int part, int parts) {
+  const auto within = [&]<class Real>(std::span<const Real> all) {
+    const auto size = all.size() / static_cast<std::size_t>(parts);
+    return all.subspan(static_cast<std::size_t>(part) * size, size);
+  };
+  return {v.dt, v.steps / parts, within(v.dw), within(v.area), within(v.singles), v.scale};
 }
 
 }  // namespace polhode

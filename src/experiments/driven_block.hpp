@@ -8,6 +8,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,9 @@ std::vector<direction> directions_of(const subject&);
 /// One block at a time.
 class driven_block {
  public:
+  /// looks: how often the truth is kept within a step of the coarsest level, at its equal parts; a power of two.
   driven_block(const context&, const level_grid&, int cells, noise_source, const kernel& reference,
-               const std::vector<direction>&);
+               const std::vector<direction>&, int looks = 1);
 
   /// To time 0 of these paths.
   void start(std::uint64_t first_path);
@@ -42,7 +44,9 @@ class driven_block {
   const increment_view& increments(std::size_t level) const { return ladder_.level(level); }
   const increment_view& fine() const { return fine_; }
 
-  const std::vector<double>& truth() const { return truth_; }
+  const std::vector<double>& truth() const { return course_.back(); }
+  /// On the way through the last chunk, at the end of each of its parts.
+  std::span<const std::vector<double>> course() const { return course_; }
   const std::vector<double>& twin(std::size_t level) const { return twins_[level]; }
   /// d mu / d log(strength) of each direction, [component][lane], on the twin of a level a little coarser than the
   /// finest: what it is used for needs no more.
@@ -58,8 +62,11 @@ class driven_block {
   const kernel& reference_;
   const std::vector<direction>& directions_;
   std::uint64_t first_path_ = 0;
-  std::vector<double> truth_, scaled_;
-  std::vector<std::vector<double>> twins_, varied_;
+  std::vector<double> scaled_;
+  std::vector<std::vector<double>> course_, twins_, varied_;
 };
+
+/// The part-th of so many equal parts of the view's steps.
+increment_view part_of(const increment_view&, int part, int parts);
 
 }  // namespace polhode

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "statistics/order_fit.hpp"
+
 namespace polhode {
 namespace {
 
@@ -23,16 +25,16 @@ double fastest_rate(const subject& s) {
 double longest_at_equilibrium(const subject& s) { return time_scales / fastest_rate(s); }
 
 level_grid asymptotic_levels(const subject& s, double resolution) {
-  constexpr int fit_levels = 6;
   const double rate = fastest_rate(s);
   level_grid grid{rate > 0 ? std::min(s.scene.horizon, time_scales / rate) : s.scene.horizon, {}};
   const double needed = std::max(1.0, resolution * rate * grid.horizon);
   // Start from the scene's coarsest step where that leaves room for a fit; else from a power of two.
   const double own = static_cast<double>(s.scene.steps.front()) * grid.horizon / s.scene.horizon;
-  const int enough = 1 << (fit_levels - 1);
+  const int enough = 1 << (fitted_levels - 1);
   int n = own <= needed / enough ? std::max(1, static_cast<int>(std::lround(own))) : 1;
   while (n * enough < needed && own > needed / enough) n *= 2;
-  for (; grid.steps.empty() || grid.steps.back() < needed || static_cast<int>(grid.steps.size()) < fit_levels; n *= 2)
+  for (; grid.steps.empty() || grid.steps.back() < needed || static_cast<int>(grid.steps.size()) < fitted_levels;
+       n *= 2)
     grid.steps.push_back(n);
   return grid;
 }

@@ -23,11 +23,19 @@ bool smaller(const noise_deviation& a, const noise_deviation& b) { return std::f
 
 }  // namespace
 
-noise_log::noise_log(const model& m, int blocks, std::vector<part> parts)
-    : channels_(m.active_channels()), rows_(m.channels()), parts_(std::move(parts)) {
-  const int pairs = channels_ > 1 ? pairs_among(rows_) : 0;
-  for (const auto& p : parts_)
-    audits_.emplace_back(static_cast<std::size_t>(blocks), noise_audit(channels_, pairs, p.cells));
+noise_log::noise_log(const model& m, int blocks, const std::vector<part>& parts)
+    : channels_(m.active_channels()), rows_(m.channels()) {
+  for (const auto& p : parts) open(p, blocks);
+}
+
+std::size_t noise_log::open(const part& p, int blocks) {
+  parts_.push_back(p);
+  audits_.emplace_back(static_cast<std::size_t>(blocks), nothing(p));
+  return parts_.size() - 1;
+}
+
+noise_audit noise_log::nothing(const part& p) const {
+  return {channels_, channels_ > 1 ? pairs_among(rows_) : 0, p.cells};
 }
 
 audited_steps noise_log::of(const increment_view& v) const {
@@ -41,10 +49,27 @@ void noise_log::add_path(int path, const increment_view& v, std::size_t which) {
   at(path / noise_audit::lanes, which).add_path(of(v), path % noise_audit::lanes);
 }
 
+void noise_log::add_in_turn(std::int64_t first_step, const increment_view& v, std::size_t which) {
+  auto& heard = audits_[which];  // the sum of all blocks that have ended, and the last
+  if (heard.size() == 2 && first_step == 0) {
+    heard[0].merge(heard[1]);
+    heard.pop_back();
+  }
+  if (first_step == 0 || heard.empty()) heard.push_back(nothing(parts_[which]));
+  heard.back().add(of(v));
+}
+
+noise_audit noise_log::alone(int path, const increment_view& v, std::size_t which) const {
+  auto heard = nothing(parts_[which]);
+  heard.add_path(of(v), path % noise_audit::lanes);
+  return heard;
+}
+
 void noise_log::report(const std::string& experiment, report::results& out) const {
   std::vector<noise_deviation> all;
   double increments = 0;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (audits_[i].empty()) continue;
     const auto sum = merged(audits_[i]);
     if (sum.increments() == 0) continue;
     auto found = sum.deviations();
@@ -67,6 +92,11 @@ void noise_log::report(const std::string& experiment, report::results& out) cons
       "law, at most {:.1f}; increments off by a factor of {:.5f} would be seen",
       all.size(), increments, most.what, most.z, limit, 1 + limit / std::sqrt(2 * increments));
   out.verdicts.push_back(v);
+}
+
+const scheme_entry& heard_among(const std::vector<scheme_entry>& schemes) {
+  const auto with_areas = std::ranges::find(schemes, true, &scheme_entry::needs_areas);
+  return with_areas == schemes.end() ? schemes.front() : *with_areas;
 }
 
 }  // namespace polhode

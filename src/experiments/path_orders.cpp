@@ -14,6 +14,28 @@ namespace {
 
 using report::verdict_kind;
 
+constexpr int least_times = 32;
+
+using lane_values = std::array<double, block_lanes>;
+
+/// Squared, of each lane.
+lane_values distances(std::span<const double> a, std::span<const double> b) {
+  lane_values square{};
+  for (std::size_t at = 0; at < a.size(); at += block_lanes)
+    for (std::size_t lane = 0; lane < block_lanes; ++lane) {
+      const double e = a[at + lane] - b[at + lane];
+      square[lane] += e * e;
+    }
+  return square;
+}
+
+/// What is not a number stays.
+double larger(double now, double so_far) { return now <= so_far || std::isnan(so_far) ? so_far : now; }
+
+void take_larger(const lane_values& now, lane_values& so_far) {
+  for (std::size_t lane = 0; lane < block_lanes; ++lane) so_far[lane] = larger(now[lane], so_far[lane]);
+}
+
 /// A slope below the claim refutes it, a steeper one does not: that an order is no higher than claimed is asked of the
 /// mean square alone.
 report::verdict judge_at_least(const order_question& q, const std::string& text, const std::optional<order_fit>& fit) {
@@ -59,20 +81,26 @@ void report_path_slopes(const order_question& q, const squared_errors& largest, 
 
 }  // namespace
 
-void largest_errors::keep(const std::vector<std::vector<double>>& states, const driven_block& truth, int first_path) {
-  std::array<double, block_lanes> square{};
-  for (std::size_t l = 0; l < states.size(); ++l) {
-    square.fill(0);
-    for (std::size_t at = 0; at < states[l].size(); at += block_lanes)
-      for (std::size_t lane = 0; lane < block_lanes; ++lane) {
-        const double e = states[l][at + lane] - truth.truth()[at + lane];
-        square[lane] += e * e;
-      }
-    for (int lane = 0; lane < block_lanes; ++lane) {
-      auto& worst = squares.at(first_path + lane, static_cast<int>(l));
-      const double now = square[static_cast<std::size_t>(lane)];
-      if (std::isnan(now) || now > worst) worst = now;  // what is not a number stays
-    }
+int looks_in_coarsest(const level_grid& grid) {
+  const auto& steps = grid.steps;
+  const int of_the_fit = steps[steps.size() - std::min<std::size_t>(steps.size(), fitted_levels)];
+  return (of_the_fit < least_times ? of_the_fit : steps[steps.size() - 2]) / steps.front();
+}
+
+void largest_errors::advance(const kernel& k, const driven_block& truth, std::size_t level, int first_path,
+                             std::span<double> states) {
+  const auto& steps = truth.increments(level);
+  const auto course = truth.course();
+  const int looks = std::min(steps.steps, static_cast<int>(course.size()));
+  const std::size_t apart = course.size() / static_cast<std::size_t>(looks);
+  lane_values worst{};
+  for (int i = 0; i < looks; ++i) {
+    k.advance(states, part_of(steps, i, looks));
+    take_larger(distances(states, course[static_cast<std::size_t>(i + 1) * apart - 1]), worst);
+  }
+  for (int lane = 0; lane < block_lanes; ++lane) {
+    auto& so_far = squares.at(first_path + lane, static_cast<int>(level));
+    so_far = larger(worst[static_cast<std::size_t>(lane)], so_far);
   }
 }
 
@@ -88,7 +116,10 @@ void report_path_orders(const order_question& q, const squared_errors& at_the_en
   const auto fits = fit_orders(q.dt, asked, 1e-13 * length(q.c.subject.scene.momentum), q.c.seed);
   for (std::size_t i = 0; i < norms.size(); ++i) {
     report_norm(q, norms[i], fits[i], out);
-    if (i == 0) out.verdicts.back().reason += fmt::format(" (largest over {} common times)", q.common_times);
+    if (i > 0) continue;
+    const int fewest = q.grid.steps.front();
+    out.verdicts.back().reason += fmt::format(" (largest over the ends of a level's steps, {} to {} times)", fewest,
+                                              fewest * looks_in_coarsest(q.grid));
   }
   report_path_slopes(q, largest, fits.front(), out);
 }

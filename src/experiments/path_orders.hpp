@@ -12,13 +12,20 @@
 
 namespace polhode {
 
-/// The largest |X_dt - X|^2 of each path over the end points of the coarsest steps, which all levels share.
+/// So often in a step of the coarsest level are errors looked at, at the ends of a level's own steps: the claim is
+/// E max_n |X_n - X(t_n)|^2 (Kloeden, Platen, Numerical Solution of SDEs, 1992, section 10.6). The finest level is
+/// looked at where the level before it is, so that every kernel is also seen taking more than one step at a call. Of
+/// few times a maximum misses a share ~ n^(-1/2) of the supremum, and a slope would be that share's: where the coarsest
+/// level of a fit has fewer than 32 steps, all of the fit are looked at where it is.
+int looks_in_coarsest(const level_grid&);
+
+/// The largest |X_dt - X|^2 of each path over those times.
 struct largest_errors {
   squared_errors squares;
   largest_errors(int paths, int levels)
       : squares{paths, levels, std::vector<double>(static_cast<std::size_t>(paths * levels))} {}
-  /// After each chunk; states: [level] of the block that `truth` is advanced to.
-  void keep(const std::vector<std::vector<double>>& states, const driven_block& truth, int first_path);
+  /// Takes the states of a level through the chunk that `truth` has been advanced through.
+  void advance(const kernel&, const driven_block& truth, std::size_t level, int first_path, std::span<double> states);
 };
 
 /// What is asked of every norm of one scheme.
@@ -28,7 +35,7 @@ struct order_question {
   double claimed;     ///< strong order
   bool claimed_seen;  ///< the mean square error has a term of that order: a steeper slope is the scene's kindness
   std::span<const double> dt;
-  int common_times;  ///< over which the supremum is taken
+  const level_grid& grid;
 };
 
 /// Measurements, fits and verdicts of one scheme.

@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <memory>
+#include <utility>
 
 #include "ensemble/paths.hpp"
 #include "experiments/levels.hpp"
@@ -14,6 +15,7 @@
 #include "experiments/progress_counter.hpp"
 #include "experiments/stability_escape.hpp"
 #include "experiments/stability_long.hpp"
+#include "experiments/stability_noise.hpp"
 #include "experiments/stability_report.hpp"
 #include "experiments/stability_scale.hpp"
 #include "experiments/transfer.hpp"
@@ -25,14 +27,14 @@ constexpr double longest = 32;          // dt times the fastest rate
 constexpr double shortest = 1.0 / 256;  // of the map, likewise
 constexpr int map_paths = 256;
 
-finding find(const context& c, const stability_case& in, const scheme_entry& scheme) {
+finding find(const context& c, const stability_case& in, const scheme_entry& scheme, const block_listener& hear) {
   const double scales = in.rate * in.horizon;
   const step_range range{static_cast<std::int64_t>(std::ceil(scales / longest)), std::llround(scales * longest),
                          std::llround(scales * by_effort(c.effort, 1 << 10, 1 << 12, 1 << 14))};
   const int paths = in.bound.model->noise() == noise_class::none ? block_lanes : by_effort(c.effort, 512, 2048, 8192);
   finding out;
   out.border = find_border(range, [&](std::int64_t steps) {
-    const auto o = run_until_broken(in, scheme, {in.dt(steps), steps, paths, c.seed, c.generator});
+    const auto o = run_until_broken(in, scheme, {in.dt(steps), steps, paths, c.seed, c.generator, false, hear});
     out.worst_casimir = std::max(out.worst_casimir, o.worst_casimir);
     out.worst_energy = std::max(out.worst_energy, o.worst_energy);
     if (!o.stable()) out.first = o.first;  // the last run that broke is the one at the border
@@ -43,15 +45,18 @@ finding find(const context& c, const stability_case& in, const scheme_entry& sch
 
 /// The share of whole paths over dt, for one stiffness.
 std::vector<report::measurement> map_row(const context& c, const stability_case& in, const scheme_entry& scheme,
-                                         double own_rate) {
+                                         double own_rate, const block_listener& hear) {
   std::vector<report::measurement> out;
+  std::int64_t before = 0;  // steps: runs of as many have the same noise
   const int cells = by_effort(c.effort, 7, 13, 25);
   for (int i = 0; i < cells; ++i) {
     const double dt = longest / own_rate * std::exp2(-12.0 * (cells - 1 - i) / (cells - 1));
     if (dt * in.rate > longest) break;
     if (dt * in.rate < shortest) continue;  // too many steps for what they would show
     const auto steps = static_cast<std::int64_t>(std::ceil(in.horizon / dt));
-    const auto o = run_until_broken(in, scheme, {dt, steps, map_paths, c.seed, c.generator, true});
+    const auto o = run_until_broken(in, scheme,
+                                    {dt, steps, map_paths, c.seed, c.generator, true,
+                                     std::exchange(before, steps) != steps ? hear : block_listener{}});
     out.push_back(stability_row(scheme.info.name, "stable_share", in.name, 1 - static_cast<double>(o.broken) / o.paths,
                                 "1", "sampled"));
     out.back().dt = dt;
@@ -60,22 +65,29 @@ std::vector<report::measurement> map_row(const context& c, const stability_case&
   return out;
 }
 
+bool on_the_map(const stability_case& in) { return in.name.starts_with("theta="); }
+
 /// [scheme][case]
 struct findings {
   std::vector<finding> found;
   std::vector<std::vector<report::measurement>> map;
 };
 
-findings find_all(const context& c, const std::vector<stability_case>& cases) {
+findings find_all(const context& c, const std::vector<stability_case>& cases, heard_noise& noise) {
   const std::size_t n = cases.size(), all = n * c.subject.schemes.size();
   findings out{std::vector<finding>(all), std::vector<std::vector<report::measurement>>(all)};
+  const auto* first_row = std::to_address(std::ranges::find_if(cases, on_the_map));
   progress_counter done(static_cast<int>(all), c.progress);
   parallel_for(c.threads, static_cast<int>(all), [&](int task) {
     const auto k = static_cast<std::size_t>(task);
     const auto& in = cases[k % n];
     const auto& scheme = in.bound.schemes[k / n];
-    out.found[k] = find(c, in, scheme);
-    if (in.name.starts_with("theta=")) out.map[k] = map_row(c, in, scheme, cases[0].rate);
+    const auto listener = [&](heard_noise::part p, bool wanted) {
+      return wanted ? noise.listener(p, scheme) : block_listener{};
+    };
+    out.found[k] = find(c, in, scheme, listener(heard_noise::border, k % n == 0));
+    if (on_the_map(in))
+      out.map[k] = map_row(c, in, scheme, cases[0].rate, listener(heard_noise::map, &in == first_row));
     done.add();
   });
   return out;
@@ -83,13 +95,14 @@ findings find_all(const context& c, const std::vector<stability_case>& cases) {
 
 /// One scheme a piece of work.
 void report_long_runs(const context& c, const std::vector<stability_case>& cases, const findings& all,
-                      report::results& out) {
+                      heard_noise& noise, report::results& out) {
   const auto& schemes = cases[0].bound.schemes;
   std::vector<report::results> parts(schemes.size());
   parallel_for(c.threads, static_cast<int>(schemes.size()), [&](int task) {
     const auto k = static_cast<std::size_t>(task);
-    report_rare_breaks(c, cases[0], schemes[k], all.found[k * cases.size()].border, parts[k]);
-    report_long_drift(c, schemes[k], parts[k]);
+    report_rare_breaks(c, cases[0], schemes[k], all.found[k * cases.size()].border, parts[k],
+                       noise.listener(heard_noise::rare_breaks, schemes[k]));
+    report_long_drift(c, schemes[k], parts[k], noise.listener(heard_noise::long_drift, schemes[k]));
   });
   for (const auto& part : parts) {
     out.measurements.insert(out.measurements.end(), part.measurements.begin(), part.measurements.end());
@@ -98,10 +111,11 @@ void report_long_runs(const context& c, const std::vector<stability_case>& cases
 }
 
 void run(const context& c, report::results& out) {
-  const auto cases = stability_cases(c);
+  heard_noise noise(c.subject);
+  const auto cases = stability_cases(c, noise.listener(heard_noise::reference));
   const auto& schemes = c.subject.schemes;
   const std::size_t n = cases.size();
-  const auto all = find_all(c, cases);
+  const auto all = find_all(c, cases, noise);
   report_cases(cases, out);
   report_true_growth(c.subject, out);
   if (c.subject.model->noise() == noise_class::none)
@@ -116,7 +130,8 @@ void run(const context& c, report::results& out) {
     report_mean_square(c, schemes[s].info.name, out);
     report_escape(cases[0], schemes[s], out);
   }
-  if (c.effort == effort::thorough) report_long_runs(c, cases, all, out);
+  if (c.effort == effort::thorough) report_long_runs(c, cases, all, noise, out);
+  noise.report(out);
 }
 
 std::optional<std::string> cannot_say(const subject& s) {
@@ -166,6 +181,9 @@ std::vector<std::string> notes() {
       "the shell of experiment weak within the horizon, and the first dt at which that is below a millionth.",
       "At effort thorough: the share of a million paths that breaks at half the largest stable dt (exact binomial "
       "interval), and the drift of |Pi| over 10^9 steps (implicit: 10^8) of each of 64 paths.",
+      "Noise: moments and correlations of what was drawn, against their law: of one scheme (runs of as many steps have "
+      "the same normals) the border on the scene itself, the first row of the map, the rare breaks and the first "
+      "million steps of the long drift; and of the first mean energy that is sampled.",
       "Normals: fast ones (right to 1e-6). Areas are drawn from the weak surrogate (independent normals of variance "
       "dt^2/4)."};
 }

@@ -43,7 +43,7 @@ double rms_change(std::span<const double> now, std::span<const double> start) {
 }  // namespace
 
 long_drift drift_over(const subject& s, const scheme_entry& scheme, double dt, double steps, std::uint64_t seed,
-                      noise_generator generator) {
+                      noise_generator generator, const block_listener& hear) {
   const auto& m = *s.model;
   const auto stepper = scheme.make(dt);
   const auto& pi = s.scene.momentum;
@@ -55,8 +55,12 @@ long_drift drift_over(const subject& s, const scheme_entry& scheme, double dt, d
   long_drift out;
   std::uint64_t next = 1;
   for (std::uint64_t i = 0; i < chunks; ++i) {
-    for (std::uint64_t k = i * chunk; k < (i + 1) * chunk; k += part)
-      stepper->advance(states, silent ? silence(part, dt) : noise.fill(seed, 0, k, part, dt));
+    for (std::uint64_t k = i * chunk; k < (i + 1) * chunk; k += part) {
+      const auto view = silent ? silence(part, dt) : noise.fill(seed, 0, k, part, dt);
+      const auto first = static_cast<std::int64_t>(k);
+      if (hear && !silent && first < heard_steps) hear(first, view);
+      stepper->advance(states, view);
+    }
     if (i + 1 < next && i + 1 < chunks) continue;
     out.steps.push_back(static_cast<double>(i + 1) * chunk);
     out.rms.push_back(rms_change(lengths(m, states), start));
@@ -65,11 +69,11 @@ long_drift drift_over(const subject& s, const scheme_entry& scheme, double dt, d
   return out;
 }
 
-void report_long_drift(const context& c, const scheme_entry& scheme, report::results& out) {
+void report_long_drift(const context& c, const scheme_entry& scheme, report::results& out, const block_listener& hear) {
   if (!scheme.info.casimir.exact) return;
   const double dt = c.subject.scene.horizon / static_cast<double>(c.subject.scene.steps.back());
   const auto found =
-      drift_over(c.subject, scheme, dt, scheme.info.implicit ? many_steps / 10 : many_steps, c.seed, c.generator);
+      drift_over(c.subject, scheme, dt, scheme.info.implicit ? many_steps / 10 : many_steps, c.seed, c.generator, hear);
   const series s{"stability", std::string(scheme.info.name), "casimir_drift", "casimir", "relative", "sampled"};
   std::vector<report::measurement> points;
   for (std::size_t i = 0; i < found.steps.size(); ++i) {
@@ -80,12 +84,12 @@ void report_long_drift(const context& c, const scheme_entry& scheme, report::res
 }
 
 void report_rare_breaks(const context& c, const stability_case& in, const scheme_entry& scheme,
-                        const stability_border& border, report::results& out) {
+                        const stability_border& border, report::results& out, const block_listener& hear) {
   if (border.stable == 0 || in.bound.model->noise() == noise_class::none) return;
   const auto steps = 2 * border.stable;
   const double paths = std::min(many_paths, affordable / static_cast<double>(steps));
   const auto o =
-      run_until_broken(in, scheme, {in.dt(steps), steps, static_cast<int>(paths), c.seed, c.generator, true});
+      run_until_broken(in, scheme, {in.dt(steps), steps, static_cast<int>(paths), c.seed, c.generator, true, hear});
   auto m = stability_row(scheme.info.name, "rare_break_share", in.name, static_cast<double>(o.broken) / o.paths, "1",
                          "sampled");
   m.dt = in.dt(steps);

@@ -79,9 +79,10 @@ void run_block(const stability_case& c, const stepper& s, const stability_plan& 
   const int before = out.broken;
   for (std::int64_t i = 0; i < p.steps; i += chunk) {
     const int n = static_cast<int>(std::min(chunk, p.steps - i));
-    s.step.advance(b.states, m.active_channels() > 0
-                                 ? noise.fill(p.seed, first_path, static_cast<std::uint64_t>(i), n, p.dt)
-                                 : silence(n, p.dt));
+    const auto view = m.active_channels() > 0 ? noise.fill(p.seed, first_path, static_cast<std::uint64_t>(i), n, p.dt)
+                                              : silence(n, p.dt);
+    if (p.hear && !view.silent()) p.hear(i, view);
+    s.step.advance(b.states, view);
     b.look(out);
     if (out.broken - before == block_lanes || (!p.to_the_end && too_many(out, p.paths))) return;
   }
@@ -143,13 +144,14 @@ stability_outcome run_until_broken(const stability_case& c, const scheme_entry& 
   return run(c, {*scheme.make(p.dt), scheme.needs_areas, scheme.info.implicit}, p);
 }
 
-double fine_mean_energy(const stability_case& c, int paths, std::uint64_t seed, noise_generator generator) {
+double fine_mean_energy(const stability_case& c, int paths, std::uint64_t seed, noise_generator generator,
+                        const block_listener& hear) {
   constexpr double resolution = 16;
   const auto steps = static_cast<std::int64_t>(std::ceil(resolution * c.rate * c.horizon));
   const auto reference = c.bound.model->reference();
   // A seed of its own: a scheme that happens to take as many steps must not see the same paths.
   return run(c, {*reference, false, false},
-             {c.horizon / static_cast<double>(steps), steps, paths, ~seed, generator, true})
+             {c.horizon / static_cast<double>(steps), steps, paths, ~seed, generator, true, hear})
       .mean_energy;
 }
 

@@ -25,6 +25,7 @@ struct stability_plan {
   std::uint64_t seed = 0;
   noise_generator generator = noise_generator::philox;
   bool to_the_end = false;  ///< count every path that breaks; else stop where too many have
+  block_listener hear = {};
 };
 
 struct stability_outcome {
@@ -41,6 +42,7 @@ struct stability_outcome {
 stability_outcome run_until_broken(const stability_case&, const scheme_entry&, const stability_plan&);
 
 /// The mean energy at the horizon of the driven ordinary differential equation, 16 steps to a time scale.
-double fine_mean_energy(const stability_case&, int paths, std::uint64_t seed, noise_generator);
+double fine_mean_energy(const stability_case&, int paths, std::uint64_t seed, noise_generator,
+                        const block_listener& hear = {});
 
 }  // namespace polhode

@@ -7,7 +7,9 @@
 //                    i and lane i + 1, of lane i and lane i + 32; of areas with increments and with each other
 //   a block's first: products with the first of the blocks 1, 2, 4, 8 … before
 //   paths:           whether two of them start alike, and the products of any two lanes (path_audit.hpp)
-// The first two are Hermite polynomials (orthogonal to what comes before them).
+// The first two are Hermite polynomials (orthogonal to what comes before them). A square's deviate is that of its
+// chi-square (Wilson, Hilferty, Proc. Natl. Acad. Sci. 17 (1931) 684-688); a sum of so few numbers that it is not
+// normal as far out as the threshold is left out.
 #pragma once
 
 #include <Eigen/Core>
@@ -49,6 +51,8 @@ class noise_audit {
 
   /// Blocks in their order.
   void merge(const noise_audit& next);
+  /// Other paths of the same block, each heard by add_path alone.
+  void join(const noise_audit& paths);
 
   std::vector<noise_deviation> deviations() const;
   double increments() const { return all_; }
@@ -65,7 +69,14 @@ class noise_audit {
   void add_rows(const audited_steps&, const Real* z, double unit);
   void look_closely(const std::vector<row>& z, const std::vector<row>* before, const std::vector<row>& u);
   void add_areas(const row& u, int pair);
-  void add_area_deviations(const std::function<void(const std::string&, double sum, double variance)>&) const;
+  void add_sums(const noise_audit&);
+
+  /// A sum over so many numbers, of this variance each; left out where they are fewer than `least`.
+  struct summed {
+    double sum, numbers, variance, least;
+  };
+  using listed = std::function<void(const std::string& what, const summed&)>;
+  void add_area_deviations(const listed&) const;
   void compare_heads(std::vector<noise_deviation>&) const;
   void compare_paths(std::vector<noise_deviation>&) const;
 

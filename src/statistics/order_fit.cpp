@@ -12,7 +12,7 @@
 namespace polhode {
 namespace {
 
-constexpr int most_levels = 6, least_levels = 4, replicates = 400;
+constexpr int least_levels = 4, replicates = 400;
 constexpr const char* every_point = "every point that is finite and above zero";
 constexpr double off_the_line = 0.05, standard_errors = 3;
 
@@ -89,14 +89,14 @@ std::vector<level> asymptotic_part(std::vector<level> kept) {
 /// The rule of the header.
 selection select_levels(std::vector<level> all, int left_out_at_floor) {
   std::ranges::sort(all, [](const level& a, const level& b) { return a.x > b.x; });
-  const int spare = std::max(0, static_cast<int>(all.size()) - most_levels);
+  const int spare = std::max(0, static_cast<int>(all.size()) - fitted_levels);
   const std::vector<level> finest(all.begin() + spare, all.end());
   const auto kept = asymptotic_part(finest);
   const auto early = finest.size() - kept.size();
   return {finest, kept,
           fmt::format("{} levels used; left out: {} coarser than the finest {}, {} pre-asymptotic, {} at the "
                       "rounding floor or not finite",
-                      kept.size(), spare, most_levels, early, left_out_at_floor)};
+                      kept.size(), spare, fitted_levels, early, left_out_at_floor)};
 }
 
 order_fit result_of(const selection& s, const line& l, double low, double high, std::size_t count) {

@@ -17,6 +17,9 @@
 
 namespace polhode {
 
+/// The most levels that a fit takes, of those without sampling error as of the others.
+inline constexpr int fitted_levels = 6;
+
 struct order_fit {
   double order = 0, low = 0, high = 0;  ///< slope in log2-log2 with its 95 % interval
   double prefactor = 0;                 ///< value = prefactor * dt^order

@@ -52,8 +52,8 @@ void path_audit::add_products(const row& z) {
 }
 
 void path_audit::merge(const path_audit& o) {
+  if (!o.starts_.empty()) numbers_ = starts_.empty() ? o.numbers_ : std::min(numbers_, o.numbers_);
   starts_.insert(starts_.end(), o.starts_.begin(), o.starts_.end());
-  numbers_ = std::max(numbers_, o.numbers_);
   if (products_.size() == 0)
     products_ = o.products_;
   else if (o.products_.size() > 0)

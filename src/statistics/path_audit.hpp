@@ -44,7 +44,7 @@ class path_audit {
   static std::uint64_t key_of(const Real* first, int steps, int rows, int channels, int stride);
 
   std::vector<std::uint64_t> starts_;  ///< hashes
-  int numbers_ = 0;                    ///< of a start
+  int numbers_ = 0;                    ///< of the shortest start
   Eigen::MatrixXd products_;           ///< below the diagonal and on it; empty before the first
 };
 

@@ -101,7 +101,7 @@ std::vector<block> blocks() {
 }
 
 std::vector<block> generator_blocks() {
-  const names broad = {"heun", "magnus", "strang"};
+  const names broad = {"heun", "magnus", "strang"}, long_runs = {"lie_euler"};
   return {
       {kind::generator_dw, {0.02, 0.05}, {0.01, 0.001}, broad, paper},
       {kind::generator_channels, {1, 0.3, 0.05}, {0.01}, broad, paper},
@@ -110,6 +110,16 @@ std::vector<block> generator_blocks() {
       {kind::generator_clip, {2, 3}, {4}, broad, paper},
       {kind::generator_paths, {1, 2}, {}, broad, paper},
       {kind::generator_area, {-2, -1, 0.05}, {0.01}, {"magnus", "milstein"}, paper},
+      // By those that are left out of "any". Lanes and steps of a common path are bodies and its own.
+      {kind::generator_dw, {0.02, 0.05}, {0.01, 0.001}, long_runs, paper, "attractor"},
+      {kind::generator_channels, {1, 0.3, 0.05}, {0.01}, long_runs, paper, "attractor"},
+      {kind::generator_clip, {2, 3}, {4}, long_runs, paper, "attractor"},
+      {kind::generator_paths, {1, 2}, {}, long_runs, paper, "attractor"},
+      {kind::generator_dw, {0.02, 0.05}, {0.01, 0.001}, long_runs, paper, "stability"},
+      {kind::generator_channels, {1, 0.3, 0.05}, {0.01}, long_runs, paper, "stability"},
+      {kind::generator_lanes, {32, 8, 1}, {}, long_runs, paper, "stability"},
+      {kind::generator_steps, {1}, {}, long_runs, paper, "stability"},
+      {kind::generator_clip, {2, 3}, {4}, long_runs, paper, "stability"},
   };
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "experiments/experiment.hpp"
+#include "experiments/noise_verdict.hpp"
 #include "references/gibbs.hpp"
 #include "references/lyapunov.hpp"
 #include "registry/bind.hpp"
@@ -92,6 +93,15 @@ void expect_densities_relative_to_the_uniform_one() {
   }
 }
 
+/// One verdict, and the largest deviation of each part.
+void expect_the_noise_of(const report::results& r, const std::vector<std::string>& parts) {
+  expect_to_hold(r, noise_claim, 1);
+  std::vector<std::string> heard;
+  for (const auto& m : r.measurements)
+    if (m.scheme == noise_name) heard.push_back(m.observable.substr(0, m.observable.find(':')));
+  EXPECT_EQ(heard, parts);
+}
+
 TEST(Attractor, ClaimsHoldWhereBodiesSpread) {
   for (const char* claim : {"slope over noise paths", "mean over noise paths", "pullback converges"})
     expect_to_hold(on_paper(), claim, 2);
@@ -99,6 +109,7 @@ TEST(Attractor, ClaimsHoldWhereBodiesSpread) {
   expect_dimensions_in_their_order();
   expect_the_exact_bias_to_tell_the_orders_apart();
   expect_densities_relative_to_the_uniform_one();
+  expect_the_noise_of(on_paper(), {"averages", "pullback", "dimensions", "densities"});
 }
 
 TEST(Attractor, ClaimsHoldWhereBodiesCollect) {
@@ -107,6 +118,7 @@ TEST(Attractor, ClaimsHoldWhereBodiesCollect) {
        {"slope over noise paths", "mean over noise paths", "pullback converges", "collapse at the rate lambda_1"})
     expect_to_hold(r, claim, 2);
   EXPECT_NEAR(*row(r, "strang", "collapse rate")->value, -0.04358, 0.1 * 0.04358);  // MODEL, section 5
+  expect_the_noise_of(r, {"averages", "pullback", "collapse", "densities"});
 }
 
 using change = std::function<void(std::span<double> dw)>;

@@ -1,8 +1,10 @@
 // Broken noise is found by the audit of the run that it drives, and healthy noise is not.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <polhode/noise/normal.hpp>
+#include <tuple>
 
 #include "experiments/noise_verdict.hpp"
 #include "registry/scene.hpp"
@@ -33,6 +35,7 @@ planted plant(const char* what, Parameter... p) {
 }
 
 using namespace test;
+using namespace std::string_literals;
 const planted defects[] = {plant<increments_times>("increments x 1.02", 1.02),
                            plant<increments_times>("increments x 1.002", 1.002),
                            plant<channels_correlated>("channel 2 is channel 1", 1.0),
@@ -56,6 +59,24 @@ TEST_P(BrokenNoise, IsRefutedByTheAudit) {
   }
 }
 INSTANTIATE_TEST_SUITE_P(Planted, BrokenNoise, testing::ValuesIn(defects));
+
+// Common to many bodies, where lanes are bodies and what repeats is paths; and in runs that end when paths break.
+const planted common_defects[] = {plant<increments_times>("variance x 1.02", std::sqrt(1.02)),
+                                  plant<lanes_repeated>("paths repeated")};
+
+struct BrokenNoiseOfLongRuns : testing::TestWithParam<std::tuple<planted, std::string>> {};
+
+TEST_P(BrokenNoiseOfLongRuns, IsRefutedByTheAudit) {
+  const auto& [what, experiment] = GetParam();
+  const auto defect = what.make();
+  const planted_noise_defect in_force(*defect);
+  const auto v = audited(experiment, "lie_euler");
+  EXPECT_EQ(v.kind, report::verdict_kind::refuted) << v.reason;
+  std::printf("%-24s | %-9s | %s\n", what.what, experiment.c_str(), v.reason.c_str());
+}
+INSTANTIATE_TEST_SUITE_P(Planted, BrokenNoiseOfLongRuns,
+                         testing::Combine(testing::ValuesIn(common_defects),
+                                          testing::Values("attractor"s, "stability"s)));
 
 TEST(HealthyNoise, HasItsLaw) {
   for (const std::uint64_t seed : {1, 2, 3})

@@ -7,6 +7,7 @@
 
 #include "ensemble/work_counters.hpp"
 #include "experiments/levels.hpp"
+#include "experiments/noise_verdict.hpp"
 #include "experiments/stability_border.hpp"
 #include "experiments/stability_long.hpp"
 #include "experiments/stability_run.hpp"
@@ -199,6 +200,21 @@ TEST(Stability, CostsWhatItMay) {
   EXPECT_LT(after.path_steps - before.path_steps, 4'000'000'000u);
 }
 
+/// One verdict, and the largest deviation of each part.
+void expect_the_noise_of(const report::results& r, const names& parts) {
+  int verdicts = 0;
+  for (const auto& v : r.verdicts)
+    if (v.scheme == noise_name) {
+      ++verdicts;
+      EXPECT_EQ(v.kind, report::verdict_kind::holds) << v.reason;
+    }
+  EXPECT_EQ(verdicts, 1);
+  names heard;
+  for (const auto& m : r.measurements)
+    if (m.scheme == noise_name) heard.push_back(m.observable.substr(0, m.observable.find(':')));
+  EXPECT_EQ(heard, parts);
+}
+
 TEST(Stability, SchemesThatKeepTheOrbitNeverBreakByIt) {
   const auto r = quick(load_scene("paper"), {"heun", "lie_heun", "implicit_midpoint"});
   int judged = 0;
@@ -213,6 +229,7 @@ TEST(Stability, SchemesThatKeepTheOrbitNeverBreakByIt) {
   EXPECT_EQ(border(r, "lie_heun", "scene").status, "first broken: mean energy");
   EXPECT_LT(*border(r, "heun", "scene").value, 0.1 * *border(r, "lie_heun", "scene").value);
   EXPECT_FALSE(border(r, "lie_heun", "denormal c").value);
+  expect_the_noise_of(r, {"reference", "border", "map"});
 }
 
 }  // namespace
