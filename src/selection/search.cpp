@@ -16,6 +16,7 @@ constexpr double coarsest = 0.5;  // of the fastest time scale
 constexpr double share = 0.9;     // of the tolerance that is aimed at
 constexpr int most_tries = 10;
 constexpr double shortest = 0.1;  // of a step: down to there the tolerance is to be met
+constexpr double near = 0.7;      // of the tolerance: between two such steps it is looked once more
 constexpr double generous = 0.5;  // of the tolerance: a longer step is worth a try
 constexpr int most_lengthened = 3;
 constexpr double worthwhile = 1.05;  // times a step: what a longer one must be
@@ -98,11 +99,12 @@ double peak(double before, double middle, double after) {
 
 descent search::look_below(const candidate& who, double dt, std::uint64_t seed) const {
   descent out{dt, {}, 0, 0, dt};
-  std::vector<double> bounds;
+  std::vector<double> steps, bounds;
   for (const double step : rungs_below(dt)) {
     if (step < dt && !goal_.affordable(who, step)) break;
     const auto e = step == dt ? goal_.error(who, step, seed) : goal_.rough_error(who, step, seed);
     if (step == dt) out.at_longest = e;
+    steps.push_back(step);
     bounds.push_back(e.bound());
     const std::size_t n = bounds.size();
     const bool hill = n > 2 && bounds[n - 2] > bounds[n - 3] && bounds[n - 2] > bounds[n - 1];
@@ -111,8 +113,19 @@ descent search::look_below(const candidate& who, double dt, std::uint64_t seed) 
     out.shortest = step;
     if (!(highest <= question_.tolerance)) {
       out.too_long = step;
-      break;
+      return out;
     }
+  }
+  // A combination's error may have hills narrower than a rung.
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    if (std::max(bounds[i], bounds[i + 1]) < near * question_.tolerance) continue;
+    const double between = whole_steps(std::sqrt(steps[i] * steps[i + 1]));
+    if (between >= steps[i] || between <= steps[i + 1]) continue;
+    const double bound = goal_.rough_error(who, between, seed).bound();
+    out.worst = std::isfinite(bound) ? std::max(out.worst, bound) : bound;
+    if (bound <= question_.tolerance) continue;
+    out.too_long = between;
+    break;
   }
   return out;
 }

@@ -39,7 +39,9 @@ inline Eigen::VectorXd means_again(const subject& s, const scheme_entry& scheme,
                                    const law_observables& all, bool at_equilibrium, int finer) {
   const auto steps = static_cast<std::int64_t>(std::lround(horizon / dt)), coarse = steps / finer;
   const bool sphere = scheme.info.casimir.exact;
-  const transfer_rule rule{sphere ? basis_rule{22, 1, 0} : basis_rule{12, 7, 5}, {sphere ? 9 : 6, 3}};
+  // Nine nodes a channel leave 5 % of an error of 1e-4 at steps of 2 open, 17 leave 0.2 %.
+  const int nodes = !sphere ? 6 : dt > 1 ? 17 : 9;
+  const transfer_rule rule{sphere ? basis_rule{22, 1, 0} : basis_rule{12, 7, 5}, {nodes, 3}};
   const auto op = make_transfer(s, scheme, dt, steps, rule);
   Eigen::MatrixXd f(op.basis.size(), all.count());
   for (Eigen::Index i = 0; i < f.cols(); ++i) f.col(i) = op.basis.coefficients(all.functions[std::size_t(i)]);
