@@ -14,10 +14,10 @@
 // moved from run to run, and by no more than three times the largest but one that is seen, of seven schemes or more. It
 // is none where both runs found the machine in the same state.
 // What all schemes (five or more) have in common is taken out first, and told once where it is above `of_all` and what
-// the yardstick has moved by: it is the machine's, or that of what they share. Runs with noise and without (the energy law) are two groups of a scheme,
-// told as one where both have moved. A cost that moves apart from its scheme's by more than `apart`, besides its
-// interval, is told too, all of a scheme in one line. What follows from costs (cost_to_reach, cost_of_next) is not
-// compared again.
+// the yardstick has moved by: it is the machine's, or that of what they share. Runs with noise and without (the energy
+// law) are two groups of a scheme, told as one where both have moved. A cost that moves apart from its scheme's by more
+// than `apart`, besides its interval, is told too, all of a scheme in one line. What follows from costs (cost_to_reach,
+// cost_of_next) is not compared again.
 //
 // Seen on a quiet machine (both processors threads of one core): of 1,400 timings in 20 pairs of runs none is called
 // changed, medians D of one program within 0.001, and a step 5 % slower is found in 20 of 20. With other work beside, 0

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "statistics/order_fit.hpp"
+#include "statistics/level_choice.hpp"
 
 namespace polhode {
 namespace {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "experiments/vectors.hpp"
+#include "statistics/level_choice.hpp"
 #include "statistics/path_slopes.hpp"
 
 namespace polhode {

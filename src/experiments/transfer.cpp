@@ -9,35 +9,13 @@
 #include "ensemble/basis_sums.hpp"
 #include "ensemble/dense_algebra.hpp"
 #include "experiments/half_turns.hpp"
-#include "experiments/point_block.hpp"
+#include "experiments/mapped_points.hpp"
+#include "experiments/noise_covariance.hpp"
+#include "experiments/radial_motion.hpp"
 #include "experiments/vectors.hpp"
 
 namespace polhode {
 namespace {
-
-constexpr double widest = 0.8;  // of log(radius), to either side
-
-/// Calls use(first point, lanes in use, nodes, states of these nodes [node][component][lane]) for all points and nodes.
-template <class Use>
-void map_points(const kernel& k, const points_in_space& points, const noise_nodes& noise, const Use& use) {
-  constexpr int chunk = 32, block = 3 * block_lanes;
-  const auto table = k.share(noise.path());
-  const int nodes = static_cast<int>(noise.weight.size()), count = static_cast<int>(points.rows());
-  std::vector<double> start(block), mapped(static_cast<std::size_t>(block) * chunk);
-  for (int first = 0; first < count; first += block_lanes) {
-    load_block(points, first, start.data());
-    for (int node = 0; node < nodes; node += chunk) {
-      const int n = std::min(chunk, nodes - node);
-      for (int i = 0; i < n; ++i) {
-        const std::span state(mapped.data() + i * block, block);
-        std::ranges::copy(start, state.begin());
-        k.advance(state, table, node + i, 1);
-      }
-      use(first, lanes_in_use(points, first),
-          std::span(noise.weight).subspan(static_cast<std::size_t>(node), static_cast<std::size_t>(n)), mapped.data());
-    }
-  }
-}
 
 /// Values of T B_j at those points.
 Eigen::MatrixXd mapped_basis(const kernel& k, const shell_basis& basis, const points_in_space& points,
@@ -59,50 +37,6 @@ Eigen::MatrixXd mapped_basis(const kernel& k, const shell_basis& basis, const po
             sums[static_cast<std::size_t>((lane / sum_lanes * size + j) * sum_lanes + lane % sum_lanes)];
   });
   return values;
-}
-
-/// Calls use(point, weight, log(|Pi after a step| / |Pi|)) for every point and node.
-template <class Use>
-void map_radii(const kernel& k, const points_in_space& points, const noise_nodes& noise, const Use& use) {
-  const Eigen::VectorXd radii = points.rowwise().norm();
-  map_points(k, points, noise, [&](int first, int lanes, std::span<const double> weights, const double* states) {
-    for (std::size_t i = 0; i < weights.size(); ++i)
-      for (int lane = 0; lane < lanes; ++lane) {
-        const double* at = states + 3 * block_lanes * static_cast<int>(i) + lane;
-        const double now = std::hypot(at[0], at[block_lanes], at[2 * block_lanes]);
-        use(first + lane, weights[i], std::log(now / radii[first + lane]));
-      }
-  });
-}
-
-/// How log |Pi| changes in one step from the sphere: the extremes of its mean, the largest variance.
-struct radial_motion {
-  double least_mean, largest_mean, variance;
-};
-
-radial_motion motion_of(const kernel& k, double radius, const noise_nodes& noise) {
-  const points_in_space points = radius * sphere_quadrature(6).points;
-  Eigen::ArrayXd mean = Eigen::ArrayXd::Zero(points.rows()), square = mean;
-  map_radii(k, points, noise, [&](int point, double weight, double change) {
-    mean[point] += weight * change;
-    square[point] += weight * change * change;
-  });
-  return {mean.minCoeff(), mean.maxCoeff(), std::max(0.0, (square - mean.square()).maxCoeff())};
-}
-
-/// Wide enough for the radius of a path.
-shell shell_around(const kernel& k, double radius, const noise_nodes& noise, std::int64_t steps, double deviations) {
-  const auto motion = motion_of(k, radius, noise);
-  const auto n = static_cast<double>(steps);
-  const double spread = deviations * std::sqrt(n * motion.variance);
-  const auto width = [&](double drift) { return std::clamp(n * drift + spread, 1e-3, widest); };
-  return {radius * std::exp(-width(-motion.least_mean)), radius * std::exp(width(motion.largest_mean))};
-}
-
-shell shell_of(const kernel& k, const subject& s, const noise_nodes& noise, std::int64_t steps,
-               const basis_rule& rule) {
-  const double c = length(s.scene.momentum);
-  return rule.radial == 1 ? shell{c, c} : shell_around(k, c, noise, steps, rule.deviations);
 }
 
 /// At a block of points from all over the basis.
@@ -155,12 +89,7 @@ Eigen::MatrixXd law_after_steps(Eigen::MatrixXd law, Eigen::MatrixXd power, std:
 
 std::optional<sphere_problem> sphere_problem_of(const subject& s) {
   if (s.scene.system != "rigid_body" || s.model->dimension() != 3) return std::nullopt;
-  sphere_problem out{s.scene.inertia, s.scene.theta, length(s.scene.momentum), Eigen::Matrix3d::Zero()};
-  for (const auto& v : s.scene.sigma) {
-    const Eigen::Map<const Eigen::Vector3d> e(v.data());
-    out.covariance += e * e.transpose();
-  }
-  return out;
+  return sphere_problem{s.scene.inertia, s.scene.theta, length(s.scene.momentum), noise_covariance(s.scene)};
 }
 
 sphere_problem with_more_noise(sphere_problem p, double share) {
@@ -208,14 +137,8 @@ Eigen::VectorXd mean_after_step(const subject& s, const scheme_entry& scheme, do
                                 const points_in_space& points, const sphere_function& f) {
   const auto stepper = scheme.make(dt);
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(points.rows());
-  map_points(*stepper, points, nodes_of(*s.model, scheme.needs_areas, dt, rule),
-             [&](int first, int lanes, std::span<const double> weights, const double* states) {
-               for (std::size_t i = 0; i < weights.size(); ++i)
-                 for (int lane = 0; lane < lanes; ++lane) {
-                   const double* at = states + 3 * block_lanes * static_cast<int>(i) + lane;
-                   mean[first + lane] += weights[i] * f(Eigen::Vector3d(at[0], at[block_lanes], at[2 * block_lanes]));
-                 }
-             });
+  map_each_point(*stepper, points, nodes_of(*s.model, scheme.needs_areas, dt, rule),
+                 [&](int point, double weight, const Eigen::Vector3d& after) { mean[point] += weight * f(after); });
   return mean;
 }
 
@@ -229,39 +152,6 @@ Eigen::VectorXd change_by_far_noise(const subject& s, const scheme_entry& scheme
   const auto far = far_nodes_of(*s.model, scheme.needs_areas, dt);
   const int active = s.model->active_channels();
   return (ask(transfer_on(*stepper, basis, far, active)) - ask(transfer_on(*stepper, basis, noise, active))).cwiseAbs();
-}
-
-double taken_back(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,
-                  const transfer_rule& rule) {
-  if (rule.basis.radial == 1) return 0;
-  constexpr int radii = 5, powers = 12;
-  const auto stepper = scheme.make(dt);
-  const auto noise = nodes_of(*s.model, scheme.needs_areas, dt, rule.noise);
-  const double c = length(s.scene.momentum), n = static_cast<double>(steps);
-  const shell around = shell_of(*stepper, s, noise, steps, rule.basis);
-  const double middle = (around.least + around.greatest) / 2, half = (around.greatest - around.least) / 2;
-  const double least = std::max(middle - most_outside * half, around.least / 4), most = middle + most_outside * half;
-  const auto directions = sphere_quadrature(6).points;
-  points_in_space points(directions.rows() * radii, 3);
-  for (int i = 0; i < radii; ++i)
-    points.middleRows(i * directions.rows(), directions.rows()) =
-        (least + (most - least) * i / (radii - 1)) * directions;
-  const double unit = 1 / std::sqrt(n * std::max(motion_of(*stepper, c, noise).variance, 1e-300));
-  Eigen::ArrayXXd up = Eigen::ArrayXXd::Zero(points.rows(), powers), down = up;
-  map_radii(*stepper, points, noise, [&](int point, double weight, double change) {
-    const double factor = std::exp(unit * change);
-    for (int k = 0; k < powers; ++k) {
-      up(point, k) += weight * std::pow(factor, k + 1);
-      down(point, k) += weight * std::pow(factor, -k - 1);
-    }
-  });
-  const auto bound = [&](const Eigen::ArrayXXd& mean, double far) {
-    double out = 1;
-    for (int k = 0; k < powers; ++k)
-      out = std::min(out, std::exp(n * std::max(0.0, std::log(mean.col(k).maxCoeff())) - (k + 1) * unit * far));
-    return out;
-  };
-  return std::min(1.0, bound(up, std::log(most / c)) + bound(down, std::log(c / least)));
 }
 
 }  // namespace polhode

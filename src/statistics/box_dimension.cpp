@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "statistics/log_line.hpp"
+
 namespace polhode {
 namespace {
 
@@ -29,28 +31,14 @@ std::vector<std::uint32_t> merged(const std::vector<std::uint32_t>& fine, int ch
   return out;
 }
 
-struct log_line {
-  double slope = 0, intercept = 0;
-};
-
-log_line line_through(const std::vector<box_level>& levels, std::size_t kind, const std::vector<bool>& usable) {
-  double n = 0, mx = 0, my = 0, sxx = 0, sxy = 0;
-  const auto each = [&](const auto& use) {
-    for (std::size_t i = 0; i < levels.size(); ++i)
-      if (usable[i]) use(std::log(levels[i].side), std::log(levels[i].boxes[kind]));
-  };
-  each([&](double x, double y) {
-    ++n;
-    mx += x;
-    my += y;
-  });
-  mx /= n;
-  my /= n;
-  each([&](double x, double y) {
-    sxx += (x - mx) * (x - mx);
-    sxy += (x - mx) * (y - my);
-  });
-  return {sxy / sxx, my - sxy / sxx * mx};
+/// log(boxes of that kind) against log(side).
+log_line line_of(const std::vector<box_level>& cloud, box_kind kind, const std::vector<bool>& usable) {
+  std::vector<log_level> levels;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (usable[i])
+      levels.push_back(
+          {static_cast<int>(i), std::log(cloud[i].side), std::log(cloud[i].boxes[static_cast<std::size_t>(kind)]), 0});
+  return line_through(levels);
 }
 
 }  // namespace
@@ -85,7 +73,7 @@ std::optional<dimension_estimate> fit_dimension(std::span<const std::vector<box_
   std::vector<double> slopes;
   double intercept = 0;
   for (const auto& cloud : clouds) {
-    const auto line = line_through(cloud, static_cast<std::size_t>(kind), usable);
+    const auto line = line_of(cloud, kind, usable);
     slopes.push_back(line.slope);
     intercept += line.intercept / static_cast<double>(clouds.size());
   }

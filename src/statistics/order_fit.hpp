@@ -1,10 +1,8 @@
 // Orders of convergence with intervals.
 //
-// The rule on levels is fixed in advance: levels at the rounding floor and levels that are not finite are left out; of
-// the rest the finest six are taken; the coarsest of these is left out as pre-asymptotic while it lies off the line
-// through the others by more than 0.05 in log2 and more than three standard errors. At least four levels stay, or there
-// is no fit. Where the coarsest of those that stay is still off by more than 0.05 (its 95 % interval, paths resampled),
-// or without sampling error any of them off the line through all, the slope has not settled.
+// Which levels take part is a rule fixed in advance (level_choice.hpp). Where the coarsest of those that do is still
+// off the line through the others by more than 0.05 in log2 (its 95 % interval, paths resampled), or without sampling
+// error any of them off the line through all, the slope has not settled.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +12,9 @@
 #include <vector>
 
 #include "statistics/sample.hpp"
+#include "statistics/squared_errors.hpp"
 
 namespace polhode {
-
-/// The most levels that a fit takes, of those without sampling error as of the others.
-inline constexpr int fitted_levels = 6;
 
 struct order_fit {
   double order = 0, low = 0, high = 0;  ///< slope in log2-log2 with its 95 % interval
@@ -35,19 +31,6 @@ std::optional<order_fit> fit_order(std::span<const double> dt, std::span<const d
 /// Values against any abscissa, all of them used: a growth law rather than an order.
 std::optional<order_fit> fit_power_law(std::span<const double> x, std::span<const double> value);
 
-/// Squared errors of coupled levels: paths x levels, row by row.
-struct squared_errors {
-  int paths = 0, levels = 0;
-  std::vector<double> values;
-  double at(int path, int level) const { return values[static_cast<std::size_t>(path * levels + level)]; }
-  double& at(int path, int level) { return values[static_cast<std::size_t>(path * levels + level)]; }
-};
-
-struct mean_and_error {
-  double mean = 0, error = 0;  ///< with its standard error
-};
-mean_and_error level_mean(const squared_errors&, int level);
-
 /// Root-mean-square errors against dt, weighted least squares; the interval by resampling paths (levels share them),
 /// the choice of levels with them.
 std::optional<order_fit> fit_order(std::span<const double> dt, const squared_errors&, double floor, std::uint64_t seed);
@@ -57,7 +40,6 @@ struct error_norm {
   const squared_errors* squares;
   double p = 2;
 };
-mean_and_error level_norm(const squared_errors&, double p, int level);
 
 /// The orders of several norms at once, each as fit_order; all from the same paths, resampled alike.
 std::vector<std::optional<order_fit>> fit_orders(std::span<const double> dt, std::span<const error_norm>, double floor,

@@ -1,0 +1,19 @@
+// Sum of sigma_i sigma_i^T over the noise vectors of a scene.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "reports/model/results.hpp"
+
+namespace polhode {
+
+inline Eigen::Matrix3d noise_covariance(const report::scene& s) {
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const auto& v : s.sigma) {
+    const Eigen::Map<const Eigen::Vector3d> e(v.data());
+    covariance += e * e.transpose();
+  }
+  return covariance;
+}
+
+}  // namespace polhode
