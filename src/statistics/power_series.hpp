@@ -7,12 +7,12 @@
 //
 //   all levels    the polynomial through all of them. Right for values known nearly to rounding whose coarsest step is
 //                 well inside the series' reach: each level takes one more term away. Its certainty presumes that terms
-//                 fall off, and is too small in up to one case of twenty where they grow like 4^k at dt = 1/4.
+//                 fall off, and is now and then too small where they grow like 4^k and the coarsest dt is 1/4.
 //   best degree   the polynomial through the finest levels, of the degree whose certainty is tightest. Right for values
-//                 known to a share of themselves, where it is mostly the narrower one from seven levels on, or a
-//                 coarsest step near the end of the series' reach: it may leave coarse levels out, and two comparisons
-//                 bound what is cut off. On exact values it is wider, in the median four times with five levels and
-//                 more with each further one, so it does not replace the other.
+//                 known to a share of themselves, where it is mostly the narrower one with many levels, or a coarsest
+//                 step near the end of the series' reach: it may leave coarse levels out, and two comparisons bound
+//                 what is cut off. On exact values it is nearly always wider, so it does not replace the other
+//                 (tests/unit/power_series_test.cpp).
 #pragma once
 
 #include <cstddef>
