@@ -27,7 +27,7 @@ report::verdict judge(const converging_numbers& what, const error_table& t, Eige
       value.push_back(t.error[level][first + i] / averages.value[i]);
       uncertainty.push_back(t.uncertainty[level][first + i] / averages.value[i]);
     }
-    const auto series = series_coefficients(t.dt, value, uncertainty, static_cast<std::size_t>(order));
+    const auto series = series_by_all_levels(t.dt, value, uncertainty, static_cast<std::size_t>(order));
     for (std::size_t power = 0; power < series.size(); ++power) {
       const double unit = std::pow(std::ranges::max(t.dt), static_cast<double>(power));
       const double common = power == 0 ? averages.uncertainty[i] / averages.value[i] : 0;  // to all levels

@@ -137,7 +137,7 @@ std::vector<interval_estimate> predicted_constants(const subject& s, const schem
   for (Eigen::Index i = 0; i < change.size(); ++i) {
     std::vector<double> value;
     for (const auto& level : found) value.push_back(level[i]);
-    const auto c = series_coefficients(fine.dt(), value, std::vector<double>(value.size(), 0.0), 1).front();
+    const auto c = series_by_all_levels(fine.dt(), value, std::vector<double>(value.size(), 0.0), 1).front();
     const double truncated = 3 * std::max(change[i], largest * size[i] / 3);
     out.push_back({c.value, c.low - truncated, c.high + truncated});
   }

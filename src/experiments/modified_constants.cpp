@@ -61,7 +61,7 @@ std::vector<leading_constant> leading_constants(const exact_averages& averages, 
       value.push_back(t.error[level][first + i]);
       uncertainty.push_back(t.uncertainty[level][first + i]);
     }
-    auto series = series_coefficients(t.dt, value, uncertainty, static_cast<std::size_t>(order) + 1);
+    auto series = series_by_all_levels(t.dt, value, uncertainty, static_cast<std::size_t>(order) + 1);
     const auto k = static_cast<std::size_t>(i);
     leading_constant c{averages.names[k], averages.size[i], series.back(), predicted[k], {}};
     series.pop_back();

@@ -56,7 +56,7 @@ std::vector<found_term> terms_of(const modified_columns& columns, const error_ta
     const bool square = j == modified_columns::residual;
     const auto count = static_cast<std::size_t>(square ? std::min(2 * order, 3) : order);
     const column_values c(columns, t, j);
-    const auto series = series_coefficients(t.dt, c.value, c.uncertainty, count);
+    const auto series = series_by_all_levels(t.dt, c.value, c.uncertainty, count);
     for (std::size_t power = 0; power < count; ++power) {
       const double unit = std::pow(coarsest, static_cast<double>(power));
       const auto& s = series[power];

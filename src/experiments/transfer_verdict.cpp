@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "experiments/transfer_refuted.hpp"
+#include "statistics/finest_order.hpp"
 
 namespace polhode {
 namespace {
@@ -143,7 +144,7 @@ std::vector<column_finding> find_columns(const order_question& q, double expecte
     if (error.empty()) continue;
     if (!q.columns[k].limit_alone) out[k].fit = fit_finest_order(t.dt, error, uncertainty, clear);
     for (int power = 0; power < std::ceil(expected) && !q.columns[k].distance; ++power) {
-      const auto term = expansion_coefficient(t.dt, error, uncertainty, power);
+      const auto term = series_term_by_best_degree(t.dt, error, uncertainty, power);
       if (!term) break;
       out[k].terms.push_back(*term);
     }

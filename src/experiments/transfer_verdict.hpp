@@ -2,16 +2,16 @@
 //
 // Where increments far out change the law, it is refuted at once. Else "order p" has three parts, each of every column:
 // the limit a_0 at dt = 0 vanishes, so do a_1 … a_(p-1), and the slope of the finest levels is p or more
-// (statistics/error_expansion.hpp). A limit vanishes where its interval meets what a ten-thousandth of the noise or of
-// the dissipation would move; and the limits must be certain enough for a thousandth of either to be seen, or nothing
-// is concluded.
+// (statistics/power_series.hpp, finest_order.hpp). A limit vanishes where its interval meets what a ten-thousandth of
+// the noise or of the dissipation would move; and the limits must be certain enough for a thousandth of either to be
+// seen, or nothing is concluded.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "experiments/transfer_report.hpp"
-#include "statistics/error_expansion.hpp"
+#include "statistics/power_series.hpp"
 
 namespace polhode {
 

@@ -10,9 +10,11 @@ namespace {
 
 constexpr double next_terms = 3;  // times the term that is seen
 constexpr double accident = 8;    // a next term that happens to vanish is taken for that part of the one before
+constexpr int most_degree = 8;
 
 /// weights(j, i): what the value at dt_i adds to c_j scale^j. A Vandermonde matrix in dt / scale of a few levels is
-/// inverted to rounding by Lagrange's polynomials.
+/// inverted to rounding by Lagrange's polynomials: dt is positive, so the terms of each coefficient have one sign and
+/// nothing cancels.
 Eigen::MatrixXd weights_of(std::span<const double> dt, double scale) {
   const auto n = static_cast<Eigen::Index>(dt.size());
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(n, n);
@@ -48,11 +50,49 @@ struct level_values {
   }
 };
 
+struct level {
+  double dt, error, uncertainty;
+};
+
+/// From fine to coarse.
+std::vector<level> finite_levels(std::span<const double> dt, std::span<const double> error,
+                                 std::span<const double> uncertainty) {
+  std::vector<level> out;
+  for (std::size_t i = dt.size(); i-- > 0;)
+    if (std::isfinite(error[i]) && std::isfinite(uncertainty[i])) out.push_back({dt[i], error[i], uncertainty[i]});
+  return out;
+}
+
+struct value_and_error {
+  double value, propagated;
+};
+
+/// The k-th coefficient of the polynomial through all of the levels.
+value_and_error interpolated(std::span<const level> levels, int k) {
+  value_and_error out{0, 0};
+  std::vector<double> dt;
+  for (const auto& l : levels) dt.push_back(l.dt);
+  const auto weights = weights_of(dt, 1);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const double weight = weights(k, static_cast<Eigen::Index>(i));
+    out.value += weight * levels[i].error;
+    out.propagated += std::fabs(weight) * levels[i].uncertainty;
+  }
+  return out;
+}
+
+expansion_term term_of_degree(std::span<const level> levels, int k, std::size_t degree) {
+  const auto [value, propagated] = interpolated(levels.first(degree + 1), k);
+  const double lower = interpolated(levels.first(degree), k).value,
+               coarser = interpolated(levels.subspan(1, degree + 1), k).value;
+  return {value, propagated, std::max(std::fabs(value - lower), std::fabs(value - coarser)), static_cast<int>(degree)};
+}
+
 }  // namespace
 
-std::vector<interval_estimate> series_coefficients(std::span<const double> dt, std::span<const double> value,
-                                                   std::span<const double> uncertainty, std::size_t count) {
-  if (dt.size() < count + 2) throw std::invalid_argument("series_coefficients: too few levels");
+std::vector<interval_estimate> series_by_all_levels(std::span<const double> dt, std::span<const double> value,
+                                                    std::span<const double> uncertainty, std::size_t count) {
+  if (dt.size() < count + 2) throw std::invalid_argument("series_by_all_levels: too few levels");
   const double scale = std::ranges::max(dt);
   const level_values all{{dt.begin(), dt.end()}, {value.begin(), value.end()}};
   const auto fewer = all.without_coarsest(), fewest = fewer.without_coarsest();
@@ -70,6 +110,18 @@ std::vector<interval_estimate> series_coefficients(std::span<const double> dt, s
     out.push_back({best[row] / unit, best[row] / unit - half, best[row] / unit + half});
   }
   return out;
+}
+
+std::optional<expansion_term> series_term_by_best_degree(std::span<const double> dt, std::span<const double> error,
+                                                         std::span<const double> uncertainty, int k) {
+  const auto levels = finite_levels(dt, error, uncertainty);
+  std::optional<expansion_term> best;
+  const auto least = static_cast<std::size_t>(k) + 1;
+  for (std::size_t degree = least; degree <= most_degree && degree + 2 <= levels.size(); ++degree) {
+    const auto term = term_of_degree(levels, k, degree);
+    if (!best || term.certainty() < best->certainty()) best = term;
+  }
+  return best;
 }
 
 }  // namespace polhode

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include <polhode/noise/normal.hpp>
+
 namespace polhode {
 namespace {
 
@@ -13,7 +15,7 @@ const std::vector<double> dt{0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125};
 std::vector<interval_estimate> first(const std::function<double(double)>& f, double uncertainty, std::size_t count) {
   std::vector<double> value, u(dt.size(), uncertainty);
   for (const double h : dt) value.push_back(f(h));
-  return series_coefficients(dt, value, u, count);
+  return series_by_all_levels(dt, value, u, count);
 }
 
 TEST(PowerSeries, PolynomialsAreFoundToRounding) {
@@ -43,7 +45,49 @@ TEST(PowerSeries, UncertainValuesWidenIntervals) {
 
 TEST(PowerSeries, RefusesTooFewLevels) {
   const std::vector<double> three{0.5, 0.25, 0.125};
-  EXPECT_THROW(series_coefficients(three, three, three, 2), std::invalid_argument);
+  EXPECT_THROW(series_by_all_levels(three, three, three, 2), std::invalid_argument);
+}
+
+/// How two rules fare on the same random series c_k = N(0, 1) growth^k, for c_0 and c_1.
+struct trial {
+  int all_levels = 0, best_degree = 0, narrower = 0;  ///< misses of either; how often all levels are narrower
+};
+
+trial try_rules(int levels, double growth, double share) {
+  trial out;
+  std::vector<double> steps;
+  for (int i = 0; i < levels; ++i) steps.push_back(std::ldexp(0.25, -i));
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const auto c = normals<14>({seed, noise_kind::increment, 1, 0});
+    const auto sign = normals<9>({seed, noise_kind::area, 1, 0});
+    std::vector<double> value, u;
+    for (const double h : steps) {
+      double sum = 0;
+      for (int k = 14; k-- > 0;) sum = c[k] + growth * h * sum;
+      u.push_back(share * std::fabs(sum) + 1e-15);
+      value.push_back(sum + (sign[static_cast<int>(u.size()) - 1] > 0 ? 1 : -1) * share * std::fabs(sum));
+    }
+    const auto all = series_by_all_levels(steps, value, u, 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double truth = k == 0 ? c[0] : growth * c[1];
+      const auto best = *series_term_by_best_degree(steps, value, u, static_cast<int>(k));
+      out.all_levels += truth < all[k].low || truth > all[k].high;
+      out.best_degree += std::fabs(truth - best.value) > best.certainty();
+      out.narrower += (all[k].high - all[k].low) / 2 < best.certainty();
+    }
+  }
+  return out;
+}
+
+// Of 400 coefficients each.
+TEST(PowerSeries, EachRuleIsTheBetterOneOnItsOwnGround) {
+  const auto exact = try_rules(6, 1, 0), rough = try_rules(9, 1, 1e-4), steep = try_rules(6, 4, 0);
+  EXPECT_LE(exact.all_levels, 4);
+  EXPECT_GE(exact.narrower, 350);
+  EXPECT_EQ(rough.best_degree, 0);
+  EXPECT_LT(rough.narrower, 200);
+  EXPECT_LE(steep.best_degree, 6);
+  EXPECT_GE(steep.all_levels, 2 * steep.best_degree);
 }
 
 }  // namespace

@@ -5,8 +5,9 @@
 #include <polhode/noise/normal.hpp>
 
 #include "experiments/judge.hpp"
-#include "statistics/error_expansion.hpp"
+#include "statistics/finest_order.hpp"
 #include "statistics/order_fit.hpp"
+#include "statistics/power_series.hpp"
 #include "statistics/sample.hpp"
 
 namespace polhode {
@@ -136,7 +137,9 @@ exact_levels levels_of(int count, double share, const F& f) {
   return out;
 }
 
-expansion_term term_of(const exact_levels& l, int k) { return *expansion_coefficient(l.dt, l.error, l.uncertainty, k); }
+expansion_term term_of(const exact_levels& l, int k) {
+  return *series_term_by_best_degree(l.dt, l.error, l.uncertainty, k);
+}
 
 std::optional<order_fit> finest_order(const exact_levels& l) {
   return fit_finest_order(l.dt, l.error, l.uncertainty, 50);
@@ -196,12 +199,12 @@ TEST(ErrorExpansion, IsAsCertainAsItSays) {
 
 TEST(ErrorExpansion, AsksForEnoughLevels) {
   const auto l = levels_of(3, 0, [](double h) { return h; });
-  EXPECT_TRUE(expansion_coefficient(l.dt, l.error, l.uncertainty, 0));
-  EXPECT_FALSE(expansion_coefficient(l.dt, l.error, l.uncertainty, 1));
+  EXPECT_TRUE(series_term_by_best_degree(l.dt, l.error, l.uncertainty, 0));
+  EXPECT_FALSE(series_term_by_best_degree(l.dt, l.error, l.uncertainty, 1));
   auto lost = levels_of(4, 0, [](double h) { return h; });
   lost.error[1] = NAN;
   lost.error[2] = INFINITY;
-  EXPECT_FALSE(expansion_coefficient(lost.dt, lost.error, lost.uncertainty, 0));
+  EXPECT_FALSE(series_term_by_best_degree(lost.dt, lost.error, lost.uncertainty, 0));
 }
 
 TEST(FinestOrder, SettlesOnThePowerAndItsIntervalHoldsIt) {
