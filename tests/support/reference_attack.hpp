@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <map>
 #include <random>
 #include <string>
@@ -24,8 +25,11 @@ namespace polhode::test {
 
 struct attack_count {
   int tried = 0, answered = 0, refused = 0, checked = 0, apart = 0, wrong = 0;  ///< apart: by another kind of method
-  double worst = 0;  ///< what no second opinion's bar explains, over the answer's
+  double worst = 0;    ///< what no second opinion's bar explains, over the answer's
+  double slowest = 0;  ///< the dearest answer or refusal, in seconds of processor time
 };
+
+constexpr double is_a_hang = 60;  // seconds of processor time: what is not found by then has to be refused
 
 inline void count_answer(attack_count& count, const std::string& what, const attacked_scene& s,
                          const reference_value& found, const opinions& seconds) {
@@ -48,6 +52,17 @@ inline void count_answer(attack_count& count, const std::string& what, const att
   count.wrong += wrong;
 }
 
+/// What the reference says, told where it took too long.
+template <class Ask>
+reference_value timed(const std::string& quantity, const attacked_scene& s, attack_count& count, const Ask& ask) {
+  const std::clock_t start = std::clock();
+  const reference_value found = ask();
+  const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
+  count.slowest = std::max(count.slowest, seconds);
+  if (seconds > is_a_hang) fmt::print("{:.0f} s: {} {}: {}\n", seconds, quantity, found.reason, words(s));
+  return found;
+}
+
 inline void attack_gibbs(const attacked_scene& s, attack_count& count) {
   const auto& p = s.problem;
   auto i = p.inertia;
@@ -65,22 +80,22 @@ inline void attack_gibbs(const attacked_scene& s, attack_count& count) {
   }
 }
 
+inline reference_value asked(const std::string& quantity, const attacked_scene& s, const sphere_function& f) {
+  const auto& p = s.problem;
+  const double size = f(s.start), rate = p.covariance.trace();
+  if (quantity == "mean") return stationary_mean(p, f, 1e-11 * size);
+  if (quantity == "expectation") return expectation(p, f, s.start, s.time, 1e-11 * size);
+  if (quantity == "gap") return spectral_gap(p, 1e-9 * rate);
+  const auto answer = lyapunov(p, 1e-6 * p.radius / *std::ranges::min_element(p.inertia));
+  return {answer.lambda1, answer.uncertainty, answer.degree, answer.reason};
+}
+
 /// Asks and checks one quantity: gibbs, mean, expectation, gap or lyapunov. dear: by second opinions that take seconds
 /// too.
 inline void attack(const std::string& quantity, const attacked_scene& s, attack_count& count, bool dear) {
   if (quantity == "gibbs") return attack_gibbs(s, count);
-  const auto& p = s.problem;
-  const auto f = *named_observable("energy", p.inertia);
-  const double size = f(s.start), rate = p.covariance.trace();
-  reference_value found;
-  if (quantity == "mean") found = stationary_mean(p, f, 1e-11 * size);
-  if (quantity == "expectation") found = expectation(p, f, s.start, s.time, 1e-11 * size);
-  if (quantity == "gap") found = spectral_gap(p, 1e-9 * rate);
-  if (quantity == "lyapunov") {
-    const auto [least, most] = std::ranges::minmax(p.inertia);
-    const auto answer = lyapunov(p, 1e-6 * p.radius / least);
-    found = {answer.lambda1, answer.uncertainty, answer.degree, answer.reason};
-  }
+  const auto f = *named_observable("energy", s.problem.inertia);
+  const auto found = timed(quantity, s, count, [&] { return asked(quantity, s, f); });
   ++count.tried;
   if (!found.value || (!found.reason.empty() && found.uncertainty > 0.1 * std::fabs(*found.value))) {
     ++count.refused;
@@ -96,12 +111,12 @@ inline void attack(const std::string& quantity, const attacked_scene& s, attack_
 
 inline std::string attack_table(const std::map<std::string, attack_count>& counts) {
   std::string text =
-      fmt::format("{:<18} {:>7} {:>9} {:>8} {:>8} {:>13} {:>6}  {:>9}  {}\n", "quantity", "tried", "answered",
-                  "refused", "checked", "another kind", "wrong", "honest", "worst error/bar");
+      fmt::format("{:<18} {:>7} {:>9} {:>8} {:>8} {:>13} {:>6}  {:>9}  {:>15}  {}\n", "quantity", "tried", "answered",
+                  "refused", "checked", "another kind", "wrong", "honest", "worst error/bar", "slowest, s");
   for (const auto& [name, n] : counts)
-    text += fmt::format("{:<18} {:>7} {:>9} {:>8} {:>8} {:>13} {:>6}  {:>7.3f} %  {:.2g}\n", name, n.tried, n.answered,
-                        n.refused, n.checked, n.apart, n.wrong, 100.0 * (1 - double(n.wrong) / std::max(1, n.checked)),
-                        n.worst);
+    text += fmt::format("{:<18} {:>7} {:>9} {:>8} {:>8} {:>13} {:>6}  {:>7.3f} %  {:>15.2g}  {:.2g}\n", name, n.tried,
+                        n.answered, n.refused, n.checked, n.apart, n.wrong,
+                        100.0 * (1 - double(n.wrong) / std::max(1, n.checked)), n.worst, n.slowest);
   return text;
 }
 
