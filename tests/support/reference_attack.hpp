@@ -13,10 +13,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <ctime>
 #include <map>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "references/gibbs.hpp"
 #include "support/second_opinions.hpp"
@@ -25,8 +27,9 @@ namespace polhode::test {
 
 struct attack_count {
   int tried = 0, answered = 0, refused = 0, checked = 0, apart = 0, wrong = 0;  ///< apart: by another kind of method
-  double worst = 0;    ///< what no second opinion's bar explains, over the answer's
-  double slowest = 0;  ///< the dearest answer or refusal, in seconds of processor time
+  double worst = 0;            ///< what no second opinion's bar explains, over the answer's
+  std::vector<double> sees{};  ///< of every answer checked, the least error that its sharpest check shows, relative
+  double slowest = 0;          ///< the dearest answer or refusal, in seconds of processor time
 };
 
 constexpr double is_a_hang = 60;  // seconds of processor time: what is not found by then has to be refused
@@ -35,9 +38,11 @@ inline void count_answer(attack_count& count, const std::string& what, const att
                          const reference_value& found, const opinions& seconds) {
   ++count.answered;
   bool checked = false, apart = false, wrong = false;
+  double sharpest = HUGE_VAL;
   for (const second_opinion& second : seconds) {
     if (!std::isfinite(second.value)) continue;
     checked = true;
+    sharpest = std::min(sharpest, (found.uncertainty + second.uncertainty) / std::fabs(*found.value));
     apart = apart || second.another_kind;
     const double error = std::max(0.0, std::fabs(*found.value - second.value) - second.uncertainty);
     count.worst = std::max(count.worst, error / std::max(found.uncertainty, 1e-300));
@@ -47,6 +52,7 @@ inline void count_answer(attack_count& count, const std::string& what, const att
                found.uncertainty, found.degree, second.another_kind ? ", of another kind," : "", second.value,
                second.uncertainty, words(s));
   }
+  if (checked) count.sees.push_back(sharpest);
   count.checked += checked;
   count.apart += apart;
   count.wrong += wrong;
@@ -109,14 +115,22 @@ inline void attack(const std::string& quantity, const attacked_scene& s, attack_
   count_answer(count, quantity, s, found, seconds);
 }
 
+/// The median; 0 of none.
+inline double middle_of(std::vector<double> all) {
+  if (all.empty()) return 0;
+  const auto middle = all.begin() + std::ssize(all) / 2;
+  std::ranges::nth_element(all, middle);
+  return *middle;
+}
+
 inline std::string attack_table(const std::map<std::string, attack_count>& counts) {
-  std::string text =
-      fmt::format("{:<18} {:>7} {:>9} {:>8} {:>8} {:>13} {:>6}  {:>9}  {:>15}  {}\n", "quantity", "tried", "answered",
-                  "refused", "checked", "another kind", "wrong", "honest", "worst error/bar", "slowest, s");
+  std::string text = fmt::format("{:<18} {:>7} {:>9} {:>8} {:>8} {:>13} {:>6}  {:>9}  {:>15}  {:>11}  {}\n", "quantity",
+                                 "tried", "answered", "refused", "checked", "another kind", "wrong", "honest",
+                                 "worst error/bar", "checked to", "slowest, s");
   for (const auto& [name, n] : counts)
-    text += fmt::format("{:<18} {:>7} {:>9} {:>8} {:>8} {:>13} {:>6}  {:>7.3f} %  {:>15.2g}  {:.2g}\n", name, n.tried,
-                        n.answered, n.refused, n.checked, n.apart, n.wrong,
-                        100.0 * (1 - double(n.wrong) / std::max(1, n.checked)), n.worst, n.slowest);
+    text += fmt::format("{:<18} {:>7} {:>9} {:>8} {:>8} {:>13} {:>6}  {:>7.3f} %  {:>15.2g}  {:>11.1e}  {:.2g}\n", name,
+                        n.tried, n.answered, n.refused, n.checked, n.apart, n.wrong,
+                        100.0 * (1 - double(n.wrong) / std::max(1, n.checked)), n.worst, middle_of(n.sees), n.slowest);
   return text;
 }
 
