@@ -47,8 +47,9 @@ struct operator_questions {
   modified_columns columns;
   law_averages averages;
   exact_averages variances, gap;
+  Eigen::VectorXcd slowest;
   Eigen::Vector3d start;
-  double horizon;
+  double horizon, rate;  ///< rate: the fastest
 
   transfer_question at(double dt) const {
     return {[this, dt](const transfer_operator& op) { return answer(op, dt); },
@@ -70,7 +71,7 @@ struct operator_questions {
     if (variances.count() + gap.count() == 0) return Eigen::VectorXd::Zero(1);
     const auto forgetting = sum_of_powers(op);
     Eigen::VectorXd own(gap.count());
-    if (own.size() > 0) own[0] = own_gap(forgetting, dt);
+    if (own.size() > 0) own[0] = own_gap(forgetting, dt, slowest, dt * rate * rate);  // T's error over dt
     return joined(joined(ergodic_variances(variances, op, forgetting, dt), own),
                   Eigen::VectorXd::Constant(1, forgetting.norm()));
   }
@@ -140,11 +141,12 @@ level_grid modified_levels(const subject& s) {
 
 std::vector<error_table> modified_tables(const context& c, const std::vector<scheme_entry>& schemes,
                                          const modified_columns& columns, const law_averages& averages,
-                                         const exact_averages& variances, const exact_averages& gap) {
+                                         const exact_averages& variances, const known_gap& known) {
   const auto& s = c.subject;
+  const auto& gap = known.gap;
   const operator_questions questions{
-      generator_family(sphere_problem_of(s)->radius), columns,        averages, variances, gap,
-      Eigen::Vector3d(s.scene.momentum.data()),       s.scene.horizon};
+      generator_family(sphere_problem_of(s)->radius), columns,         averages,       variances, gap, known.mode,
+      Eigen::Vector3d(s.scene.momentum.data()),       s.scene.horizon, fastest_rate(s)};
   const auto grid = modified_levels(s);
   std::vector<error_table> out(schemes.size());
   progress_counter done(static_cast<int>(schemes.size()) * levels, c.progress);
