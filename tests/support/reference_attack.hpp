@@ -40,7 +40,7 @@ inline void count_answer(attack_count& count, const std::string& what, const att
   bool checked = false, apart = false, wrong = false;
   double sharpest = HUGE_VAL;
   for (const second_opinion& second : seconds) {
-    if (!std::isfinite(second.value)) continue;
+    if (!std::isfinite(second.value) || !std::isfinite(second.uncertainty)) continue;
     checked = true;
     sharpest = std::min(sharpest, (found.uncertainty + second.uncertainty) / std::fabs(*found.value));
     apart = apart || second.another_kind;
@@ -86,9 +86,10 @@ inline void attack_gibbs(const attacked_scene& s, attack_count& count) {
   }
 }
 
-inline reference_value asked(const std::string& quantity, const attacked_scene& s, const sphere_function& f) {
+inline reference_value asked(const std::string& quantity, const attacked_scene& s, const std::string& observable) {
   const auto& p = s.problem;
-  const double size = f(s.start), rate = p.covariance.trace();
+  const auto f = *named_observable(observable, p.inertia);
+  const double size = observable == "energy" ? f(s.start) : supremum_of(p, f), rate = p.covariance.trace();
   if (quantity == "mean") return stationary_mean(p, f, 1e-11 * size);
   if (quantity == "expectation") return expectation(p, f, s.start, s.time, 1e-11 * size);
   if (quantity == "gap") return spectral_gap(p, 1e-9 * rate);
@@ -96,23 +97,27 @@ inline reference_value asked(const std::string& quantity, const attacked_scene& 
   return {answer.lambda1, answer.uncertainty, answer.degree, answer.reason};
 }
 
+inline opinions opinions_on(const std::string& quantity, const attacked_scene& s, const std::string& observable,
+                            const reference_value& found, bool dear) {
+  if (quantity == "mean")
+    return opinions_of_mean(s, *named_observable("energy", s.problem.inertia), found.degree, dear);
+  if (quantity == "expectation") return opinions_of_expectation(s, observable, found.degree, dear);
+  if (quantity == "gap") return found.degree > 0 ? opinions_of_gap(s, *found.value, found.degree, dear) : opinions{};
+  return opinions_of_lambda1(s, found.degree);
+}
+
 /// Asks and checks one quantity: gibbs, mean, expectation, gap or lyapunov. dear: by second opinions that take seconds
-/// too.
-inline void attack(const std::string& quantity, const attacked_scene& s, attack_count& count, bool dear) {
+/// too. Only expectations are of other observables than energy.
+inline void attack(const std::string& quantity, const attacked_scene& s, attack_count& count, bool dear,
+                   const std::string& observable = "energy") {
   if (quantity == "gibbs") return attack_gibbs(s, count);
-  const auto f = *named_observable("energy", s.problem.inertia);
-  const auto found = timed(quantity, s, count, [&] { return asked(quantity, s, f); });
+  const auto found = timed(quantity, s, count, [&] { return asked(quantity, s, observable); });
   ++count.tried;
   if (!found.value || (!found.reason.empty() && found.uncertainty > 0.1 * std::fabs(*found.value))) {
     ++count.refused;
     return;
   }
-  opinions seconds;
-  if (quantity == "mean") seconds = opinions_of_mean(s, f, found.degree, dear);
-  if (quantity == "expectation") seconds = opinions_of_expectation(s, f, found.degree, dear);
-  if (quantity == "gap" && found.degree > 0) seconds = opinions_of_gap(s, *found.value, found.degree, dear);
-  if (quantity == "lyapunov") seconds = opinions_of_lambda1(s, found.degree);
-  count_answer(count, quantity, s, found, seconds);
+  count_answer(count, quantity + " of " + observable, s, found, opinions_on(quantity, s, observable, found, dear));
 }
 
 /// The median; 0 of none.
