@@ -129,7 +129,7 @@ void run(const context& c, report::results& out) {
   const auto variances = ergodic_variances(s, averages);
   const auto gap = true_gap(s);
   report_missing_gap(schemes, gap, out);
-  const auto tables = modified_tables(c, schemes, columns, averages, variances, gap.gap);
+  const auto tables = modified_tables(c, schemes, columns, averages, variances, gap);
   const Eigen::Index first_variance = modified_columns::count + averages.count();
   std::vector<int> orders;
   for (std::size_t k = 0; k < schemes.size(); ++k) {
@@ -176,8 +176,9 @@ experiment modified_experiment() {
         "weak order (without noise: the deterministic order) has to vanish within its interval, which must be narrower "
         "than 1e-4 of the parameter at the coarsest dt. Intervals: three times the next term of the series, and what "
         "the operators leave uncertain.",
-        "Spectral gap: -log|lambda_2|/dt, lambda_2 the second largest eigenvalue of the scheme's operator in modulus, "
-        "against the least decay rate of the Kolmogorov operator. Asymptotic variance of time averages: both by "
+        "Spectral gap: -log|lambda_2|/dt, lambda_2 the second largest eigenvalue of the scheme's operator in modulus "
+        "(where two are as large but for the step's error, that of the mode that continues the equation's), against "
+        "the least decay rate of the Kolmogorov operator. Asymptotic variance of time averages: both by "
         "Poisson "
         "equations. Judged as power series, like the parameters.",
         "dt: from 0.3 of the fastest time scale down, where the logarithm exists."}},

@@ -12,11 +12,12 @@
 namespace polhode {
 namespace {
 
-constexpr double longest = 0.3;       // dt times the fastest rate
-constexpr int levels = 7;             // all three polynomials of a series hold the dt^4 of a squared residual
-constexpr int most_without = 3;       // coarse levels that may have no logarithm
-constexpr double least_share = 1e-2;  // of all rates, that a group of parameters is compared with
-constexpr double tolerance = 1e-3;    // of a difference, where the operator is refined
+constexpr double longest = 0.3;          // dt times the fastest rate
+constexpr int levels = 7;                // all three polynomials of a series hold the dt^4 of a squared residual
+constexpr int most_without = 3;          // coarse levels that may have no logarithm
+constexpr double least_share = 1e-2;     // of all rates, that a group of parameters is compared with
+constexpr double tolerance = 1e-3;       // of a difference, where the operator is refined
+constexpr double step_rounding = 1e-14;  // of an operator
 
 // Of a difference: what two refinements may agree on by accident. A rule of n nodes leaves a term
 // (lambda dt)^n n! / (2n)! of the expectation, lambda the generator on degree 2; the next rule, of two nodes more,
@@ -40,19 +41,20 @@ struct no_logarithm : std::runtime_error {
   no_logarithm() : std::runtime_error("the operator of a step has no logarithm") {}
 };
 
-/// Everything that is asked of one operator.
+/// Everything that is asked of one operator; behind the answers the size of (1 - T)^-1, by which slow modes are found.
 struct operator_questions {
   generator_family family;
   modified_columns columns;
   law_averages averages;
   exact_averages variances, gap;
+  Eigen::VectorXcd slowest;
   Eigen::Vector3d start;
-  double horizon;
+  double horizon, rate;  ///< rate: the fastest
 
   transfer_question at(double dt) const {
     return {[this, dt](const transfer_operator& op) { return answer(op, dt); },
-            {joined(joined(columns.exact, averages.value()), joined(variances.value, gap.value)),
-             joined(joined(columns.unit, averages.size()), joined(variances.size, gap.size)), tolerance,
+            {joined(joined(columns.exact, averages.value()), with_zero(joined(variances.value, gap.value))),
+             joined(joined(columns.unit, averages.size()), with_zero(joined(variances.size, gap.size))), tolerance,
              columns.exact.size() + averages.count() + variances.count()}};
   }
 
@@ -66,25 +68,38 @@ struct operator_questions {
         of_forgetting(op, dt));
   }
   Eigen::VectorXd of_forgetting(const transfer_operator& op, double dt) const {
-    if (variances.count() + gap.count() == 0) return {};
+    if (variances.count() + gap.count() == 0) return Eigen::VectorXd::Zero(1);
     const auto forgetting = sum_of_powers(op);
     Eigen::VectorXd own(gap.count());
-    if (own.size() > 0) own[0] = own_gap(forgetting, dt);
-    return joined(ergodic_variances(variances, op, forgetting, dt), own);
+    if (own.size() > 0) own[0] = own_gap(forgetting, dt, slowest, dt * rate * rate);  // T's error over dt
+    return joined(joined(ergodic_variances(variances, op, forgetting, dt), own),
+                  Eigen::VectorXd::Constant(1, forgetting.norm()));
   }
   static Eigen::VectorXd joined(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
     Eigen::VectorXd out(a.size() + b.size());
     out << a, b;
     return out;
   }
+  static Eigen::VectorXd with_zero(const Eigen::VectorXd& a) { return joined(a, Eigen::VectorXd::Zero(1)); }
 };
 
+/// Rounding of T changes its slow modes by rounding times the size of (1 - T)^-1, of themselves: more than it changes
+/// its logarithm over dt where they are slower than the fastest rate. Takes that size off the answers.
+void add_rounding_of_slow_modes(transfer_answer& found, const Eigen::VectorXd& size, Eigen::Index count) {
+  const Eigen::Index answers = found.error.size() - 1;
+  found.uncertainty.segment(answers - count, count) +=
+      step_rounding * found.error[answers] * size.segment(answers - count, count);
+  found.error.conservativeResize(answers);
+  found.uncertainty.conservativeResize(answers);
+}
+
 std::optional<transfer_answer> answer_at(const subject& s, const scheme_entry& scheme, double dt,
-                                         const transfer_question& question) {
+                                         const transfer_question& question, Eigen::Index slow) {
   const auto roundings = std::llround(std::ceil(10 / (dt * fastest_rate(s))));  // of a logarithm over dt
   try {
     auto found = refine(s, scheme, dt, roundings, question);
     if (!found.error.allFinite()) return std::nullopt;
+    add_rounding_of_slow_modes(found, question.target.scale, slow);
     found.uncertainty = found.uncertainty.cwiseMax(unseen_share * found.error.cwiseAbs());
     return found;
   } catch (const no_logarithm&) {
@@ -126,11 +141,12 @@ level_grid modified_levels(const subject& s) {
 
 std::vector<error_table> modified_tables(const context& c, const std::vector<scheme_entry>& schemes,
                                          const modified_columns& columns, const law_averages& averages,
-                                         const exact_averages& variances, const exact_averages& gap) {
+                                         const exact_averages& variances, const known_gap& known) {
   const auto& s = c.subject;
+  const auto& gap = known.gap;
   const operator_questions questions{
-      generator_family(sphere_problem_of(s)->radius), columns,        averages, variances, gap,
-      Eigen::Vector3d(s.scene.momentum.data()),       s.scene.horizon};
+      generator_family(sphere_problem_of(s)->radius), columns,         averages,       variances, gap, known.mode,
+      Eigen::Vector3d(s.scene.momentum.data()),       s.scene.horizon, fastest_rate(s)};
   const auto grid = modified_levels(s);
   std::vector<error_table> out(schemes.size());
   progress_counter done(static_cast<int>(schemes.size()) * levels, c.progress);
@@ -142,7 +158,7 @@ std::vector<error_table> modified_tables(const context& c, const std::vector<sch
     int found = 0;
     for (int i = 0; found < levels && i < levels + most_without; ++i) {
       const double dt = grid.horizon / (static_cast<double>(grid.steps.front()) * (1 << i));
-      auto answer = answer_at(s, scheme, dt, questions.at(dt));
+      auto answer = answer_at(s, scheme, dt, questions.at(dt), variances.count() + gap.count());
       if (!answer) continue;
       answer->uncertainty.segment(modified_columns::count, averages.count()) += averages.uncertainty();
       table.add(dt, *answer);

@@ -34,7 +34,6 @@ level_grid modified_levels(const subject&);
 /// steps, of the stationary one, the asymptotic variances, and the spectral gap; the last asks for no refinement of its
 /// own.
 std::vector<error_table> modified_tables(const context&, const std::vector<scheme_entry>&, const modified_columns&,
-                                         const law_averages&, const exact_averages& variances,
-                                         const exact_averages& gap);
+                                         const law_averages&, const exact_averages& variances, const known_gap& gap);
 
 }  // namespace polhode

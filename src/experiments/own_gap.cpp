@@ -6,6 +6,9 @@
 #include <complex>
 #include <limits>
 
+#include "references/slowest_modes.hpp"
+#include "references/sparse_blocks.hpp"
+
 namespace polhode {
 namespace {
 
@@ -21,18 +24,43 @@ Eigen::VectorXd any_vector(Eigen::Index size) {
       .normalized();
 }
 
+/// Empty where no mode of that rate is found.
+Eigen::VectorXcd slowest_mode(const sphere_problem& problem, const reference_value& gap) {
+  const sparse_matrix whole = backward_operator(problem, gap.degree);
+  const sparse_matrix relaxing = whole.bottomRightCorner(whole.rows() - 1, whole.cols() - 1);
+  for (const index_set& block : connected_blocks(relaxing)) {
+    const sparse_matrix part = submatrix(relaxing, block);
+    const auto rate = slowest_rate(part);
+    if (!(std::fabs(-rate.real() - *gap.value) <= certain * *gap.value)) continue;
+    Eigen::VectorXcd mode = Eigen::VectorXcd::Zero(relaxing.rows());
+    mode(block) = eigenpair_near(part, rate).right;
+    return mode;
+  }
+  return {};
+}
+
+/// The cosine between two functions in harmonics, of which one may go on to higher degrees.
+double likeness(const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
+  const auto both = std::min(a.size(), b.size());
+  return both == 0 ? 0 : std::abs(a.head(both).dot(b.head(both))) / (a.norm() * b.norm());
+}
+
 }  // namespace
 
 known_gap true_gap(const subject& s) {
-  const auto found = spectral_gap(*sphere_problem_of(s), accuracy);
+  const auto problem = *sphere_problem_of(s);
+  const auto found = spectral_gap(problem, accuracy);
   if (!found.value) return {{}, found.reason, false};
   if (*found.value == 0) return {{}, "a function besides the Casimir is conserved", false};
   if (!(found.uncertainty <= certain * *found.value)) return {{}, found.reason, true};
   const auto one = [](double x) { return Eigen::VectorXd::Constant(1, x); };
-  return {{{"spectral gap"}, {}, one(*found.value), one(found.uncertainty), one(*found.value)}, "", false};
+  return {{{"spectral gap"}, {}, one(*found.value), one(found.uncertainty), one(*found.value)},
+          "",
+          false,
+          slowest_mode(problem, found)};
 }
 
-double own_gap(const Eigen::MatrixXd& forgetting, double dt) {
+double own_gap(const Eigen::MatrixXd& forgetting, double dt, const Eigen::VectorXcd& mode, double error) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const Eigen::Index n = forgetting.rows(), most = std::min<Eigen::Index>(krylov, n);
   Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(n, most + 1), h = Eigen::MatrixXd::Zero(most + 1, most);
@@ -52,13 +80,19 @@ double own_gap(const Eigen::MatrixXd& forgetting, double dt) {
   }
   if (!h.allFinite()) return none;
   const Eigen::EigenSolver<Eigen::MatrixXd> ritz(h.topLeftCorner(size, size));
-  double largest = 0;
+  double slowest = none, followed = none, likest = 0;
   for (Eigen::Index i = 0; i < size; ++i) {
     const std::complex<double> value = ritz.eigenvalues()[i];
     const double remainder = h(size, size - 1) * std::abs(ritz.eigenvectors()(size - 1, i));
-    if (remainder <= is_found * std::abs(value)) largest = std::max(largest, std::abs(1.0 - 1.0 / value));
+    if (!(remainder <= is_found * std::abs(value))) continue;
+    const double gap = -std::log(std::abs(1.0 - 1.0 / value)) / dt;
+    slowest = std::fmin(slowest, gap);
+    const double like = likeness(mode, basis.leftCols(size) * ritz.eigenvectors().col(i));
+    if (like <= likest) continue;
+    likest = like;
+    followed = gap;
   }
-  return largest > 0 ? -std::log(largest) / dt : none;
+  return followed <= slowest + error ? followed : slowest;
 }
 
 }  // namespace polhode

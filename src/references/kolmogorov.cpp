@@ -10,6 +10,7 @@
 
 #include "references/deterministic.hpp"
 #include "references/exponential_action.hpp"
+#include "references/observables.hpp"
 #include "references/poisson.hpp"
 #include "references/raise_degree.hpp"
 #include "references/sparse_blocks.hpp"
@@ -98,20 +99,49 @@ std::optional<propagated_value> propagated(const sparse_matrix& tall, const cut_
   return propagated_value{{y(block).dot(g), floor, bound + cut.cut_off + 2 * (relaxed ? apart : 0) + floor}, relaxed};
 }
 
-}  // namespace
-
-std::optional<sphere_function> named_observable(std::string_view name, const std::array<double, 3>& inertia) {
-  using pi_type = const Eigen::Vector3d&;
-  if (name == "energy")
-    return [i = Eigen::Array3d(inertia.data())](pi_type pi) { return 0.5 * (pi.array().square() / i).sum(); };
-  if (name == "casimir") return [](pi_type pi) { return 0.5 * pi.squaredNorm(); };
-  if (name == "exp(pi3)") return [](pi_type pi) { return std::exp(pi[2]); };
-  for (int k = 0; k < 3; ++k) {
-    if (name == fmt::format("pi{}", k + 1)) return [k](pi_type pi) { return pi[k]; };
-    if (name == fmt::format("pi{}^2", k + 1)) return [k](pi_type pi) { return pi[k] * pi[k]; };
-  }
-  return std::nullopt;
+reference_value expectation_of(const sphere_problem& problem, const sphere_function& f, const Eigen::Vector3d& start,
+                               double time, accuracy asked, int wanted) {
+  bool relaxed = false;
+  const auto value_at = [&](int degree) -> std::optional<projected_value> {
+    const auto at = propagated(tall_operator(problem, degree), cut_to(problem, f, degree),
+                               harmonics_at(start.normalized(), degree), time, degree);
+    if (!at) return {};
+    relaxed = at->relaxed;
+    return at->found;
+  };
+  // Where three degrees can tell they may: the proved bound grows with time, the error need not.
+  const double needed = needed_degree(problem);
+  const bool comparable = degrees.back() >= needed_share * needed;
+  if (comparable) asked.size = observable_coefficients(problem, f, degrees.front()).norm() / unit_of_mean;
+  const std::vector<int> chosen{wanted};
+  auto found = raise_degree(wanted > 0 ? std::span<const int>(chosen) : degrees, asked, needed, value_at, wanted);
+  found.relaxed = relaxed;
+  if (found.converged()) return found;
+  const auto late = expectation_long_after(problem, f, time, asked.absolute, wanted);
+  return late ? *late : found;
 }
+
+reference_value stationary_mean_of(const sphere_problem& problem, const sphere_function& f, accuracy asked,
+                                   int wanted) {
+  const auto value_at = [&](int degree) {
+    const auto [c, cut_off] = cut_to(problem, f, degree);
+    const projected_value uniform{c[0], 0, 0};
+    auto found = problem.theta == 0 ? std::optional(uniform)
+                                    : poisson_mean(tall_operator(problem, degree), c, most_sparse,
+                                                   [](const Eigen::VectorXd& r) { return harmonic_supremum(r); });
+    if (found) {
+      found->value /= unit_of_mean;
+      found->floor = std::max(found->floor, rounding * c.norm() / unit_of_mean);
+      found->bound += cut_off + found->floor;
+    }
+    return found;
+  };
+  asked.size = observable_coefficients(problem, f, stationary_degrees[0]).norm() / unit_of_mean;
+  const double needed = problem.theta == 0 ? 0 : needed_degree(problem);
+  return raise_degree(degrees_to_try(stationary_degrees, wanted), asked, needed, value_at, wanted);
+}
+
+}  // namespace
 
 sparse_matrix backward_operator(const sphere_problem& problem, int degree) {
   const int inside = degree + 1;  // so that products of two coordinates are exact up to the degree
@@ -146,46 +176,16 @@ double needed_degree(const sphere_problem& problem) {
 reference_value expectation(const sphere_problem& problem, const sphere_function& f, const Eigen::Vector3d& start,
                             double time, double tolerance, int wanted) {
   if (problem.covariance.isZero(0)) return on_the_path(problem, f, start, time);
-  bool relaxed = false;
-  const auto value_at = [&](int degree) -> std::optional<projected_value> {
-    const auto at = propagated(tall_operator(problem, degree), cut_to(problem, f, degree),
-                               harmonics_at(start.normalized(), degree), time, degree);
-    if (!at) return {};
-    relaxed = at->relaxed;
-    return at->found;
-  };
-  // Where three degrees can tell they may: the proved bound grows with time, the error need not.
-  const double needed = needed_degree(problem);
-  const bool comparable = degrees.back() >= needed_share * needed;
-  const double size = comparable ? observable_coefficients(problem, f, degrees.front()).norm() / unit_of_mean : 0;
-  const std::vector<int> chosen{wanted};
-  auto found = raise_degree(wanted > 0 ? std::span<const int>(chosen) : degrees, {.absolute = tolerance, .size = size},
-                            needed, value_at, wanted);
-  found.relaxed = relaxed;
-  if (found.converged()) return found;
-  const auto late = expectation_long_after(problem, f, time, tolerance, wanted);
-  return late ? *late : found;
+  return in_its_unit(problem, f, [&](const sphere_function& g, double unit) {
+    return expectation_of(problem, g, start, time, {.absolute = tolerance / unit, .unit = unit}, wanted);
+  });
 }
 
 reference_value stationary_mean(const sphere_problem& problem, const sphere_function& f, double tolerance, int wanted) {
   if (const auto reason = no_unique_law(problem); !reason.empty()) return {.reason = reason};
-  const auto value_at = [&](int degree) {
-    const auto [c, cut_off] = cut_to(problem, f, degree);
-    const projected_value uniform{c[0], 0, 0};
-    auto found = problem.theta == 0 ? std::optional(uniform)
-                                    : poisson_mean(tall_operator(problem, degree), c, most_sparse,
-                                                   [](const Eigen::VectorXd& r) { return harmonic_supremum(r); });
-    if (found) {
-      found->value /= unit_of_mean;
-      found->floor = std::max(found->floor, rounding * c.norm() / unit_of_mean);
-      found->bound += cut_off + found->floor;
-    }
-    return found;
-  };
-  const double size = observable_coefficients(problem, f, stationary_degrees[0]).norm() / unit_of_mean;
-  const double needed = problem.theta == 0 ? 0 : needed_degree(problem);
-  return raise_degree(degrees_to_try(stationary_degrees, wanted), {.absolute = tolerance, .size = size}, needed,
-                      value_at, wanted);
+  return in_its_unit(problem, f, [&](const sphere_function& g, double unit) {
+    return stationary_mean_of(problem, g, {.absolute = tolerance / unit, .unit = unit}, wanted);
+  });
 }
 
 reference_value mean(const sphere_problem& problem, const stationary_law& law, const sphere_function& f) {

@@ -28,6 +28,7 @@ struct accuracy {
   double absolute;
   double relative = unbounded;  ///< of the value
   double size = 0;              ///< what agreement is measured by, besides the value; 0: only a proved bound counts
+  double unit = 1;              ///< what all of it is counted in, for words
 };
 
 /// needed: about the degree that would do; see needed_degree.
@@ -97,7 +98,8 @@ reference_value raise_degree(std::span<const int> degrees, const accuracy& asked
     if (asked.size > 0 && !comparable && degree >= degrees[degrees.size() / 3]) break;  // out of reach: the bound alone
   }
   const double enough = std::min(asked.absolute, asked.relative * std::fabs(last.value.value_or(unbounded)));
-  last.reason = not_converged(enough, comparable || asked.size == 0 ? last.degree : degrees.back(), needed);
+  last.reason =
+      not_converged(enough * asked.unit, comparable || asked.size == 0 ? last.degree : degrees.back(), needed);
   if (!std::isfinite(last.uncertainty))
     last = {.value = {}, .uncertainty = 0, .degree = last.degree, .reason = last.reason};
   return last;

@@ -11,6 +11,7 @@
 #include "experiments/transfer.hpp"
 #include "references/gibbs.hpp"
 #include "references/lyapunov.hpp"
+#include "references/observables.hpp"
 #include "registry/nearest.hpp"
 #include "registry/text.hpp"
 #include "registry/verify.hpp"
@@ -62,7 +63,7 @@ sphere_function observable_of(const scene& s, const std::string& name) {
 /// The root of the mean square of f over the sphere.
 double size_of(const sphere_problem& p, const sphere_function& f) {
   const auto on_unit = [&](const Eigen::Vector3d& x) { return f(p.radius * x); };
-  return harmonic_coefficients(on_unit, 8).norm() / std::sqrt(4 * std::numbers::pi);
+  return harmonic_coefficients(on_unit, 8).stableNorm() / std::sqrt(4 * std::numbers::pi);
 }
 
 /// The rate at which neighbouring orbits run apart; of a body next to spherical, a millionth of the rotation.
@@ -121,6 +122,7 @@ void answer_expectation(const scene& s, const sphere_problem& p, const reference
 void answer_gibbs(const scene& s, const sphere_problem& p, const reference_options& o, reference_answer& out) {
   out.observable = o.observable.value_or(usual_observable);
   const auto f = observable_of(s, out.observable);
+  if (!unit_of(p, f)) refuse_scene(s, out, leaves_double_precision);
   const bool isotropic = bind_scene(s).model->noise() == noise_class::isotropic;
   if (const auto value = isotropic && o.degree == 0 ? closed_form(p, out.observable) : std::nullopt) {
     out.method = "the Gibbs law exp(-2 theta h / sigma^2), by Bessel functions and adaptive quadrature";

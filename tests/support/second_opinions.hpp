@@ -56,16 +56,27 @@ inline std::optional<second_opinion> projected_expectation(const attacked_scene&
   return second_opinion{y.dot(part.exp() * start), 1e-12 * c.norm() + 1e-16 * part.norm() * c.norm(), false};
 }
 
-inline opinions opinions_of_expectation(const attacked_scene& s, const sphere_function& f, int degree, bool dear) {
+/// The largest |f| on the axes; of every observable there is, on the sphere.
+inline double supremum_of(const sphere_problem& p, const sphere_function& f) {
+  double largest = 0;
+  for (int i = 0; i < 6; ++i)
+    largest = std::max(largest, std::fabs(f((i % 2 == 0 ? 1 : -1) * p.radius * Eigen::Vector3d::Unit(i / 2))));
+  return largest;
+}
+
+inline opinions opinions_of_expectation(const attacked_scene& s, const std::string& observable, int degree, bool dear) {
   const auto& p = s.problem;
+  const auto f = *named_observable(observable, p.inertia);
+  const bool energy = observable == "energy";
   opinions all;
-  const double size = std::fabs(f(s.start));
+  const double size = energy ? f(s.start) : supremum_of(p, f);
   const Eigen::Vector3d x = s.start / p.radius;
   const auto rounding = [&](int n) { return lost_to_rounding * size * std::max(1.0, 0.01 * s.time * stiffness(p, n)); };
-  if (const auto body = revolution(p)) {
+  const auto body = energy ? revolution(p) : std::nullopt;
+  if (body) {
     const auto on_a_line = [&](int n) { return energy_on_a_line(*body, x[body->axis], s.time, n); };
     if (rounding(56) < 1e-4 * size) add_refined(all, on_a_line, 40, 56, size, rounding(56));
-  } else if (const auto by_series = energy_by_series(p, s.start, s.time, 1e-12 * size)) {
+  } else if (const auto by_series = energy ? energy_by_series(p, s.start, s.time, 1e-12 * size) : std::nullopt) {
     all.push_back({by_series->value, by_series->remainder + 1e-15 * size});
   } else if (dear && degree <= collocated && rounding(13) < 1e-4 * size) {
     const auto on_a_grid = [&](int n) {

@@ -45,7 +45,7 @@ TEST(OwnGap, OfNoiseAloneIsKnown) {
   for (const double dt : {0.5, 0.125}) {
     const auto op = make_transfer(s, s.schemes[0], dt, 1, {{8, 1, 0}, {11, 2}});
     const double share = 0.25 * dt, factor = (1 + 2 * (1 - share) * std::exp(-share / 2)) / 3;
-    EXPECT_NEAR(own_gap(sum_of_powers(op), dt), -std::log(factor) / dt, 1e-11) << dt;
+    EXPECT_NEAR(own_gap(sum_of_powers(op), dt, {}, 0), -std::log(factor) / dt, 1e-11) << dt;
   }
 }
 
@@ -57,8 +57,19 @@ TEST(OwnGap, IsThatOfAllEigenvalues) {
     const auto n = op.matrix.rows() - 1;
     const Eigen::EigenSolver<Eigen::MatrixXd> all(op.matrix.bottomRightCorner(n, n), false);
     const double whole = -std::log(all.eigenvalues().cwiseAbs().maxCoeff()) / dt;
-    EXPECT_NEAR(own_gap(sum_of_powers(op), dt), whole, 1e-9 * whole) << name;
+    EXPECT_NEAR(own_gap(sum_of_powers(op), dt, {}, 0), whole, 1e-9 * whole) << name;
   }
+}
+
+// The first mode is followed, its own error over dt below what is allowed for, and a spurious slower one is told.
+TEST(OwnGap, TheEquationsModeIsFollowed) {
+  const double dt = 0.1;
+  const Eigen::Vector3d rates(1, 0.95, 3), powers = (1 - (-dt * rates.array()).exp()).inverse();
+  const Eigen::MatrixXd forgetting = powers.asDiagonal();
+  const Eigen::VectorXcd mode = Eigen::VectorXcd::Unit(3, 0);
+  EXPECT_NEAR(own_gap(forgetting, dt, mode, 0.1), 1, 1e-12);
+  EXPECT_NEAR(own_gap(forgetting, dt, mode, 0.04), 0.95, 1e-12);
+  EXPECT_NEAR(own_gap(forgetting, dt, {}, 0.1), 0.95, 1e-12);
 }
 
 // The healthy twins: Modified.HealthySchemesHoldAndThoseOffTheSphereAreSkipped.
