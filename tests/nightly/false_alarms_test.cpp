@@ -135,11 +135,11 @@ class coverage_record {
   }
 
  private:
-  using kind = std::pair<std::string, std::string>;
-  void add(const kind& k, const std::string& row, double value, double low, double high) {
+  using interval_kind = std::pair<std::string, std::string>;
+  void add(const interval_kind& k, const std::string& row, double value, double low, double high) {
     kinds_[k][row].add(value, low, high);
   }
-  std::map<kind, std::map<std::string, interval_record>> kinds_;
+  std::map<interval_kind, std::map<std::string, interval_record>> kinds_;
 };
 
 void hold_on_fresh_seeds(std::uint64_t first, const std::vector<std::string>& schemes, const std::string& experiment) {
