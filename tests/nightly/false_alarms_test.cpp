@@ -77,6 +77,10 @@ class interval_record {
     for (const auto& i : all_) sum += i.value;
     return sum / static_cast<double>(all_.size());
   }
+  bool varies() const {
+    const auto [least, most] = std::ranges::minmax_element(all_, {}, &interval::value);
+    return most->value - least->value > 1e-9 * std::fabs(most->value);
+  }
   int covering(double truth) const {
     return static_cast<int>(
         std::ranges::count_if(all_, [=](const auto& i) { return i.low <= truth && truth <= i.high; }));
@@ -102,12 +106,15 @@ std::pair<double, double> share_interval(int hits, int of) {
 /// its own error is small beside a seed's interval.
 class coverage_record {
  public:
+  /// The range in which single paths lie is no interval of a mean.
+  static constexpr const char* spread_of_paths = "slope of single paths";
+
   /// Fitted orders, and every number that is drawn and has an interval.
   void add(const report::results& r) {
     for (const auto& f : r.fits)
       add({f.experiment, "order of " + f.quantity}, f.scheme + f.observable, f.order, f.low, f.high);
     for (const auto& m : r.measurements)
-      if (m.method == "sampled" && m.value && m.low && m.high && *m.low < *m.high)
+      if (m.method == "sampled" && m.quantity != spread_of_paths && m.value && m.low && m.high && *m.low < *m.high)
         add({m.experiment, m.quantity},
             fmt::format("{} {} {} {}", m.scheme, m.observable, m.dt.value_or(0), m.steps.value_or(0)), *m.value, *m.low,
             *m.high);
@@ -120,7 +127,7 @@ class coverage_record {
       double share = 0;
       int seeds = 0, counted = 0;
       for (const auto& [_, row] : rows) {
-        if (2 * row.count() < polhode::seeds()) continue;  // not in every run
+        if (2 * row.count() < polhode::seeds() || !row.varies()) continue;  // not in every run, or not drawn
         share += row.covering(row.mean()) / static_cast<double>(row.count());
         seeds = std::max(seeds, row.count());
         ++counted;
