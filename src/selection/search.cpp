@@ -164,6 +164,7 @@ std::optional<choice> search::check(const prospect& p, std::string& fault) const
       good = seen;
     else if (!bad || seen.too_long < bad->too_long)
       bad = seen;
+    if (good && seen.too_long > 0 && seen.too_long <= good->longest) good.reset();  // a hill between its rungs
     if (!good) {
       fault = fmt::format("error {:.2g} at dt = {:.3g}", seen.worst, seen.too_long);
       const double factor = std::pow(share * question_.tolerance / seen.worst, 1 / p.law->order);

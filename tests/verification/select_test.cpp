@@ -97,6 +97,51 @@ TEST(Select, AnErrorThatChangesSignIsMetBelowTheCrossingOrBeyondItsHighestPoint)
   }
 }
 
+/// dt^1.2, so that of an order 1 the first step is too careful; and a hill so narrow that rungs may lie either side.
+class hilly_goal final : public goal {
+ public:
+  hilly_goal(double top, double height) : top_(top), height_(height) {}
+  std::vector<candidate> candidates(const subject& s) const override {
+    return {{std::string(s.schemes.front().info.name), s.schemes.front(), nullptr, 1}};
+  }
+  error_estimate error(const candidate&, double dt, std::uint64_t) const override {
+    seen_ = seen_ || hill(dt) > height_ / 2;
+    return {std::pow(dt, 1.2) + hill(dt), 0};
+  }
+  /// Whether a step on the hill was looked at.
+  bool seen() const { return seen_; }
+  double floor() const override { return 1e-14; }
+  double longest_step() const override { return 2; }
+  std::string unit() const override { return "1"; }
+
+ private:
+  double hill(double dt) const { return height_ * std::exp(-std::pow(std::log(dt / top_) / 0.05, 2)); }
+
+  double top_, height_;
+  mutable bool seen_ = false;
+};
+
+/// A longer step is tried where the first is better than it need be. Where its rungs meet a hill that those of the
+/// first missed, the first is no answer either.
+TEST(Select, AHillSeenFromALongerStepCountsForTheShorterOneToo) {
+  const auto bound = bind_scene(load_scene("paper"));
+  const context c{bound, effort::quick, 1, 1};
+  const double tolerance = 1e-4, longest = std::pow(tolerance, 1 / 1.2);
+  int met = 0;
+  for (double top = longest / 100; top < longest; top *= 1.01) {
+    const hilly_goal g(top, 4 * tolerance);
+    const goal_question q{"weak", "all", 2, tolerance};
+    const search s(c, g, q);
+    std::string fault;
+    const auto found = s.check(s.predict(g.candidates(bound).front()), fault);
+    ASSERT_TRUE(found) << fault;
+    EXPECT_FALSE(g.seen() && top < found->dt && top > found->checked_to)
+        << "a hill at " << top << ", dt = " << found->dt;
+    met += g.seen() ? 1 : 0;
+  }
+  EXPECT_GE(met, 20) << "no hill was in the way: nothing is tested";
+}
+
 TEST(Select, TightTargetsLeadToHighOrders) {
   const auto chosen = [](const std::string& goal, double tolerance, std::vector<std::string> require) {
     auto o = asking(goal, tolerance);
