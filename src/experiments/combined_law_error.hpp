@@ -12,7 +12,8 @@ namespace polhode {
 using law_error_at = std::function<law_error(double dt, double relative, std::int64_t finer)>;
 
 /// What is left after the leading powers have dropped out is small against the errors themselves, so these are resolved
-/// to a share of what is asked for: `accuracy`, in units of the observables' sizes. The times are those of dt.
-law_error combined_error(const extrapolation&, double dt, double accuracy, const law_error_at&);
+/// ever finer, until it is known to the share `relative` of the largest or to `accuracy`, in units of the observables'
+/// sizes, or until rounding forbids more. The times are those of dt.
+law_error combined_error(const extrapolation&, double dt, double relative, double accuracy, const law_error_at&);
 
 }  // namespace polhode

@@ -39,8 +39,9 @@ struct measure {
     const auto at = [&](double dt, double relative, std::int64_t finer) {
       return error_at(*t.who.scheme, dt, relative, finer);
     };
-    const auto found = t.who.combination ? combined_error(*t.who.combination, t.dt, tolerance * finest_error, at)
-                                         : at(t.dt, tolerance, 1);
+    const auto found = t.who.combination
+                           ? combined_error(*t.who.combination, t.dt, tolerance, tolerance * finest_error, at)
+                           : at(t.dt, tolerance, 1);
     known_error out{t.who.name(), t.dt, 0, 0, 0};
     for (const auto& o : found.worst_in_time(observables))
       if (o.bound() > out.high || !std::isfinite(o.bound()))

@@ -58,8 +58,9 @@ class averages_goal : public goal {
 
   error_estimate resolved_to(double relative, const candidate& c, double dt) const {
     const auto at = [&](double step, double share, std::int64_t finer) { return law_error_at(c, step, share, finer); };
-    const auto found = c.combination != nullptr ? combined_error(*c.combination, dt, relative * question_.tolerance, at)
-                                                : at(dt, relative, 1);
+    const auto found = c.combination != nullptr
+                           ? combined_error(*c.combination, dt, 0, relative * question_.tolerance, at)
+                           : at(dt, relative, 1);
     return worst_asked(found.worst_in_time(observables()));
   }
 
