@@ -55,7 +55,8 @@ Eigen::VectorXd differences(const transfer_operator& op, const projected_equatio
 std::string unknown_mean(const sphere_problem& p, const stationary_law& law) {
   const auto energy = *named_observable("energy", p.inertia);
   const auto found = mean(p, law, energy);
-  return found.value && found.uncertainty <= usable_mean * size_on_sphere(energy, p.radius) ? "" : found.reason;
+  if (found.value && found.uncertainty <= usable_mean * size_on_sphere(energy, p.radius)) return "";
+  return found.reason.empty() ? "the mean of h is not known well enough" : found.reason;
 }
 
 std::vector<error_column> columns_of(const sphere_problem& p, const law_observables& all) {

@@ -178,8 +178,7 @@ experiment modified_experiment() {
         "the operators leave uncertain.",
         "Spectral gap: -log|lambda_2|/dt, lambda_2 the second largest eigenvalue of the scheme's operator in modulus "
         "(where two are as large but for the step's error, that of the mode that continues the equation's), against "
-        "the least decay rate of the Kolmogorov operator. Asymptotic variance of time averages: both by "
-        "Poisson "
+        "the least decay rate of the Kolmogorov operator. Asymptotic variance of time averages: both by Poisson "
         "equations. Judged as power series, like the parameters.",
         "dt: from 0.3 of the fastest time scale down, where the logarithm exists."}},
       1,

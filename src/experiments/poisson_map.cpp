@@ -22,13 +22,13 @@ constexpr double fit_floor = 1e-13;       // of the order of the defect
 constexpr int halvings_to_first = 1;      // of 1/rate
 constexpr std::uint64_t same_states = 1;  // whatever the seed of the run: nothing is sampled here
 
-std::vector<double> states_about(const subject& s, std::uint64_t seed) {
+std::vector<double> states_about(const subject& s) {
   const auto n = s.scene.momentum.size();
   const double size = length(s.scene.momentum) / std::sqrt(static_cast<double>(n));
   std::vector<double> out(n * block_lanes);
   for (std::size_t lane = 0; lane < block_lanes; ++lane)
     for (std::size_t k = 0; k < n; ++k) {
-      const auto z = normals<2>({seed, noise_kind::initial_state, lane, k / 2});
+      const auto z = normals<2>({same_states, noise_kind::initial_state, lane, k / 2});
       out[k * block_lanes + lane] = size * z[static_cast<int>(k % 2)];
     }
   return out;
@@ -86,9 +86,9 @@ report::verdict judge_kept(const claim& c, std::span<const double> defects) {
 
 }  // namespace
 
-double poisson_defect(const subject& s, const scheme_entry& scheme, double dt, std::uint64_t seed) {
+double poisson_defect(const subject& s, const scheme_entry& scheme, double dt) {
   const auto n = s.scene.momentum.size();
-  const auto start = states_about(s, seed);
+  const auto start = states_about(s);
   const auto after = step_of(*scheme.tangent(dt), start, n, dt);
   double worst = 0;
   for (int lane = 0; lane < block_lanes; ++lane) {
@@ -114,7 +114,7 @@ void report_poisson_map(const context& c, std::string_view name, report::results
   std::vector<report::measurement> points;
   for (int l = 0; l < levels; ++l) {
     dt.push_back(std::exp2(-l - halvings_to_first) / fastest_rate(s));
-    defects.push_back(poisson_defect(s, scheme, dt.back(), same_states));
+    defects.push_back(poisson_defect(s, scheme, dt.back()));
     points.push_back(measured(row, dt.back(), defects.back()));
   }
   const auto fit = fit_order(dt, defects, fit_floor);

@@ -15,8 +15,8 @@
 namespace polhode {
 
 /// Largest |J B J^T - B(f)| / |B(f)| (Frobenius) of one step of dt over a block of states of Gaussian direction about
-/// as long as the momentum; s: without noise and dissipation. NaN where a step is not finite.
-double poisson_defect(const subject& s, const scheme_entry&, double dt, std::uint64_t seed);
+/// as long as the momentum, the same always; s: without noise and dissipation. NaN where a step is not finite.
+double poisson_defect(const subject& s, const scheme_entry&, double dt);
 
 /// A scheme that claims it: the defect is rounding at every dt. Of the others, the order of the defect.
 void report_poisson_map(const context&, std::string_view scheme, report::results&);

@@ -1,10 +1,10 @@
 // What one step of a scheme costs on a scene: measured in this run on this machine, and counted.
 //
 // A machine is never quiet. So every measurement stands between two of a loop that never changes (yardstick.hpp), and
-// is its ratio to them: what slows both drops out. It is repeated in `slots` that lie apart, all steps in turn, each
-// with its memory anew; the cost is the median over the slots and its 96 % interval. ns are that ratio times the
-// yardstick's own time, the median of the run. (Quickest times instead of medians of ratios: ten times the scatter on a
-// busy machine.)
+// is its ratio to them: what slows both drops out. It is repeated in slots that lie apart, all steps in turn, each with
+// its states at another place of a page, and the yardstick's alike in every run; the cost is the median over the slots
+// and its 96 % interval. ns are that ratio times the yardstick's own time, the median of the run. (Quickest times
+// instead of medians of ratios: ten times the scatter on a busy machine.)
 #pragma once
 
 #include <array>
