@@ -23,17 +23,65 @@ constexpr std::array<double, 4> expansion_steps{1.0 / 16, 1.0 / 32, 1.0 / 64, 1.
 double half_of(const interval_estimate& e) { return (e.high - e.low) / 2; }
 
 /// The difference of two intervals, which contains zero where they meet.
-interval_estimate difference(const leading_constant& c) {
-  const double d = c.measured.value - c.predicted.value, half = half_of(c.measured) + half_of(c.predicted);
-  return {d, d - half, d + half};
+interval_estimate difference(const interval_estimate& measured, const interval_estimate& predicted) {
+  return {measured.value - predicted.value, measured.low - predicted.high, measured.high - predicted.low};
+}
+series_coefficient difference(const leading_constant& c) {
+  return {difference(c.measured.sharp, c.predicted), difference(c.measured.sure, c.predicted)};
+}
+
+/// The interval of one rule, and the least that contains those of both.
+series_coefficient of_both_rules(const interval_estimate& sharp, const std::optional<expansion_term>& other) {
+  series_coefficient out{sharp, sharp};
+  if (!other) return out;
+  out.sure.low = std::min(sharp.low, other->value - other->certainty());
+  out.sure.high = std::max(sharp.high, other->value + other->certainty());
+  return out;
 }
 
 bool excludes_zero(const interval_estimate& e) { return e.low > 0 || e.high < 0; }
 
 std::string shown(const interval_estimate& e) { return fmt::format("{:.5g} [{:.5g}, {:.5g}]", e.value, e.low, e.high); }
 
-/// How far from zero an interval lies, in half-widths.
-double clear(const interval_estimate& e) { return std::fabs(e.value) / std::max(half_of(e), 1e-300); }
+/// How far from zero an interval's middle lies, in half-widths.
+double clear(const interval_estimate& e) { return std::fabs(e.low + e.high) / 2 / std::max(half_of(e), 1e-300); }
+
+struct vanishing {
+  const leading_constant* constant;
+  std::size_t power;
+  const series_coefficient& found() const { return constant->below[power]; }
+};
+
+/// A coefficient that has to vanish and does not: by both rules if there is such a one, else by one.
+std::optional<vanishing> not_zero(const std::vector<leading_constant>& constants) {
+  std::optional<vanishing> out;
+  for (const auto& one : constants)
+    for (std::size_t power = 0; power < one.below.size(); ++power) {
+      const vanishing now{&one, power};
+      if (!excludes_zero(now.found().sharp) || (out && !excludes_zero(now.found().sure))) continue;
+      out = now;
+      if (excludes_zero(now.found().sure)) return out;
+    }
+  return out;
+}
+
+report::verdict judged(const claim& c, report::verdict_kind kind, double expected, const interval_estimate& found,
+                       std::string reason) {
+  return {c.experiment, c.scheme, c.text, expected, found.value, found.low, found.high, kind, std::move(reason)};
+}
+
+report::verdict judge_below(const claim& c, const vanishing& there) {
+  const bool sure = excludes_zero(there.found().sure);
+  const auto& found = sure ? there.found().sure : there.found().sharp;
+  return judged(c, sure ? report::verdict_kind::refuted : report::verdict_kind::inconclusive, 0, found,
+                fmt::format("error of {} at order dt^{}: {}, not zero{}", there.constant->observable, there.power,
+                            shown(found), sure ? "" : " by one rule of two: finer steps would tell"));
+}
+
+std::string told(const leading_constant& c, int order, std::size_t observables) {
+  return fmt::format("{}: {} times dt^{} measured, {} predicted by one step; {} observables", c.observable,
+                     shown(c.measured.sharp), order, shown(c.predicted), observables);
+}
 
 void report_constants(const claim& c, const std::string& kind, const std::vector<leading_constant>& constants,
                       report::results& out) {
@@ -43,7 +91,7 @@ void report_constants(const claim& c, const std::string& kind, const std::vector
           measured({c.experiment, c.scheme, fmt::format("{}, {}", kind, how), one.observable, "", "transfer"}, {},
                    e.value, e.low, e.high));
     };
-    add("measured", one.measured);
+    add("measured", one.measured.sharp);
     add("predicted", one.predicted);
   }
 }
@@ -61,7 +109,10 @@ std::vector<leading_constant> leading_constants(const exact_averages& averages, 
       value.push_back(t.error[level][first + i]);
       uncertainty.push_back(t.uncertainty[level][first + i]);
     }
-    auto series = series_by_all_levels(t.dt, value, uncertainty, static_cast<std::size_t>(order) + 1);
+    std::vector<series_coefficient> series;
+    for (const auto& sharp : series_by_all_levels(t.dt, value, uncertainty, static_cast<std::size_t>(order) + 1))
+      series.push_back(
+          of_both_rules(sharp, series_term_by_best_degree(t.dt, value, uncertainty, static_cast<int>(series.size()))));
     const auto k = static_cast<std::size_t>(i);
     leading_constant c{averages.names[k], averages.size[i], series.back(), predicted[k], {}};
     series.pop_back();
@@ -73,44 +124,30 @@ std::vector<leading_constant> leading_constants(const exact_averages& averages, 
 
 report::verdict judge_constants(const claim& c, const std::vector<leading_constant>& constants, int order,
                                 double rate) {
-  report::verdict v{c.experiment, c.scheme, c.text, {}, {}, {}, {}, report::verdict_kind::inconclusive, ""};
   if (constants.empty()) {
+    report::verdict v{c.experiment, c.scheme, c.text, {}, {}, {}, {}, report::verdict_kind::inconclusive, ""};
     v.reason = fmt::format("too few step sizes for a coefficient of dt^{}", order);
     return v;
   }
-  for (const auto& one : constants)
-    for (std::size_t power = 0; power < one.below.size(); ++power)
-      if (excludes_zero(one.below[power])) {
-        v.kind = report::verdict_kind::refuted;
-        v.expected = 0;
-        v.estimate = one.below[power].value;
-        v.low = one.below[power].low;
-        v.high = one.below[power].high;
-        v.reason =
-            fmt::format("error of {} at order dt^{}: {}, not zero", one.observable, power, shown(one.below[power]));
-        return v;
-      }
+  if (const auto there = not_zero(constants)) return judge_below(c, *there);
   const auto largest = std::ranges::max(
       constants, {}, [](const leading_constant& one) { return std::fabs(one.predicted.value) / one.size; });
   const double allowed =
       narrow * std::max(std::fabs(largest.predicted.value) / largest.size, natural * std::pow(rate, order));
-  const auto by_clear = [](const leading_constant& one) { return clear(difference(one)); };
-  const auto by_width = [](const leading_constant& one) { return half_of(difference(one)) / one.size; };
-  const auto worst = std::ranges::max(constants, {}, by_clear);
-  const bool refuted = by_clear(worst) > 1;
-  const auto widest = std::ranges::max(constants, {}, by_width);
-  const auto& decisive = refuted ? worst : by_width(widest) > allowed ? widest : largest;
-  if (refuted)
-    v.kind = report::verdict_kind::refuted;
-  else if (by_width(widest) <= allowed)
-    v.kind = report::verdict_kind::holds;
-  v.expected = decisive.predicted.value;
-  v.estimate = decisive.measured.value;
-  v.low = decisive.measured.low;
-  v.high = decisive.measured.high;
-  v.reason = fmt::format("{}: {} times dt^{} measured, {} predicted by one step; {} observables", decisive.observable,
-                         shown(decisive.measured), order, shown(decisive.predicted), constants.size());
-  return v;
+  const auto by_clear = [](const leading_constant& one) { return clear(difference(one).sure); };
+  const auto by_width = [](const leading_constant& one) { return half_of(difference(one).sharp) / one.size; };
+  const auto& farthest = *std::ranges::max_element(constants, {}, by_clear);
+  const auto& widest = *std::ranges::max_element(constants, {}, by_width);
+  const auto apart =
+      std::ranges::find_if(constants, [](const leading_constant& one) { return excludes_zero(difference(one).sharp); });
+  using enum report::verdict_kind;
+  if (by_clear(farthest) > 1)
+    return judged(c, refuted, farthest.predicted.value, farthest.measured.sure,
+                  told(farthest, order, constants.size()));
+  const bool doubtful = apart != constants.end(), narrow_enough = by_width(widest) <= allowed;
+  const auto& decisive = doubtful ? *apart : narrow_enough ? largest : widest;
+  return judged(c, doubtful || !narrow_enough ? inconclusive : holds, decisive.predicted.value, decisive.measured.sharp,
+                told(decisive, order, constants.size()) + (doubtful ? ", and disjoint by one rule of two" : ""));
 }
 
 void keep_affordable(const context& c, const std::vector<scheme_entry>& schemes, law_averages& averages,

@@ -6,12 +6,19 @@
 
 namespace polhode {
 
+/// A coefficient of the errors' power series, whose intervals are estimates of what extrapolation leaves out.
+struct series_coefficient {
+  interval_estimate sharp;  ///< by all levels
+  interval_estimate sure;   ///< that of both rules (statistics/power_series.hpp)
+};
+
 /// One average of a scheme: the constant found in its errors over dt, and the one predicted.
 struct leading_constant {
   std::string observable;
   double size;  ///< of the observable
-  interval_estimate measured, predicted;
-  std::vector<interval_estimate> below;  ///< coefficients of dt^0 ... dt^(order - 1), which have to vanish
+  series_coefficient measured;
+  interval_estimate predicted;
+  std::vector<series_coefficient> below;  ///< coefficients of dt^0 ... dt^(order - 1), which have to vanish
 };
 
 /// Errors of the averages (columns `first` ... of the table) as power series in dt. Fewer than order + 3 levels: none.
@@ -19,8 +26,8 @@ std::vector<leading_constant> leading_constants(const exact_averages&, const err
                                                 std::span<const interval_estimate> predicted, int order);
 
 /// "leading constant of …": refuted where the intervals of an observable are disjoint, or a coefficient below dt^order
-/// is not zero; holds where all meet and are narrow: together below a hundredth of the largest constant, or of a
-/// hundredth of rate^order; else inconclusive.
+/// is not zero, by both rules; holds where all meet by the sharper one and are narrow: together below a hundredth of
+/// the largest constant, or of a hundredth of rate^order; else inconclusive.
 report::verdict judge_constants(const claim&, const std::vector<leading_constant>&, int order, double rate);
 
 /// Leaves those averages of which the claims of this experiment are affordable, and says why the others are not tried,
