@@ -38,6 +38,11 @@ struct dual {
   friend auto operator>=(const dual& a, const dual& b) { return a.value >= b.value; }
 };
 
+template <class S>
+inline constexpr bool is_dual = false;
+template <class S, int N>
+inline constexpr bool is_dual<dual<S, N>> = true;
+
 template <class Mask, class S, int N>
 dual<S, N> select(const Mask& condition, const dual<S, N>& yes, dual<S, N> no) {
   no.value = select(condition, yes.value, no.value);

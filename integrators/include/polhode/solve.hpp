@@ -1,4 +1,4 @@
-// Small dense linear systems over any scalar.
+// Small dense matrices over any scalar.
 #pragma once
 
 #include <utility>
@@ -8,33 +8,58 @@
 
 namespace polhode {
 
-/// Solves A x = b; rows[i] is row i of A. Gaussian elimination with partial pivoting, lane by lane. A singular matrix
-/// gives non-finite numbers in its own lane.
+/// rows[i] is row i.
 template <class S, int N>
-vec<S, N> solve(vec<vec<S, N>, N> rows, vec<S, N> b) {
+using matrix = vec<vec<S, N>, N>;
+
+template <class S, int N>
+vec<S, N> times(const matrix<S, N>& rows, const vec<S, N>& x) {
+  vec<S, N> out;
+  for (int i = 0; i < N; ++i) out[i] = dot(rows[i], x);
+  return out;
+}
+
+/// A^-1 by cofactors: one division. For matrices near the identity; a singular one gives non-finite numbers in its own
+/// lane.
+template <class S>
+matrix<S, 3> inverse(const matrix<S, 3>& a) {
+  const auto x = cross(a[1], a[2]), y = cross(a[2], a[0]), z = cross(a[0], a[1]);
+  const S scale = S(1.0) / dot(a[0], x);
+  matrix<S, 3> out;
+  for (int i = 0; i < 3; ++i) out[i] = scale * vec<S, 3>{{x[i], y[i], z[i]}};
+  return out;
+}
+
+/// A^-1 by Gauss and Jordan's elimination with partial pivoting, lane by lane. A singular matrix gives non-finite
+/// numbers in its own lane.
+template <class S, int N>
+matrix<S, N> inverse(matrix<S, N> a) {
+  matrix<S, N> out;
+  for (int i = 0; i < N; ++i) out[i][i] = S(1.0);
   for (int k = 0; k < N; ++k) {
     for (int i = k + 1; i < N; ++i) {
-      const auto larger = magnitude(rows[i][k]) > magnitude(rows[k][k]);
-      for (int j = k; j < N; ++j) {
-        const S upper = select(larger, rows[i][j], rows[k][j]), lower = select(larger, rows[k][j], rows[i][j]);
-        rows[k][j] = upper;
-        rows[i][j] = lower;
+      const auto larger = magnitude(a[i][k]) > magnitude(a[k][k]);
+      const auto ordered = [&](matrix<S, N>& m, int j) {
+        const S upper = select(larger, m[i][j], m[k][j]), lower = select(larger, m[k][j], m[i][j]);
+        m[k][j] = upper;
+        m[i][j] = lower;
+      };
+      for (int j = 0; j < N; ++j) {
+        ordered(a, j);
+        ordered(out, j);
       }
-      const S upper = select(larger, b[i], b[k]), lower = select(larger, b[k], b[i]);
-      b[k] = upper;
-      b[i] = lower;
     }
-    for (int i = k + 1; i < N; ++i) {
-      const S factor = rows[i][k] / rows[k][k];
-      for (int j = k + 1; j < N; ++j) rows[i][j] = rows[i][j] - factor * rows[k][j];
-      b[i] = b[i] - factor * b[k];
+    const S pivot = S(1.0) / a[k][k];
+    a[k] = pivot * a[k];
+    out[k] = pivot * out[k];
+    for (int i = 0; i < N; ++i) {
+      if (i == k) continue;
+      const S factor = a[i][k];
+      a[i] = a[i] - factor * a[k];
+      out[i] = out[i] - factor * out[k];
     }
   }
-  for (int k = N - 1; k >= 0; --k) {
-    for (int j = k + 1; j < N; ++j) b[k] = b[k] - rows[k][j] * b[j];
-    b[k] = b[k] / rows[k][k];
-  }
-  return b;
+  return out;
 }
 
 }  // namespace polhode

@@ -2,17 +2,21 @@
 //
 //   m = 1/2 (mu_n + mu_{n+1}),   mu_{n+1} = mu_n + ad*_xi m,   xi = a(m) dt + sigma dW (Stratonovich)
 //
-// Newton on F(m) = m - mu_n - 1/2 ad*_{xi(m)} m, Jacobian by dual numbers; at the solution mu_{n+1} = Cay(xi(m)) mu_n,
-// which is how it is evaluated, so that the Casimirs do not depend on the last digits of m. A fixed-point iteration
-// would diverge for the larger Gaussian increments. A step whose iteration does not converge returns NaN in its lane:
-// failure is data.
+// Newton on F(m) = m - mu_n - 1/2 ad*_{xi(m)} m; at the solution mu_{n+1} = Cay(xi(m)) mu_n, which is how it is
+// evaluated, so that the Casimirs do not depend on the last digits of m. The noise is linear in m, so that F'' is of
+// the order of dt, and the derivative at mu_n serves all corrections of a step of ordinary size: each is smaller than
+// the one before by about dt |m - mu_n|. Where they do not get small Newton's method starts again. A fixed-point
+// iteration would diverge for the larger Gaussian increments. A step whose iteration does not converge returns NaN in
+// its lane: failure is data.
 //
 // Source: Milstein, Repin, Tretyakov, SIAM J. Numer. Anal. 40 (2002) 1583-1604 (symplectic case, truncated noise).
-// Keeps every quadratic Casimir. Cost a step: per iteration one generator with Jacobian and one linear system; one
-// Cayley action.
+// Keeps every quadratic Casimir. Cost a step: one motion with its derivative, one inverse of that, two to eight
+// motions; one Cayley action.
 #pragma once
 
+#include <concepts>
 #include <limits>
+#include <utility>
 
 #include <polhode/dual.hpp>
 #include <polhode/schemes/scheme_info.hpp>
@@ -31,44 +35,83 @@ struct implicit_midpoint {
                                     .casimir = keeps_casimirs,
                                     .action = group_action::cayley,
                                     .implicit = true};
-  static constexpr int max_iterations = 16;
-  static constexpr double tolerance =
-      1e-14;  ///< on the last correction, relative to the state; it is squared by the next
+  static constexpr int most_corrections = 8;  ///< by the derivative at mu
+  static constexpr int max_iterations = 16;   ///< of Newton's method, where these do not do
+  static constexpr double tolerance = 1e-16;  ///< of the error left, relative to the state
+  static constexpr double rounding = 1e-15;   ///< a correction below it is none
 
   template <lie_poisson_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
-    const auto noise = system.noise(w.dw);
-    auto m = mu;
-    auto pending = S(0.0) == S(0.0);
-    for (int i = 0; i < max_iterations && any(S(0.0), pending); ++i) {
-      const auto correction = newton_correction(system, mu, m, noise, w.dt);
-      for (int k = 0; k < System::dimension; ++k) m[k] = select(pending, S(m[k] - correction[k]), m[k]);
-      pending = pending && !(dot(correction, correction) <= S(tolerance * tolerance) * dot(mu, mu));
+    constexpr int n = System::dimension;
+    const auto at = linearised_motion(system, mu, w);
+    const auto back = inverse_derivative(at);
+    const S size = dot(mu, mu);
+    auto way = times(back, S(0.5) * at.value);  // m - mu
+    const auto correction = [&] { return times(back, way - S(0.5) * motion(system, mu + way, w)); };
+    // What is left is about the last correction times its ratio to the one before.
+    const auto done = [&](const S& last, const S& before) {
+      return last <= S(rounding * rounding) * size || last * last <= S(tolerance * tolerance) * before * size;
+    };
+    S before = size, last = size;
+    for (int i = 0; i < usual_corrections<System, S>; ++i) {
+      const auto c = correction();
+      way = way - c;
+      before = last;
+      last = dot(c, c);
     }
-    auto next = System::algebra::cayley_action(S(w.dt) * system.generator(m) + noise, mu);
-    for (int k = 0; k < System::dimension; ++k)
-      next[k] = select(pending, S(std::numeric_limits<double>::quiet_NaN()), next[k]);
+    auto pending = !done(last, before);
+    for (int i = usual_corrections<System, S>; i < most_corrections && any(S(0.0), pending); ++i) {
+      const auto c = correction();
+      for (int k = 0; k < n; ++k) way[k] = select(pending, S(way[k] - c[k]), way[k]);
+      before = last;
+      last = dot(c, c);
+      pending = pending && !done(last, before);
+    }
+    auto m = mu + way;
+    if (any(S(0.0), pending)) [[unlikely]]
+      iterate(system, mu, w, m, pending);
+    if constexpr (is_dual<S>) m = m - newton_correction(system, mu, m, w);  // slopes converge later than values
+    auto next = System::algebra::cayley_action(generator(system, m, w), mu);
+    for (int k = 0; k < n; ++k) next[k] = select(pending, S(std::numeric_limits<double>::quiet_NaN()), next[k]);
     return next;
   }
 
  private:
-  /// (DF)^-1 F at m.
+  /// Without a question in between: a branch that packs take or do not would cost more than one too many.
+  template <class System, class S>
+  static constexpr int usual_corrections =
+      std::same_as<decltype(std::declval<const System&>().noise(vec<S, System::channels>{})), zero_vector> ? 2 : 3;
+
+  /// DF(m)^-1.
+  template <class S, int n>
+  static auto inverse_derivative(const linearised<S, n>& motion_at) {
+    matrix<S, n> out;
+    for (int k = 0; k < n; ++k) {
+      out[k] = S(-0.5) * motion_at.slope[k];
+      out[k][k] = S(1.0) + out[k][k];
+    }
+    return inverse(out);
+  }
+
+  /// DF(m)^-1 F(m).
   template <class System, class S>
   static auto newton_correction(const System& system, const vec<S, System::dimension>& mu,
-                                const vec<S, System::dimension>& m, const auto& noise, double dt) {
-    constexpr int n = System::dimension;
-    using number = dual<S, n>;
-    const auto x = seeded(m);
-    auto xi = number(dt) * system.generator(x);
-    for (int k = 0; k < n; ++k) xi[k].value = xi[k].value + noise[k];
-    const auto force = System::algebra::coad(xi, x);
-    vec<vec<S, n>, n> jacobian;
-    vec<S, n> residual;
-    for (int k = 0; k < n; ++k) {
-      residual[k] = m[k] - mu[k] - S(0.5) * force[k].value;
-      jacobian[k] = x[k].slope - S(0.5) * force[k].slope;
+                                const vec<S, System::dimension>& m, const wiener<S, System::channels>& w) {
+    const auto at = linearised_motion(system, m, w);
+    return times(inverse_derivative(at), m - mu - S(0.5) * at.value);
+  }
+
+  /// Newton's method from mu, in the pending lanes; those where it fails stay pending.
+  template <class System, class S, class Mask>
+  [[gnu::cold, gnu::noinline]] static void iterate(const System& system, const vec<S, System::dimension>& mu,
+                                                   const wiener<S, System::channels>& w, vec<S, System::dimension>& m,
+                                                   Mask& pending) {
+    for (int k = 0; k < System::dimension; ++k) m[k] = select(pending, mu[k], m[k]);
+    for (int i = 0; i < max_iterations && any(S(0.0), pending); ++i) {
+      const auto correction = newton_correction(system, mu, m, w);
+      for (int k = 0; k < System::dimension; ++k) m[k] = select(pending, S(m[k] - correction[k]), m[k]);
+      pending = pending && !(dot(correction, correction) <= S(100 * rounding * rounding) * dot(mu, mu));
     }
-    return solve(jacobian, residual);
   }
 };
 

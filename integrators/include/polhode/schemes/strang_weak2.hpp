@@ -10,6 +10,7 @@
 #pragma once
 
 #include <polhode/schemes/scheme_info.hpp>
+#include <polhode/schemes/strang.hpp>
 
 namespace polhode {
 
@@ -30,22 +31,20 @@ struct strang_weak2 {
     return system.with_noise(system.weak_order_two(dt));
   }
 
-  /// Two of these in a row are one of the sum of their times.
-  template <splittable_system System, class S, class Time>
+  /// As strang's.
+  template <turning_system System, class S, class Time>
   static auto outer(const System& system, const vec<S, System::dimension>& mu, Time t) {
-    return system.dissipation_flow(mu, t);
+    return strang::outer(system, mu, t);
   }
 
-  template <splittable_system System, class S>
+  template <turning_system System, class S>
   static auto inner(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
-    const half_step half{w.dt};
-    return system.free_flow(noise_flow(system, system.free_flow(mu, half), w), half);
+    return strang::inner(system, mu, w);
   }
 
-  template <splittable_system System, class S>
+  template <turning_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
-    const half_step half{w.dt};
-    return outer(system, inner(system, outer(system, mu, half), w), half);
+    return strang::step(system, mu, w);
   }
 };
 

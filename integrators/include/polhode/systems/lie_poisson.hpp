@@ -4,7 +4,9 @@
 
 #include <concepts>
 
+#include <polhode/dual.hpp>
 #include <polhode/increment.hpp>
+#include <polhode/solve.hpp>
 #include <polhode/vec.hpp>
 
 namespace polhode {
@@ -82,6 +84,35 @@ auto motion(const System& system, const state_of<System, S>& mu, const wiener<S,
     return system.motion_over(mu, w);
   else
     return System::algebra::coad(generator(system, mu, w), mu);
+}
+
+/// A map of the state and its derivative: slope[i] is the gradient of component i.
+template <class S, int N>
+struct linearised {
+  vec<S, N> value;
+  matrix<S, N> slope;
+};
+
+/// `motion` with its derivative by the state: a system's own, or by dual numbers.
+template <class System, class S>
+linearised<S, System::dimension> linearised_motion(const System& system, const state_of<System, S>& mu,
+                                                   const wiener<S, System::channels>& w) {
+  if constexpr (requires { system.linearised_motion_over(mu, w); }) {
+    return system.linearised_motion_over(mu, w);
+  } else {
+    constexpr int n = System::dimension;
+    using number = dual<S, n>;
+    wiener<number, System::channels> increment;
+    increment.dt = w.dt;
+    for (int k = 0; k < System::channels; ++k) increment.dw[k].value = w.dw[k];
+    const auto moved = motion(system, seeded(mu), increment);
+    linearised<S, n> out;
+    for (int k = 0; k < n; ++k) {
+      out.value[k] = moved[k].value;
+      out.slope[k] = moved[k].slope;
+    }
+    return out;
+  }
 }
 
 /// The noise alone, as one exponential: Ad*_exp(sum sigma_i dW^i) mu.

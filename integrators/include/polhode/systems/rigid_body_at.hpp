@@ -70,15 +70,25 @@ class rigid_body_at : public Noise {
   /// Pi x xi, xi without the multiple of Pi by which the Casimir shift differs from a(Pi) dt + B.
   template <class S>
   auto motion_over(const vec<S, 3>& pi, const wiener<S, 3>& w) const {
-    const auto b = this->noise(w.dw);
-    const S first = S(k_.shifted[0]) * pi[0], last = S(k_.shifted[2]) * pi[2];
-    vec<S, 3> xi{{b[0] + first, value_of<S>(b[1] + dissipating(1, pi)), b[2] + last}};
+    return algebra::coad(shifted_generator(pi, w), pi);
+  }
+  template <class S>
+  linearised<S, 3> linearised_motion_over(const vec<S, 3>& pi, const wiener<S, 3>& w) const {
+    const auto xi = shifted_generator(pi, w);
+    const S first(k_.shifted[0]), last(k_.shifted[2]);
+    matrix<S, 3> slope{{vec<S, 3>{{S(0.0), xi[2], last * pi[1] - xi[1]}},
+                        vec<S, 3>{{first * pi[2] - xi[2], S(0.0), xi[0] - last * pi[0]}},
+                        vec<S, 3>{{xi[1] - first * pi[1], -xi[0], S(0.0)}}}};
     if constexpr (parts.dissipation) {
-      const S theta_pi = S(k_.theta) * pi[1];
-      xi[0] = xi[0] + theta_pi * last;
-      xi[2] = xi[2] - theta_pi * first;
+      // Of the dissipating part of xi, theta dt (Pi_2 Omega_3, gamma_2 / theta dt Pi_3 Pi_1, -Pi_2 Omega_1), shifted.
+      const S theta_pi = S(k_.theta) * pi[1], bend(k_.gamma[1]);
+      const S a = S(k_.theta) * (first * pi[0]), b = S(k_.theta) * (last * pi[2]);
+      const S c = first * theta_pi, d = last * theta_pi;
+      slope[0] = slope[0] + vec<S, 3>{{-(pi[1] * c) - bend * (pi[2] * pi[2]), -(pi[1] * a), -(bend * (pi[2] * pi[0]))}};
+      slope[1] = slope[1] + vec<S, 3>{{pi[0] * c, pi[2] * b + pi[0] * a, pi[2] * d}};
+      slope[2] = slope[2] + vec<S, 3>{{bend * (pi[0] * pi[2]), -(pi[1] * b), bend * (pi[0] * pi[0]) - pi[1] * d}};
     }
-    return algebra::coad(xi, pi);
+    return {cross(pi, xi), slope};
   }
 
   template <class S>
@@ -159,6 +169,19 @@ class rigid_body_at : public Noise {
       return S((S(k_.gamma[k]) * pi[(k + 1) % 3]) * pi[(k + 2) % 3]);
     else
       return zero{};
+  }
+
+  template <class S>
+  vec<S, 3> shifted_generator(const vec<S, 3>& pi, const wiener<S, 3>& w) const {
+    const auto b = this->noise(w.dw);
+    const S first = S(k_.shifted[0]) * pi[0], last = S(k_.shifted[2]) * pi[2];
+    vec<S, 3> xi{{b[0] + first, value_of<S>(b[1] + dissipating(1, pi)), b[2] + last}};
+    if constexpr (parts.dissipation) {
+      const S theta_pi = S(k_.theta) * pi[1];
+      xi[0] = xi[0] + theta_pi * last;
+      xi[2] = xi[2] - theta_pi * first;
+    }
+    return xi;
   }
 
   /// a(Pi) dt + b, each component one chain of fused products.
