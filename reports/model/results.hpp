@@ -105,6 +105,12 @@ struct saved {
   double cpu_seconds = 0;
 };
 
+/// Processor time of an experiment by what was worked on: a scheme, "noise", or empty for all else.
+struct profile_row {
+  std::string experiment, scheme;
+  double cpu_seconds = 0;
+};
+
 /// A density on the sphere of directions relative to the uniform one, in bins of equal area: [height][longitude], rows
 /// of equal z from z = -1, longitudes from -pi.
 struct density {
@@ -159,6 +165,7 @@ struct results {
   std::vector<density> densities;
   work_done done;
   std::vector<std::string> to_come;  ///< experiments that a run has before it; of a finished one: none
+  std::vector<profile_row> profile;  ///< of this run, if it was taken: not of what came from the cache
 };
 
 }  // namespace polhode::report

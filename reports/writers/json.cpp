@@ -90,6 +90,10 @@ json to_value(const work_done& d) {
   return out;
 }
 
+json to_value(const profile_row& p) {
+  return {{"experiment", p.experiment}, {"scheme", p.scheme}, {"cpu_seconds", number(p.cpu_seconds)}};
+}
+
 json to_value(const density& d) {
   json values = json::array();
   for (const double x : d.values) values.push_back(number(x));
@@ -133,6 +137,7 @@ std::string to_json(const results& r) {
   document["reused"] = list_of(r.reused, row);
   if (!r.densities.empty()) document["densities"] = list_of(r.densities, row);
   document["counters"] = to_value(r.done);
+  if (!r.profile.empty()) document["profile"] = list_of(r.profile, row);
   return laid_out(document);
 }
 

@@ -125,6 +125,10 @@ density density_from(const node& n) {
   return d;
 }
 
+profile_row profile_row_from(const node& n) {
+  return {n["experiment"].text(), n["scheme"].text(), n["cpu_seconds"].number()};
+}
+
 work_done work_from(const node& n) {
   return {counters_from(n), n["experiments_run"].integer<std::uint64_t>(),
           n["results_computed"].integer<std::uint64_t>(), n["results_reused"].integer<std::uint64_t>()};
@@ -163,11 +167,13 @@ results from_json(std::string_view text) {
             {},
             {},
             {},
+            {},
             {}};
   if (const auto savings = root.maybe("savings")) r.savings = savings->list(saving_from);
   if (const auto reused = root.maybe("reused")) r.reused = reused->list(reuse_from);
   if (const auto densities = root.maybe("densities")) r.densities = densities->list(density_from);
   if (const auto counted = root.maybe("counters")) r.done = work_from(*counted);
+  if (const auto profile = root.maybe("profile")) r.profile = profile->list(profile_row_from);
   if (const auto rest = root.maybe("to_come")) r.to_come = rest->list([](const node& n) { return n.text(); });
   return r;
 }

@@ -16,6 +16,7 @@
 #include "cli/baseline.hpp"
 #include "cli/cache.hpp"
 #include "cli/comparing.hpp"
+#include "cli/profile_table.hpp"
 #include "cli/progress.hpp"
 #include "cli/signals.hpp"
 #include "cli/summary.hpp"
@@ -36,7 +37,7 @@ struct arguments {
   std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto",
                                     generator = "philox", format = "text", progress = "auto";
   std::optional<std::string> baseline, save_baseline;
-  bool fresh = false, no_cache = false, quiet = false, latex = false;
+  bool fresh = false, no_cache = false, quiet = false, latex = false, profile = false;
 };
 
 verify_options checked_options(const arguments& given) {
@@ -49,6 +50,7 @@ verify_options checked_options(const arguments& given) {
   options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
   options.isa = given.isa;
   options.generator = given.generator;
+  options.profile = given.profile;
   return options;
 }
 
@@ -119,7 +121,8 @@ std::string text_of(std::span<const report::results> all, const std::filesystem:
   std::string text;
   for (const auto& r : all) {
     const auto page = out / report::folder_name(r.scene.name) / "report.html";
-    text += fmt::format("{}report: {}\n\n", summary(r, width), one_line(page.string()));
+    text +=
+        summary(r, width) + profile_table(r.profile, width) + fmt::format("report: {}\n\n", one_line(page.string()));
   }
   text.pop_back();
   return text;
@@ -191,6 +194,7 @@ command add_verify(CLI::App& app) {
   parser->add_option("--progress", given->progress, "auto: on terminals; lines: one an experiment [auto]")
       ->type_name("P");
   parser->add_flag("--latex", given->latex, "Write report.tex, too: tables and plots for a paper");
+  parser->add_flag("--profile", given->profile, "Say where the processor time went");
   parser->add_flag("--fresh", given->fresh, "Compute all anew and replace what is cached");
   parser->add_flag("--no-cache", given->no_cache, "Neither use the cache nor write to it");
   parser->add_flag("-q,--quiet", given->quiet, "No summary, no progress");

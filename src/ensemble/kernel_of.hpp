@@ -67,7 +67,7 @@ class kernel_of final : public kernel {
 
   POLHODE_FLATTEN void advance(std::span<double> states, const increment_view& given, piece p) const override {
     const double dt = given.dt;
-    count_path_steps(static_cast<std::uint64_t>(given.steps) * block_lanes);
+    count_path_steps(static_cast<std::uint64_t>(given.steps) * block_lanes, Scheme::info.name.data());
     if (given.silent()) {
       const auto system = forms_.silent();
       run(rows_of(states), given.steps, dt, p,
@@ -92,7 +92,7 @@ class kernel_of final : public kernel {
 
   POLHODE_FLATTEN void advance(std::span<double> states, const shared_steps& noise, std::int64_t first_step,
                                std::int64_t steps, piece p) const override {
-    count_path_steps(static_cast<std::uint64_t>(steps) * block_lanes);
+    count_path_steps(static_cast<std::uint64_t>(steps) * block_lanes, Scheme::info.name.data());
     const double* row = noise.table.data() + static_cast<std::size_t>(first_step) * noise.words;
     auto system = forms_.common();
     run(rows_of(states), steps, noise.dt, p, [&](std::int64_t, auto&& pass) {

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "ensemble/cpu_profile.hpp"
 #include "ensemble/isa_entry.hpp"
 
 namespace polhode {
@@ -9,6 +10,7 @@ namespace polhode {
 bool ars_usable() { return aes_isa(active_isa()).has_value(); }
 
 void fill_normals(const normal_block& request) {
+  working_on("noise");
   if (request.singles != nullptr && request.source.quality == noise_quality::precise)
     throw std::invalid_argument("noise quality precise: not to be had in single precision; accepted: fast");
   if (request.source.generator == noise_generator::philox)

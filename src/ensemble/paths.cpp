@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "ensemble/cpu_profile.hpp"
 #include "ensemble/denormals.hpp"
 #include "ensemble/noise_defect.hpp"
 #include "ensemble/normal_block.hpp"
@@ -21,6 +22,7 @@ void parallel_for(int threads, int count, const std::function<void(int)>& work) 
   const auto worker = [&] {
     const flush_denormals flushed;
     for (int i = next++; i < count; i = next++) try {
+        working_on("");
         work(i);
       } catch (...) {
         const std::lock_guard lock(failing);

@@ -19,7 +19,7 @@ class tangent_kernel_of final : public tangent_kernel {
   explicit tangent_kernel_of(System system) : system_(std::move(system)) {}
 
   void advance(std::span<double> states, std::span<double> tangents, const increment_view& view) const override {
-    count_path_steps(static_cast<std::uint64_t>(view.steps) * block_lanes);
+    count_path_steps(static_cast<std::uint64_t>(view.steps) * block_lanes, Scheme::info.name.data());
     for (int i = 0; i < view.steps; ++i)
       for (int lane = 0; lane < block_lanes; lane += static_cast<int>(pack::size()))
         step(states.data() + lane, tangents.data() + lane, increment(view, i, lane));

@@ -14,7 +14,7 @@ struct work_counters {
 work_counters work_so_far();
 
 void count_normals(std::uint64_t);
-/// One call of a kernel.
-void count_path_steps(std::uint64_t);
+/// One call of a kernel, of the scheme of that name.
+void count_path_steps(std::uint64_t, const char* scheme);
 
 }  // namespace polhode

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <optional>
 
+#include "ensemble/cpu_profile.hpp"
 #include "ensemble/isa.hpp"
 #include "registry/machine_options.hpp"
 #include "registry/nearest.hpp"
@@ -72,6 +74,37 @@ void add_skipped_verdicts(report::results& out) {
             {skip.experiment, scheme.name, "", {}, {}, {}, {}, report::verdict_kind::skipped, skip.reason});
 }
 
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Of one experiment after the other, if it is asked for.
+class experiment_profile {
+ public:
+  explicit experiment_profile(bool wanted) {
+    if (wanted) profile_.emplace();
+  }
+  void begin() {
+    if (!profile_) return;
+    working_on("");
+    profile_->take();
+    cpu_start_ = cpu_seconds();
+  }
+  /// What no thread had a name for is what is left of the whole.
+  void end(const std::string& experiment, std::vector<report::profile_row>& out) {
+    if (!profile_) return;
+    double rest = cpu_seconds() - cpu_start_;
+    for (const auto& [what, seconds] : profile_->take()) {
+      if (what.empty()) continue;
+      out.push_back({experiment, what, seconds});
+      rest -= seconds;
+    }
+    out.push_back({experiment, "", std::max(0.0, rest)});
+  }
+
+ private:
+  std::optional<cpu_profile> profile_;
+  double cpu_start_ = 0;
+};
+
 /// Of this run, up to now.
 class stopwatch {
  public:
@@ -81,8 +114,6 @@ class stopwatch {
   }
 
  private:
-  static double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double cpu_start_ = cpu_seconds();
 };
@@ -100,7 +131,9 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
     total += e.weight;
     out.to_come.push_back(e.info.name);
   }
+  experiment_profile profile(options.profile);
   for (const auto& e : experiments) {
+    profile.begin();
     const auto tell = [&](double share) {
       if (progress) progress((before + e.weight * share) / total, e.info.name);
     };
@@ -112,6 +145,7 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
       run_experiment(e,
                      {s, options.effort, options.threads, options.seed, generator_named(options.generator), tell, &out},
                      options.store, out);
+    profile.end(e.info.name, out.profile);
     before += e.weight;
     out.to_come.erase(out.to_come.begin());
     if (options.so_far && !out.to_come.empty()) options.so_far(finished(out, watch));

@@ -126,11 +126,12 @@ class stationary_goal final : public averages_goal {
   }
   double longest_step() const override { return longest_at_equilibrium(context_.subject); }
   std::vector<std::string> notes() const override {
-    std::vector<std::string> out{
+    std::vector<std::string> out;
+    out.push_back(
         fmt::format("the worst of {} under the scheme's own stationary law, each in units of its root mean square over "
                     "the sphere; true averages known to {:.0e} of that",
                     question_.observable == all_observables ? "all observables" : question_.observable,
-                    most_uncertain(law_.observables(), law_.uncertainty(), question_.observable))};
+                    most_uncertain(law_.observables(), law_.uncertainty(), question_.observable)));
     if (context_.subject.model->noise() != noise_class::isotropic)
       out.push_back(
           "the noise is not isotropic: no Gibbs law holds, and no temperature; the true averages are those of the true "

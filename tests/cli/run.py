@@ -224,6 +224,17 @@ class Growing(Case):
         self.assertEqual((rc, len(err.splitlines())), (0, 2), err)
         self.assertNotIn('to_come', open(os.path.join(self.folder.name, 'report', 'paper', 'results.json'), encoding='utf-8').read())
 
+    def test_the_profile_says_where_the_processor_time_went(self):
+        rc, out, err = self.run_it('verify', 'paper', '--experiments', 'casimir,energy', '--schemes', 'heun,magnus', '--effort', 'quick', '--profile', '--no-cache')
+        self.assertEqual(rc, 0, err)
+        self.assertRegex(out, r'experiment +CPU s +share +of it')
+        with open(os.path.join(self.folder.name, 'report', 'paper', 'results.json'), encoding='utf-8') as f:
+            results = json.load(f)
+        self.assertEqual({row['experiment'] for row in results['profile']}, {'casimir', 'energy'})
+        self.assertLessEqual({'heun', 'magnus', 'noise', ''}, {row['scheme'] for row in results['profile']})
+        spent = sum(row['cpu_seconds'] for row in results['profile'])
+        self.assertAlmostEqual(spent, results['provenance']['cpu_seconds'], delta=0.1 * spent + 0.05)
+
 
 class Terminal(Case):
     def progress(self, columns, *args):

@@ -97,6 +97,12 @@ export interface Scene {
   horizon: number | null;
   steps: number[];
 }
+/** Processor time of an experiment by what was worked on: a scheme, "noise", or empty for all else. */
+export interface Charge {
+  experiment: string;
+  scheme: string;
+  cpuSeconds: number;
+}
 export interface Results {
   schema: { name: string; version: number | null };
   provenance: Record<string, string>;
@@ -111,6 +117,7 @@ export interface Results {
   reused: Reuse[];
   densities: Density[];
   counters: Record<string, number>;
+  profile: Charge[];
   /** Experiments that an unfinished run had before it. */
   toCome: string[];
   /** What the file lacks, in words. */

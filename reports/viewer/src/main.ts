@@ -5,7 +5,7 @@ import { h } from './dom';
 import { asWritten } from './numbers';
 import { byExperiment, experimentNames, schemeNames } from './order';
 import { advice } from './page/advice';
-import { leftOut, provenance, schemeTable } from './page/back';
+import { leftOut, profile, provenance, schemeTable } from './page/back';
 import { bar } from './page/bar';
 import { board } from './page/board';
 import { changes } from './page/changes';
@@ -56,9 +56,17 @@ function build(r: Results, earlier: Earlier | null): { page: Node[]; printables:
   const first = board(r, schemes, experiments),
     claims = schemeTable(r),
     changed = earlier && changes(earlier.comparison, earlier.results, r);
-  const parts = [header(r), changed, first, advice(r), ...sections, claims, leftOut(r), provenance(r)].filter(
-    (part): part is HTMLElement => part instanceof Node,
-  );
+  const parts = [
+    header(r),
+    changed,
+    first,
+    advice(r),
+    ...sections,
+    claims,
+    leftOut(r),
+    profile(r),
+    provenance(r),
+  ].filter((part): part is HTMLElement => part instanceof Node);
   return { page: [bar(places, schemes), h('main', {}, ...parts)], printables, schemes };
 }
 

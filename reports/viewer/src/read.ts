@@ -12,6 +12,7 @@ import {
   type Skip,
   type Saving,
   type Reuse,
+  type Charge,
   type Density,
   type Scene,
   type Results,
@@ -96,6 +97,7 @@ const readers = {
   skipped: (o: Json): Skip => ({ ...place(o), reason: text(o.reason), saved: saved(o.saved) }),
   savings: (o: Json): Saving => ({ ...place(o), what: text(o.what), reason: text(o.reason), saved: saved(o.saved) }),
   reused: (o: Json): Reuse => ({ ...place(o), computed: text(o.computed), saved: saved(o.saved) }),
+  profile: (o: Json): Charge => ({ ...place(o), cpuSeconds: number(o.cpu_seconds) ?? 0 }),
   densities: (o: Json): Density => ({
     ...place(o),
     name: text(o.name),
@@ -115,7 +117,7 @@ const required: { [List in keyof typeof readers]?: readonly string[] } = {
   skipped: ['experiment', 'scheme', 'reason'],
   densities: ['experiment', 'scheme', 'name', 'longitudes', 'heights', 'values'],
 };
-const optional = new Set(['savings', 'reused', 'counters', 'densities']);
+const optional = new Set(['savings', 'reused', 'counters', 'densities', 'profile']);
 
 type Row<Name extends keyof typeof readers> = ReturnType<(typeof readers)[Name]>;
 
@@ -201,6 +203,7 @@ export function readResults(source: string): Results {
     reused: list(document, 'reused', missing),
     densities: list(document, 'densities', missing).filter((d) => whole(d, missing)),
     counters: Object.fromEntries(counted) as Record<string, number>,
+    profile: list(document, 'profile', missing),
     toCome: Array.isArray(document.to_come) ? document.to_come.map(text) : [],
     missing,
   };

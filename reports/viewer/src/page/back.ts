@@ -1,5 +1,5 @@
 // The end of the page: what the schemes claim, what was left out and why, where the numbers come from.
-import type { Results, Saved, Scheme } from '../data';
+import type { Charge, Results, Saved, Scheme } from '../data';
 import { h, type Child } from '../dom';
 import { shown, shownCount, shownDuration } from '../numbers';
 import { grouped } from '../order';
@@ -140,6 +140,39 @@ const facts: [string, string][] = [
   ['wall_seconds', 'wall time'],
   ['cpu_seconds', 'CPU time'],
 ];
+
+/** By experiment, the costliest first. */
+export function profile(r: Results): Child {
+  const seconds = (charges: Charge[]): number => charges.reduce((all, one) => all + one.cpuSeconds, 0),
+    total = seconds(r.profile);
+  if (!(total > 0)) return false;
+  const rows = [...grouped(r.profile, (one) => one.experiment).values()].sort((a, b) => seconds(b) - seconds(a));
+  const parts = (charges: Charge[]): string =>
+    [...charges]
+      .sort((a, b) => b.cpuSeconds - a.cpuSeconds)
+      .filter((one) => one.cpuSeconds >= 0.01 * total)
+      .map((one) => `${one.scheme || 'other'} ${shown(one.cpuSeconds)}`)
+      .join(', ');
+  return h(
+    'section',
+    { id: 'profile' },
+    h('h2', {}, 'Where the processor time went'),
+    table(
+      'processor time',
+      [{ name: 'experiment' }, { name: 's', kind: 'n' }, { name: '%', kind: 'n' }, { name: 'of it', kind: 'why' }],
+      rows.map((charges) => ({
+        attributes: {},
+        cells: [
+          charges[0]?.experiment ?? '',
+          shown(seconds(charges)),
+          shown((100 * seconds(charges)) / total),
+          parts(charges),
+        ],
+      })),
+    ),
+    h('p', { class: 'note' }, 'Other: linear algebra and references before any scheme steps.'),
+  );
+}
 
 export function provenance(r: Results): HTMLElement {
   const p = r.provenance,
