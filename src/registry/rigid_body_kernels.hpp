@@ -47,7 +47,7 @@ using four_packs = stdx::fixed_size_simd<double, static_cast<int>(4 * pack::size
 /// Long steps hide their latency themselves.
 template <class Scheme, rotation_size size>
 using loop_scalar = std::conditional_t<
-    Scheme::info.implicit || (rotates<Scheme> && size == rotation_size::any), pack,
+    rotates<Scheme> && size == rotation_size::any, pack,
     std::conditional_t<turns<Scheme> && size == rotation_size::tiny && pack::size() == 8, four_packs, loop_pack>>;
 
 template <class Scheme, body_parts parts>
