@@ -4,7 +4,7 @@ function(polhode_read_common_headers target)
   target_precompile_headers(${target} PRIVATE ${POLHODE_COMMON_HEADERS} ${ARGN})
   # g++ 12 forgets which of them are the system's, and what it suspects in std::string it then says.
   target_compile_options(${target} PRIVATE
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>)
+    "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-restrict>")
 endfunction()
 
 set(POLHODE_COMMON_HEADERS

@@ -14,6 +14,7 @@
 #include <polhode/schemes/milstein.hpp>
 #include <polhode/schemes/milstein_no_area.hpp>
 #include <polhode/schemes/strang.hpp>
+#include <polhode/schemes/strang_two_turns.hpp>
 #include <polhode/schemes/strang_weak2.hpp>
 
 namespace polhode {
@@ -22,6 +23,6 @@ template <class... Schemes>
 struct scheme_list {};
 
 using all_schemes = scheme_list<euler_maruyama, heun, heun_projected, milstein, milstein_no_area, implicit_midpoint,
-                                lie_euler, lie_heun, cayley_heun, magnus, lie_trotter, strang, strang_weak2>;
+                                lie_euler, lie_heun, cayley_heun, magnus, lie_trotter, strang, strang_two_turns, strang_weak2>;
 
 }  // namespace polhode
