@@ -80,12 +80,12 @@ std::array<B, 2> interleave(const B& a, const B& b) {
   }
 }
 
-template <class F, class U>
-F lookup(const std::array<float, 16>& table, const U& index) {
+template <class F, class U, std::size_t N>
+F lookup(const std::array<float, N>& table, const U& index) {
   if constexpr (is_pack<F>)
-    return F([&](std::size_t i) { return table[index[i] & 15]; });
+    return F([&](std::size_t i) { return table[index[i] % N]; });
   else
-    return table[index & 15];
+    return table[index % N];
 }
 
 template <class F>
@@ -259,16 +259,17 @@ requires is_pack<F> F fused(const F& a, const F& b, const F& c) {
   return F([&](std::size_t i) { return fused(a[i], b[i], c[i]); });
 }
 
-/// table[index mod 16] in every lane.
-template <class F, class U>
-F lookup(const std::array<float, 16>& table, const U& index) {
+/// table[index mod N] in every lane, N = 16 or 8.
+template <class F, class U, std::size_t N>
+F lookup(const std::array<float, N>& table, const U& index) {
 #if defined(__AVX512F__)
-  if constexpr (sizeof(F) == 64)
+  if constexpr (sizeof(F) == 64 && N == 16)
     return F(_mm512_permutexvar_ps(static_cast<__m512i>(index), _mm512_loadu_ps(table.data())));
 #endif
 #if defined(__AVX2__)
   if constexpr (sizeof(F) == 32) {
     const auto i = static_cast<__m256i>(index);
+    if constexpr (N == 8) return F(_mm256_permutevar8x32_ps(_mm256_loadu_ps(table.data()), i));
     return F(_mm256_blendv_ps(_mm256_permutevar8x32_ps(_mm256_loadu_ps(table.data()), i),
                               _mm256_permutevar8x32_ps(_mm256_loadu_ps(table.data() + 8), i),
                               _mm256_castsi256_ps(_mm256_slli_epi32(i, 28))));

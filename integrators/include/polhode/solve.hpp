@@ -24,7 +24,7 @@ vec<S, N> times(const matrix<S, N>& rows, const vec<S, N>& x) {
 template <class S>
 matrix<S, 3> inverse(const matrix<S, 3>& a) {
   const auto x = cross(a[1], a[2]), y = cross(a[2], a[0]), z = cross(a[0], a[1]);
-  const S scale = S(1.0) / dot(a[0], x);
+  const S scale = S(2.0) - dot(a[0], x);
   matrix<S, 3> out;
   for (int i = 0; i < 3; ++i) out[i] = scale * vec<S, 3>{{x[i], y[i], z[i]}};
   return out;

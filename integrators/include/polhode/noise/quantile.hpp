@@ -52,10 +52,17 @@ auto in_tail(const U& word) {
   return (word & U(0x7FFF8000u)) == U(0u);
 }
 
-/// The quantiles of words that are not in the tail: F float and U std::uint32_t, or packs of them. Several at once,
-/// stage by stage, since each is one long chain of operations that wait for each other.
-template <class F, class U, std::size_t N>
-std::array<F, N> quantiles(const std::array<U, N>& words) {
+/// The columns of the octaves of m >= 2^23 alone: column (e + 127) mod 8.
+alignas(32) inline constexpr auto upper_quantile_table = [] {
+  std::array<std::array<float, 8>, 7> out{};
+  for (std::size_t k = 0; k < 7; ++k)
+    for (std::size_t column = 6; column < 14; ++column) out[k][column % 8] = quantile_table[k][column];
+  return out;
+}();
+
+/// The quantiles of words that are not in the tail, with the table's columns of their octaves.
+template <class F, class U, std::size_t N, class Table>
+std::array<F, N> quantiles(const std::array<U, N>& words, const Table& table) {
   std::array<U, N> octave;
   std::array<F, N> t, x;
   unrolled<N>([&](std::size_t i) {
@@ -63,12 +70,27 @@ std::array<F, N> quantiles(const std::array<U, N>& words) {
     octave[i] = bits >> 23;
     t[i] = std::bit_cast<F>(U((bits & U(0x007FFFFFu)) | U(0x3F800000u))) - F(1.5F);
   });
-  unrolled<N>([&](std::size_t i) { x[i] = lookup<F>(quantile_table[6], octave[i]); });
+  unrolled<N>([&](std::size_t i) { x[i] = lookup<F>(table[6], octave[i]); });
   unrolled<6>([&](std::size_t k) {
-    unrolled<N>([&](std::size_t i) { x[i] = fused(x[i], t[i], lookup<F>(quantile_table[5 - k], octave[i])); });
+    unrolled<N>([&](std::size_t i) { x[i] = fused(x[i], t[i], lookup<F>(table[5 - k], octave[i])); });
   });
   unrolled<N>([&](std::size_t i) { x[i] = std::bit_cast<F>(U(std::bit_cast<U>(x[i]) ^ (words[i] & U(0x80000000u)))); });
   return x;
+}
+
+/// The quantiles of words that are not in the tail: F float and U std::uint32_t, or packs of them. Several at once,
+/// stage by stage, since each is one long chain of operations that wait for each other. A register of eight floats
+/// holds the columns of the upper octaves, which are all that is asked for 255 times of 256.
+template <class F, class U, std::size_t N>
+std::array<F, N> quantiles(const std::array<U, N>& words) {
+  if constexpr (is_pack<F>)
+    if constexpr (F::size() == 8) {
+      U least(0x7FFFFFFFu);
+      unrolled<N>([&](std::size_t i) { least = stdx::min(least, U(words[i] & U(0x7FFFFFFFu))); });
+      if (stdx::all_of(U(least & U(0x7F800000u)) != U(0u))) [[likely]]
+        return quantiles<F>(words, upper_quantile_table);
+    }
+  return quantiles<F>(words, quantile_table);
 }
 template <class F, class U>
 F quantile(const U& word) {
