@@ -17,6 +17,8 @@ function(polhode_isa_objects target level objects sources)
   target_compile_options(${objects} PRIVATE -march=x86-64-${level}
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
     $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>
+    # Zeros are written out: `rep stos` in a step costs more than the step.
+    "$<$<CXX_COMPILER_ID:GNU>:-mmemset-strategy=unrolled_loop:512:noalign,libcall:-1:noalign>"
     $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)  # g++ 12's own AVX-512 headers (GCC bug 105593)
   if(level STREQUAL v4)
     target_compile_options(${objects} PRIVATE -mprefer-vector-width=512)
