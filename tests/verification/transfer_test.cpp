@@ -61,14 +61,16 @@ void expect_known(const report::results& r, const known& k) {
 // Written apart from this project: numpy, scalar steps, dense exponential. strang_weak2 at n = 4 with nine Hermite
 // nodes; seven leave 2e-7.
 TEST(Weak, ErrorsAreTheKnownOnes) {
-  const auto r = quick({"lie_euler", "implicit_midpoint", "strang_weak2"}, "weak");
+  const auto r = quick({"lie_euler", "implicit_midpoint", "strang_two_turns", "strang_weak2"}, "weak");
   expect_known(r, {"lie_euler", "error", "energy", {8.429e-3, 4.329e-3, 2.186e-3, 1.098e-3}, 1e-3});
   expect_known(r, {"implicit_midpoint", "error", "energy", {4.82e-4, 2.79e-4, 1.51e-4, 7.90e-5}, 4e-3});
+  expect_known(r, {"strang_two_turns", "error", "energy", {3.0972e-4, 7.7668e-5, 1.9430e-5, 4.8580e-6}, 1e-4});
+  expect_known(r, {"strang_two_turns", "error", "pi3", {4.4170e-4, 1.0529e-4, 2.5985e-5, 6.4751e-6}, 2e-4});
   expect_known(r, {"strang_weak2", "error", "energy", {4.0813e-4, 1.022e-4, 2.556e-5, 6.389e-6}, 3e-4});
   expect_known(r, {"strang_weak2", "error", "pi3", {9.2392e-4, 2.3347e-4}, 1e-4});
   expect_known(r, {"strang_extrapolated", "error", "pi1", {2.463e-6, 1.486e-7, 8.91e-9, 5.2e-10}, 4e-3});
   for (const auto& v : r.verdicts) EXPECT_EQ(v.kind, report::verdict_kind::holds) << v.scheme << ": " << v.reason;
-  EXPECT_EQ(r.verdicts.size(), 7u);  // three schemes at the horizon and at all times, one combination
+  EXPECT_EQ(r.verdicts.size(), 9u);  // four schemes at the horizon and at all times, one combination
 }
 
 // dt^2, dt^3 and dt^4 gone: between n = 4, 8, 16 errors fall by more than 2^5, then rounding is reached.
@@ -136,13 +138,14 @@ TEST(Weak, CoupledLevelsDoNotDependOnTheCompany) {
 }
 
 TEST(Gibbs, BiasIsTheKnownOne) {
-  const auto r = quick({"lie_euler", "implicit_midpoint", "strang_weak2"}, "gibbs");
+  const auto r = quick({"lie_euler", "implicit_midpoint", "strang_two_turns", "strang_weak2"}, "gibbs");
   expect_known(r, {"lie_euler", "bias", "energy", {1.059e-2, 5.411e-3, 2.728e-3, 1.369e-3}, 1e-3});
   expect_known(r, {"implicit_midpoint", "bias", "energy", {1.25e-3, 7.01e-4, 3.73e-4, 1.93e-4}, 4e-3});
+  expect_known(r, {"strang_two_turns", "bias", "energy", {3.2265e-4, 8.0616e-5, 2.0149e-5, 5.0368e-6}, 1e-4});
   expect_known(r, {"strang_weak2", "bias", "energy", {3.215e-4, 8.038e-5, 2.009e-5, 5.023e-6}, 2.5e-4});
   int orders = 0;
   for (const auto& v : r.verdicts) orders += v.claim == "order of the stationary bias" && *v.estimate > 0.9;
-  EXPECT_EQ(orders, 3);
+  EXPECT_EQ(orders, 4);
 }
 
 TEST(Transfer, ThreadsChangeNothing) {
