@@ -1,11 +1,17 @@
 # Sources that are compiled once per instruction set. Every inline function in them, ours or the standard library's, would be
 # merged by the linker with its namesake of another instruction set, and AVX-512 would run where there is none. So the objects
 # of one set are linked into one relocatable object, and of its symbols only the entries polhode_* stay visible.
-option(POLHODE_ISA_LEVELS "Compile the inner loops for x86-64-v2, v3 and v4 and choose at start" ON)
+set(POLHODE_ISA_LEVELS ON CACHE STRING
+  "Compile the inner loops for x86-64-v2, v3 and v4 and choose at start (ON), for this machine's level alone (NATIVE), or for the compiler's target (OFF)")
+set_property(CACHE POLHODE_ISA_LEVELS PROPERTY STRINGS ON NATIVE OFF)
 
 set(POLHODE_ISA_SOURCES
   ensemble/isa/basis_sums.cpp ensemble/isa/dense_algebra.cpp ensemble/isa/direction_bins.cpp ensemble/isa/frame_sums.cpp
-  ensemble/isa/normal_block.cpp ensemble/isa/yardstick.cpp registry/isa/rigid_body.cpp)
+  ensemble/isa/normal_block.cpp ensemble/isa/yardstick.cpp registry/isa/rigid_body.cpp
+  registry/isa/rigid_body_rotations.cpp registry/isa/rigid_body_splittings.cpp)
+set(POLHODE_ISA_CALLERS
+  ensemble/basis_sums.cpp ensemble/dense_algebra.cpp ensemble/direction_bins.cpp ensemble/frame_sums.cpp ensemble/isa.cpp
+  ensemble/normal_block.cpp ensemble/yardstick.cpp registry/rigid_body.cpp)
 set(POLHODE_AES_SOURCES ensemble/isa/normal_block_ars.cpp)  # with AES besides, which no level implies
 set(POLHODE_UNCONTRACTED  # the same bits on every instruction set
   ensemble/isa/direction_bins.cpp ensemble/isa/normal_block.cpp ${POLHODE_AES_SOURCES})
@@ -33,6 +39,15 @@ function(polhode_isa_objects target level objects sources)
   target_sources(${target} PRIVATE ${merged})
 endfunction()
 
+function(polhode_native_level out)
+  try_run(level_of_processor compiled ${CMAKE_CURRENT_BINARY_DIR}/native_level ${PROJECT_SOURCE_DIR}/cmake/native_level.cpp)
+  if(NOT compiled OR NOT level_of_processor MATCHES "^[234]$")
+    message(FATAL_ERROR "POLHODE_ISA_LEVELS=NATIVE: this processor has no x86-64-v2; accepted: ON, OFF")
+  endif()
+  message(STATUS "Inner loops for x86-64-v${level_of_processor} alone")
+  set(${out} v${level_of_processor} PARENT_SCOPE)
+endfunction()
+
 find_program(POLHODE_LD ld.bfd)  # others do not dissolve groups
 
 function(polhode_add_isa target)
@@ -41,8 +56,15 @@ function(polhode_add_isa target)
     COMPILE_OPTIONS "-ffp-contract=off;$<$<CXX_COMPILER_ID:GNU>:-fno-tree-ter>")
   if(POLHODE_ISA_LEVELS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND CMAKE_OBJCOPY AND POLHODE_LD)
     target_compile_definitions(${target} PRIVATE POLHODE_X86_LEVELS)
-    foreach(level v2 v3 v4)
+    set(levels v2 v3 v4)
+    if(POLHODE_ISA_LEVELS STREQUAL NATIVE)
+      polhode_native_level(levels)
+      set_source_files_properties(${POLHODE_ISA_CALLERS} PROPERTIES COMPILE_DEFINITIONS POLHODE_X86_LEVEL=${levels})
+    endif()
+    foreach(level ${levels})
       polhode_isa_objects(${target} ${level} ${target}_${level} "${POLHODE_ISA_SOURCES}")
+    endforeach()
+    foreach(level v2 v3 v4)  # the widest with AES may be narrower than the widest without
       polhode_isa_objects(${target} ${level} ${target}_aes_${level} "${POLHODE_AES_SOURCES}")
       target_compile_options(${target}_aes_${level} PRIVATE -maes $<$<STREQUAL:${level},v4>:-mvaes>)
     endforeach()

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #if defined(POLHODE_X86_LEVELS)
@@ -11,6 +12,7 @@
 namespace polhode {
 namespace {
 
+/// Throws std::runtime_error where a build for one level meets a processor without it.
 std::vector<isa> find_usable() {
   std::vector<isa> found;
 #if defined(POLHODE_X86_LEVELS)
@@ -24,6 +26,12 @@ std::vector<isa> find_usable() {
   }
 #else
   found.push_back(isa::portable);
+#endif
+#if defined(POLHODE_X86_LEVEL)
+  constexpr isa built = isa::POLHODE_X86_LEVEL;
+  if (std::ranges::find(found, built) == found.end())
+    throw std::runtime_error("this build is for x86-64-" + std::string(name_of(built)) + " alone, this processor has less");
+  found = {built};
 #endif
   return found;
 }

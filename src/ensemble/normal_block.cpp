@@ -19,7 +19,7 @@ void fill_normals(const normal_block& request) {
   if (!level)
     throw std::invalid_argument(
         "noise generator ars: no AES instructions in this processor or build; accepted: philox");
-  for_isa(*level, POLHODE_ENTRIES(polhode_fill_normals_ars_))(request);
+  for_isa(*level, POLHODE_ALL_ENTRIES(polhode_fill_normals_ars_))(request);
 }
 
 }  // namespace polhode

@@ -1,7 +1,7 @@
 // Weak errors combined over step sizes so that leading powers of dt drop out (Talay, Tubaro, Stoch. Anal. Appl. 8
 // (1990) 483), and what an accuracy then costs.
 //
-// The palindrome strang_weak2 has no odd power of dt of its own, but its noise step has: with u = sigma^2 dt the scaled
+// The palindrome strang_two_turns has no odd power of dt of its own, but its noise step has: with u = sigma^2 dt the scaled
 // Gaussian rotation multiplies harmonics of degree one by exp(-u + u^4/864 + ...), which leaves a small dt^3. Without
 // dt^2 the order so is three, dt^4 being seen first; without dt^2, dt^3 and dt^4 it is five, dt^6 being seen first.
 #pragma once
@@ -29,7 +29,7 @@ struct extrapolation {
   int levels() const { return static_cast<int>(powers.size()) + 1; }
 };
 
-inline constexpr std::string_view extrapolated_from = "strang_weak2";
+inline constexpr std::string_view extrapolated_from = "strang_two_turns";
 inline constexpr std::array dropped_powers{2, 3, 4};
 inline constexpr std::array extrapolations{extrapolation{"strang_extrapolated", std::span(dropped_powers).first(1), 3},
                                            extrapolation{"strang_extrapolated5", dropped_powers, 5}};

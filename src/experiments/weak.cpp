@@ -74,7 +74,7 @@ transfer_target target_on(const truths& t, double accuracy) {
       accuracy};
 }
 
-/// Where strang's, strang_weak2's and the combinations' accuracy comes from, in steps.
+/// Where strang's, strang_two_turns' and the combinations' accuracy comes from, in steps.
 void report_cost(const error_table& t, const truths& known, double horizon, double order, double runs,
                  report::results& out) {
   for (const double accuracy : {1e-4, 1e-6, 1e-8}) {
@@ -183,7 +183,7 @@ experiment weak_experiment() {
         "bound on the share of the others is listed and part of the uncertainty.",
         "Quadrature over few nodes takes a step to be smooth in its increment. At one level it is checked against "
         "nodes out to 8 sqrt(dt); where these move the law, the verdict is refuted.",
-        "strang_extrapolated: (4 E_2n - E_n)/3 of strang_weak2 (Talay and Tubaro 1990), listed at the coarsest dt, "
+        "strang_extrapolated: (4 E_2n - E_n)/3 of strang_two_turns (Talay and Tubaro 1990), listed at the coarsest dt, "
         "at the cost of 3n steps; of order three, its dt^3 being so small that dt^4 is seen first. "
         "strang_extrapolated5: runs of n, 2n, 4n and 8n steps, 15n in all, without dt^2, dt^3 and dt^4; dt^6 is "
         "seen first. Steps for an error: of the worst observable, in units of its size.",

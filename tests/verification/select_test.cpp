@@ -43,7 +43,7 @@ TEST(Select, ALuckyObservableIsNoAnswer) {
   o.require = on_the_sphere;
   auto found = select(load_scene("paper"), o);
   ASSERT_TRUE(found.winner);
-  EXPECT_TRUE((std::set<std::string>{"strang_weak2", "strang_extrapolated"}.contains(found.winner->scheme)));
+  EXPECT_TRUE((std::set<std::string>{"strang_two_turns", "strang_extrapolated"}.contains(found.winner->scheme)));
   EXPECT_LE(found.worst_observable.value().bound(), 1e-4);
   EXPECT_TRUE(found.silent_on.empty());
   o.observable = "energy";
@@ -151,7 +151,7 @@ TEST(Select, TightTargetsLeadToHighOrders) {
   EXPECT_TRUE((std::set<std::string>{"magnus", "milstein"}.contains(chosen("strong", 1e-2, {}))));
   for (const auto* goal : {"weak", "stationary"})
     EXPECT_TRUE(
-        (std::set<std::string>{"strang_weak2", "strang_extrapolated"}.contains(chosen(goal, 1e-6, on_the_sphere))))
+        (std::set<std::string>{"strang_two_turns", "strang_extrapolated"}.contains(chosen(goal, 1e-6, on_the_sphere))))
         << goal;
 }
 

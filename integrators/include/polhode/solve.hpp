@@ -19,12 +19,15 @@ vec<S, N> times(const matrix<S, N>& rows, const vec<S, N>& x) {
   return out;
 }
 
-/// A^-1 by cofactors: one division. For matrices near the identity; a singular one gives non-finite numbers in its own
-/// lane.
-template <class S>
+/// Where the division for 1 / det A goes: `truncated`, 2 - det A in its place, gives A^-1 but for a factor
+/// 1 - (det A - 1)^2, which does for a preconditioner of an A near the identity.
+enum class quotient { exact, truncated };
+
+/// A^-1 by cofactors. A singular matrix gives non-finite numbers in its own lane.
+template <quotient q = quotient::exact, class S>
 matrix<S, 3> inverse(const matrix<S, 3>& a) {
   const auto x = cross(a[1], a[2]), y = cross(a[2], a[0]), z = cross(a[0], a[1]);
-  const S scale = S(2.0) - dot(a[0], x);
+  const S det = dot(a[0], x), scale = q == quotient::exact ? S(1.0) / det : S(2.0) - det;
   matrix<S, 3> out;
   for (int i = 0; i < 3; ++i) out[i] = scale * vec<S, 3>{{x[i], y[i], z[i]}};
   return out;
@@ -32,7 +35,7 @@ matrix<S, 3> inverse(const matrix<S, 3>& a) {
 
 /// A^-1 by Gauss and Jordan's elimination with partial pivoting, lane by lane. A singular matrix gives non-finite
 /// numbers in its own lane.
-template <class S, int N>
+template <quotient = quotient::exact, class S, int N>
 matrix<S, N> inverse(matrix<S, N> a) {
   matrix<S, N> out;
   for (int i = 0; i < N; ++i) out[i][i] = S(1.0);

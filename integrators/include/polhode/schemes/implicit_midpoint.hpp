@@ -44,7 +44,7 @@ struct implicit_midpoint {
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
     constexpr int n = System::dimension;
     const auto at = linearised_motion(system, mu, w);
-    const auto back = inverse_derivative(at);
+    const auto back = inverse_derivative<quotient::truncated>(at);
     const S size = dot(mu, mu);
     auto way = times(back, S(0.5) * at.value);  // m - mu
     const auto correction = [&] { return times(back, way - S(0.5) * motion(system, mu + way, w)); };
@@ -83,14 +83,14 @@ struct implicit_midpoint {
       std::same_as<decltype(std::declval<const System&>().noise(vec<S, System::channels>{})), zero_vector> ? 2 : 3;
 
   /// DF(m)^-1.
-  template <class S, int n>
+  template <quotient q, class S, int n>
   static auto inverse_derivative(const linearised<S, n>& motion_at) {
     matrix<S, n> out;
     for (int k = 0; k < n; ++k) {
       out[k] = S(-0.5) * motion_at.slope[k];
       out[k][k] = S(1.0) + out[k][k];
     }
-    return inverse(out);
+    return inverse<q>(out);
   }
 
   /// DF(m)^-1 F(m).
@@ -98,7 +98,7 @@ struct implicit_midpoint {
   static auto newton_correction(const System& system, const vec<S, System::dimension>& mu,
                                 const vec<S, System::dimension>& m, const wiener<S, System::channels>& w) {
     const auto at = linearised_motion(system, m, w);
-    return times(inverse_derivative(at), m - mu - S(0.5) * at.value);
+    return times(inverse_derivative<quotient::exact>(at), m - mu - S(0.5) * at.value);
   }
 
   /// Newton's method from mu, in the pending lanes; those where it fails stay pending.
