@@ -1,5 +1,6 @@
 #include "experiments/stability_run.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,6 +30,7 @@ class watched_block {
 
   void look(stability_outcome& out) {
     case_.bound.model->conserved(states, energy_, casimir_);
+    if (all_whole(out)) return;
     for (std::size_t lane = 0; lane < block_lanes; ++lane) {
       const auto now = judge(lane, out);
       if (broken[lane] == breakage::none && now != breakage::none) {
@@ -44,6 +46,21 @@ class watched_block {
   bool implicit_;
   std::array<double, block_lanes> energy_{}, casimir_{};
 
+  double off(double c) const { return c > 0 ? std::fabs(c - case_.radius) / case_.radius : 1; }
+  double beyond(double h) const { return std::max({0.0, h - case_.greatest_energy, case_.least_energy - h}); }
+
+  /// What is nearly always so, by the extremes alone. NaN is in no order, but a sum keeps it.
+  bool all_whole(stability_outcome& out) const {
+    const Eigen::Map<const Eigen::Array<double, block_lanes, 1>> h(energy_.data()), c(casimir_.data());
+    if (!std::isfinite(h.sum() + c.sum())) return false;
+    const double worst = std::max(off(c.minCoeff()), off(c.maxCoeff())), most = case_.greatest_energy,
+                 excess = std::max(beyond(h.minCoeff()), beyond(h.maxCoeff()));
+    if (!(worst <= casimir_share && excess <= energy_share * most)) return false;
+    out.worst_casimir = std::max(out.worst_casimir, worst);
+    if (most > 0) out.worst_energy = std::max(out.worst_energy, excess / most);
+    return true;
+  }
+
   /// |Pi| = 0 is no rounding: its square has vanished, and with it every direction.
   breakage judge(std::size_t lane, stability_outcome& out) const {
     const double h = energy_[lane], c = casimir_[lane];
@@ -51,13 +68,11 @@ class watched_block {
       if (!implicit_) out.worst_casimir = std::numeric_limits<double>::infinity();
       return implicit_ ? breakage::not_solved : breakage::not_finite;
     }
-    const double off = c > 0 ? std::fabs(c - case_.radius) / case_.radius : 1;
     const double most = case_.greatest_energy;
-    const double beyond = std::max({0.0, h - most, case_.least_energy - h});
-    out.worst_casimir = std::max(out.worst_casimir, off);
-    if (most > 0) out.worst_energy = std::max(out.worst_energy, beyond / most);
-    if (off > casimir_share) return breakage::casimir;
-    return beyond > energy_share * most ? breakage::energy_range : breakage::none;
+    out.worst_casimir = std::max(out.worst_casimir, off(c));
+    if (most > 0) out.worst_energy = std::max(out.worst_energy, beyond(h) / most);
+    if (off(c) > casimir_share) return breakage::casimir;
+    return beyond(h) > energy_share * most ? breakage::energy_range : breakage::none;
   }
 };
 
