@@ -106,9 +106,9 @@ running_moments energy_of_whole(const watched_block& b) {
 /// One run, block by block and chunk by chunk: who drives it brings the noise.
 class watched_run {
  public:
-  watched_run(const stability_case& in, const kernel& step, bool implicit, double dt, block_listener hear,
+  watched_run(const stability_case& in, const kernel& step, bool implicit, bool areas, double dt, block_listener hear,
               const stability_plan& p)
-      : case_(in), step_(step), implicit_(implicit), dt_(dt), hear_(std::move(hear)), plan_(p) {}
+      : case_(in), step_(step), implicit_(implicit), areas_(areas), dt_(dt), hear_(std::move(hear)), plan_(p) {}
 
   bool wants(int block) const {
     if (!plan_.to_the_end && too_many(out_, plan_.paths)) return false;
@@ -123,6 +123,7 @@ class watched_run {
   /// Nothing more can be learned from this block.
   bool over() const { return over_; }
   double dt() const { return dt_; }
+  bool needs_areas() const { return areas_; }
 
   void advance(std::int64_t first_step, const increment_view& view) {
     if (hear_ && !view.silent()) hear_(first_step, view);
@@ -149,7 +150,7 @@ class watched_run {
  private:
   const stability_case& case_;
   const kernel& step_;
-  bool implicit_;
+  bool implicit_, areas_;
   double dt_;
   block_listener hear_;
   const stability_plan& plan_;
@@ -164,17 +165,22 @@ class watched_run {
 /// Normals of a block through a chunk of steps, for any dt.
 class common_normals {
  public:
-  common_normals(const model& m, const stability_plan& p, int chunk, bool with_areas)
-      : plan_(p), silent_(m.active_channels() == 0), drawn_(m, chunk, with_areas, {p.generator, noise_quality::fast}) {}
+  common_normals(const model& m, const stability_plan& p, int chunk)
+      : plan_(p),
+        silent_(m.active_channels() == 0),
+        increments_(m, chunk, false, {p.generator, noise_quality::fast}),
+        both_(m, chunk, true, {p.generator, noise_quality::fast}) {}
 
   /// The number of steps names the run: 2^24 paths each, and no two numbers of steps share one.
-  void fill(int block, std::int64_t first_step, int steps) {
+  void fill(int block, std::int64_t first_step, int steps, bool areas) {
     const auto path = (static_cast<std::uint64_t>(plan_.steps) << 24) + static_cast<std::uint64_t>(block) * block_lanes;
     view_ = silent_ ? silence(steps, 1)
-                    : drawn_.fill(plan_.seed, path, static_cast<std::uint64_t>(first_step), steps, normal_area_dt);
+                    : (areas ? both_ : increments_)
+                          .fill(plan_.seed, path, static_cast<std::uint64_t>(first_step), steps, normal_area_dt);
   }
-  increment_view scaled_to(double dt) {
+  increment_view scaled_to(double dt, bool areas) {
     if (silent_) return silence(view_.steps, dt);
+    if (!areas) return {dt, view_.steps, {}, {}, view_.singles, std::sqrt(dt)};
     area_.assign(view_.area.begin(), view_.area.end());
     for (double& x : area_) x *= dt / normal_area_dt;
     return {dt, view_.steps, {}, area_, view_.singles, std::sqrt(dt)};
@@ -184,7 +190,7 @@ class common_normals {
   static constexpr double normal_area_dt = 2;  // areas have the variance dt^2/4
   const stability_plan& plan_;
   bool silent_;
-  increment_buffer drawn_;
+  increment_buffer increments_, both_;
   increment_view view_;
   lane_vector<double> area_;
 };
@@ -193,17 +199,18 @@ void run_block(const stability_plan& p, int chunk, int block, common_normals& no
   for (auto* r : open) r->begin();
   auto within = open;
   for (std::int64_t i = 0; i < p.steps && !within.empty(); i += chunk) {
-    noise.fill(block, i, static_cast<int>(std::min<std::int64_t>(chunk, p.steps - i)));
-    for (auto* r : within) r->advance(i, noise.scaled_to(r->dt()));
+    noise.fill(block, i, static_cast<int>(std::min<std::int64_t>(chunk, p.steps - i)),
+               std::ranges::any_of(within, &watched_run::needs_areas));
+    for (auto* r : within) r->advance(i, noise.scaled_to(r->dt(), r->needs_areas()));
     std::erase_if(within, [](const watched_run* r) { return r->over(); });
   }
   for (auto* r : open) r->end();
 }
 
 /// All of the same noise.
-void run(const model& m, const stability_plan& p, bool with_areas, std::vector<watched_run>& runs) {
+void run(const model& m, const stability_plan& p, std::vector<watched_run>& runs) {
   const auto chunk = static_cast<int>(std::clamp<std::int64_t>(p.steps / 64, 1, most_chunk));
-  common_normals noise(m, p, chunk, with_areas);
+  common_normals noise(m, p, chunk);
   for (int block = 0;; ++block) {
     std::vector<watched_run*> open;
     for (auto& r : runs)
@@ -224,13 +231,11 @@ std::string_view name_of(breakage b) {
 std::vector<stability_outcome> run_until_broken(std::span<const stability_member> members, const stability_plan& p) {
   std::vector<std::unique_ptr<kernel>> kernels;
   std::vector<watched_run> runs;
-  bool with_areas = false;
   for (const auto& m : members) {
     kernels.push_back(m.scheme->make(m.dt));
-    runs.emplace_back(*m.in, *kernels.back(), m.scheme->info.implicit, m.dt, m.hear, p);
-    with_areas = with_areas || m.scheme->needs_areas;
+    runs.emplace_back(*m.in, *kernels.back(), m.scheme->info.implicit, m.scheme->needs_areas, m.dt, m.hear, p);
   }
-  run(*members.front().in->bound.model, p, with_areas, runs);
+  run(*members.front().in->bound.model, p, runs);
   std::vector<stability_outcome> out;
   for (const auto& r : runs) out.push_back(r.outcome());
   return out;
@@ -249,8 +254,8 @@ double fine_mean_energy(const stability_case& c, int paths, std::uint64_t seed, 
   // A seed of its own: a scheme that happens to take as many steps must not see the same paths.
   const stability_plan p{c.horizon / static_cast<double>(steps), steps, paths, ~seed, generator, true, hear};
   std::vector<watched_run> alone;
-  alone.emplace_back(c, *reference, false, p.dt, hear, p);
-  run(*c.bound.model, p, false, alone);
+  alone.emplace_back(c, *reference, false, false, p.dt, hear, p);
+  run(*c.bound.model, p, alone);
   return alone.front().outcome().mean_energy;
 }
 

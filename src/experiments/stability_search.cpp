@@ -43,24 +43,25 @@ void learn(search& s, const stability_outcome& o) {
   s.found->border = s.border.border();
 }
 
-/// Those that may share their noise, in the order in which they come.
-struct same_noise {
+/// Of one number of steps.
+struct piece {
   std::int64_t steps;
-  bool areas;
-  auto operator<=>(const same_noise&) const = default;
+  std::vector<search*> asking;
 };
 
-std::vector<std::pair<same_noise, std::vector<search*>>> pieces_of_round(std::vector<search>& searches) {
-  std::map<same_noise, std::vector<search*>> asked;
+/// The longest first. Those with areas stand together, so that these are drawn for as few pieces as may be.
+std::vector<piece> pieces_of_round(std::vector<search>& searches) {
+  std::map<std::int64_t, std::vector<search*>, std::greater<>> asked;
   for (auto& s : searches)
-    if (const auto steps = s.border.asks()) asked[{*steps, s.run.scheme->needs_areas}].push_back(&s);
-  std::vector<std::pair<same_noise, std::vector<search*>>> out;
-  for (const auto& [what, all] : asked)
-    for (std::size_t i = 0; i < all.size(); i += together)
-      out.push_back({what,
-                     {all.begin() + static_cast<std::ptrdiff_t>(i),
-                      all.begin() + static_cast<std::ptrdiff_t>(std::min(i + together, all.size()))}});
-  std::ranges::stable_sort(out, std::greater{}, [](const auto& piece) { return piece.first.steps; });  // longest first
+    if (const auto steps = s.border.asks()) asked[*steps].push_back(&s);
+  std::vector<piece> out;
+  for (auto& [steps, all] : asked) {
+    std::ranges::stable_partition(all, [](const search* s) { return s->run.scheme->needs_areas; });
+    for (std::size_t i = 0; i < all.size(); i += together) {
+      const auto from = all.begin() + static_cast<std::ptrdiff_t>(i);
+      out.push_back({steps, {from, from + static_cast<std::ptrdiff_t>(std::min(together, all.size() - i))}});
+    }
+  }
   return out;
 }
 
@@ -68,13 +69,13 @@ std::vector<std::pair<same_noise, std::vector<search*>>> pieces_of_round(std::ve
 bool run_round(const context& c, std::vector<search>& searches, progress_counter& done) {
   const auto pieces = pieces_of_round(searches);
   parallel_for(c.threads, static_cast<int>(pieces.size()), [&](int i) {
-    const auto& [what, asking] = pieces[static_cast<std::size_t>(i)];
+    const auto& [steps, asking] = pieces[static_cast<std::size_t>(i)];
     std::vector<stability_member> members;
     for (auto* s : asking) {
-      s->run.dt = s->run.in->dt(what.steps);
+      s->run.dt = s->run.in->dt(steps);
       members.push_back(s->run);
     }
-    const auto outcomes = run_until_broken(members, {0, what.steps, paths_of(c), c.seed, c.generator});
+    const auto outcomes = run_until_broken(members, {0, steps, paths_of(c), c.seed, c.generator});
     for (std::size_t k = 0; k < asking.size(); ++k) {
       learn(*asking[k], outcomes[k]);
       if (!asking[k]->border.asks()) done.add();
@@ -83,14 +84,14 @@ bool run_round(const context& c, std::vector<search>& searches, progress_counter
   return !pieces.empty();
 }
 
-/// A row of the map for schemes that may share their noise: the share of whole paths over dt, for one stiffness.
-struct map_piece {
+/// A row of the map: the share of whole paths over dt, for one stiffness.
+struct map_row {
   std::vector<stability_member> schemes;
   std::vector<std::vector<report::measurement>*> rows;
 };
 
-void run_row(const context& c, double own_rate, map_piece& piece) {
-  const auto& in = *piece.schemes.front().in;
+void run_row(const context& c, double own_rate, map_row& row) {
+  const auto& in = *row.schemes.front().in;
   std::int64_t before = 0;  // steps: runs of as many have the same noise
   const int cells = by_effort(c.effort, 7, 13, 25);
   for (int i = 0; i < cells; ++i) {
@@ -98,7 +99,7 @@ void run_row(const context& c, double own_rate, map_piece& piece) {
     if (dt * in.rate > longest_stable_step) break;
     if (dt * in.rate < shortest) continue;  // too many steps for what they would show
     const auto steps = static_cast<std::int64_t>(std::ceil(in.horizon / dt));
-    auto members = piece.schemes;
+    auto members = row.schemes;
     for (auto& m : members) {
       m.dt = dt;
       if (steps == before) m.hear = {};
@@ -111,30 +112,25 @@ void run_row(const context& c, double own_rate, map_piece& piece) {
                              1 - static_cast<double>(o.broken) / o.paths, "1", "sampled");
       m.dt = dt;
       if (o.first == breakage::mean_energy) m.status = "mean energy off";
-      piece.rows[k]->push_back(std::move(m));
+      row.rows[k]->push_back(std::move(m));
     }
   }
 }
 
-std::vector<map_piece> map_pieces(const std::vector<stability_case>& cases, heard_noise& noise,
-                                  stability_findings& out) {
+std::vector<map_row> map_rows(const std::vector<stability_case>& cases, heard_noise& noise, stability_findings& out) {
   const auto* first_row = std::to_address(std::ranges::find_if(cases, on_the_map));
-  std::vector<map_piece> pieces;
+  std::vector<map_row> rows;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (!on_the_map(cases[i])) continue;
+    auto& row = rows.emplace_back();
     const auto& schemes = cases[i].bound.schemes;
-    for (const bool areas : {false, true}) {
-      map_piece piece;
-      for (std::size_t k = 0; k < schemes.size(); ++k) {
-        if (schemes[k].needs_areas != areas) continue;
-        const auto hear = &cases[i] == first_row ? noise.listener(heard_noise::map, schemes[k]) : block_listener{};
-        piece.schemes.push_back({&cases[i], &schemes[k], 0, hear});
-        piece.rows.push_back(&out.map[k * cases.size() + i]);
-      }
-      if (!piece.schemes.empty()) pieces.push_back(std::move(piece));
+    for (std::size_t k = 0; k < schemes.size(); ++k) {
+      const auto hear = &cases[i] == first_row ? noise.listener(heard_noise::map, schemes[k]) : block_listener{};
+      row.schemes.push_back({&cases[i], &schemes[k], 0, hear});
+      row.rows.push_back(&out.map[k * cases.size() + i]);
     }
   }
-  return pieces;
+  return rows;
 }
 
 }  // namespace
@@ -149,10 +145,10 @@ stability_findings search_all(const context& c, const std::vector<stability_case
     const auto hear = k % n == 0 ? noise.listener(heard_noise::border, scheme) : block_listener{};
     searches.push_back({{&in, &scheme, 0, hear}, &out.found[k], border_search(range_of(c, in))});
   }
-  auto pieces = map_pieces(cases, noise, out);
-  progress_counter done(static_cast<int>(all + pieces.size()), c.progress);
-  parallel_for(c.threads, static_cast<int>(pieces.size()), [&](int i) {
-    run_row(c, cases[0].rate, pieces[static_cast<std::size_t>(i)]);
+  auto rows = map_rows(cases, noise, out);
+  progress_counter done(static_cast<int>(all + rows.size()), c.progress);
+  parallel_for(c.threads, static_cast<int>(rows.size()), [&](int i) {
+    run_row(c, cases[0].rate, rows[static_cast<std::size_t>(i)]);
     done.add();
   });
   while (run_round(c, searches, done)) {
