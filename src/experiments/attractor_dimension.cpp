@@ -122,7 +122,7 @@ std::vector<scheme_entry> tried(const context& c, const attractor_frame& f, repo
 
 void report_dimensions(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double time = longer * std::log(1 / side_of(hemisphere_bins::side)) / -f.lambda2();
-  const dimension_plan plan{f.dt, f.steps_in(time, f.dt), by_effort(c.effort, 1 << 15, 1 << 16, 1 << 16), noise_paths};
+  const dimension_plan plan{f.dt, f.steps_in(time, f.dt), by_effort(c.effort, 20'480, 40'960, 40'960), noise_paths};
   const double path_steps = static_cast<double>(plan.steps * plan.bodies) * plan.paths;
   if (!affords(c, f.schemes,
                {"attractor", dimension_claim, "contracting below a box", "path-steps a scheme", path_steps,

@@ -12,89 +12,19 @@
 #include "ensemble/paths.hpp"
 #include "experiments/levels.hpp"
 #include "experiments/mean_square.hpp"
-#include "experiments/progress_counter.hpp"
 #include "experiments/stability_escape.hpp"
 #include "experiments/stability_long.hpp"
 #include "experiments/stability_noise.hpp"
 #include "experiments/stability_report.hpp"
 #include "experiments/stability_scale.hpp"
+#include "experiments/stability_search.hpp"
 #include "experiments/transfer.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr double longest = 32;          // dt times the fastest rate
-constexpr double shortest = 1.0 / 256;  // of the map, likewise
-constexpr int map_paths = 256;
-
-finding find(const context& c, const stability_case& in, const scheme_entry& scheme, const block_listener& hear) {
-  const double scales = in.rate * in.horizon;
-  const step_range range{static_cast<std::int64_t>(std::ceil(scales / longest)), std::llround(scales * longest),
-                         std::llround(scales * by_effort(c.effort, 1 << 10, 1 << 12, 1 << 14))};
-  const int paths = in.bound.model->noise() == noise_class::none ? block_lanes : by_effort(c.effort, 512, 2048, 8192);
-  finding out;
-  out.border = find_border(range, [&](std::int64_t steps) {
-    const auto o = run_until_broken(in, scheme, {in.dt(steps), steps, paths, c.seed, c.generator, false, hear});
-    out.worst_casimir = std::max(out.worst_casimir, o.worst_casimir);
-    out.worst_energy = std::max(out.worst_energy, o.worst_energy);
-    if (!o.stable()) out.first = o.first;  // the last run that broke is the one at the border
-    return o.stable();
-  });
-  return out;
-}
-
-/// The share of whole paths over dt, for one stiffness.
-std::vector<report::measurement> map_row(const context& c, const stability_case& in, const scheme_entry& scheme,
-                                         double own_rate, const block_listener& hear) {
-  std::vector<report::measurement> out;
-  std::int64_t before = 0;  // steps: runs of as many have the same noise
-  const int cells = by_effort(c.effort, 7, 13, 25);
-  for (int i = 0; i < cells; ++i) {
-    const double dt = longest / own_rate * std::exp2(-12.0 * (cells - 1 - i) / (cells - 1));
-    if (dt * in.rate > longest) break;
-    if (dt * in.rate < shortest) continue;  // too many steps for what they would show
-    const auto steps = static_cast<std::int64_t>(std::ceil(in.horizon / dt));
-    const auto o = run_until_broken(in, scheme,
-                                    {dt, steps, map_paths, c.seed, c.generator, true,
-                                     std::exchange(before, steps) != steps ? hear : block_listener{}});
-    out.push_back(stability_row(scheme.info.name, "stable_share", in.name, 1 - static_cast<double>(o.broken) / o.paths,
-                                "1", "sampled"));
-    out.back().dt = dt;
-    if (o.first == breakage::mean_energy) out.back().status = "mean energy off";
-  }
-  return out;
-}
-
-bool on_the_map(const stability_case& in) { return in.name.starts_with("theta="); }
-
-/// [scheme][case]
-struct findings {
-  std::vector<finding> found;
-  std::vector<std::vector<report::measurement>> map;
-};
-
-findings find_all(const context& c, const std::vector<stability_case>& cases, heard_noise& noise) {
-  const std::size_t n = cases.size(), all = n * c.subject.schemes.size();
-  findings out{std::vector<finding>(all), std::vector<std::vector<report::measurement>>(all)};
-  const auto* first_row = std::to_address(std::ranges::find_if(cases, on_the_map));
-  progress_counter done(static_cast<int>(all), c.progress);
-  parallel_for(c.threads, static_cast<int>(all), [&](int task) {
-    const auto k = static_cast<std::size_t>(task);
-    const auto& in = cases[k % n];
-    const auto& scheme = in.bound.schemes[k / n];
-    const auto listener = [&](heard_noise::part p, bool wanted) {
-      return wanted ? noise.listener(p, scheme) : block_listener{};
-    };
-    out.found[k] = find(c, in, scheme, listener(heard_noise::border, k % n == 0));
-    if (on_the_map(in))
-      out.map[k] = map_row(c, in, scheme, cases[0].rate, listener(heard_noise::map, &in == first_row));
-    done.add();
-  });
-  return out;
-}
-
 /// One scheme a piece of work.
-void report_long_runs(const context& c, const std::vector<stability_case>& cases, const findings& all,
+void report_long_runs(const context& c, const std::vector<stability_case>& cases, const stability_findings& all,
                       heard_noise& noise, report::results& out) {
   const auto& schemes = cases[0].bound.schemes;
   std::vector<report::results> parts(schemes.size());
@@ -115,7 +45,7 @@ void run(const context& c, report::results& out) {
   const auto cases = stability_cases(c, noise.listener(heard_noise::reference));
   const auto& schemes = c.subject.schemes;
   const std::size_t n = cases.size();
-  const auto all = find_all(c, cases, noise);
+  const auto all = search_all(c, cases, noise);
   report_cases(cases, out);
   report_true_growth(c.subject, out);
   if (c.subject.model->noise() == noise_class::none)
@@ -151,7 +81,7 @@ std::vector<std::string> notes() {
           "What broke the most paths is said to come first.",
           100 * casimir_share, 100 * energy_share, 100 * broken_share, 100 * mean_energy_share),
       fmt::format(
-          "Largest stable dt: from dt = 1/({0:g} rate) by octaves, then by halves of log dt to 5 %, up to dt = "
+          "Largest stable dt: from dt = 1/({1:g} rate) by octaves, then by halves of log dt to 5 %, up to dt = "
           "{0:g}/rate; rate = c/I_min + theta c^2 (1/I_min - 1/I_max) + sum |sigma_i|^2. The interval reaches to "
           "the shortest dt that broke. Horizon: the scene's, but at least 64 of 1/rate and at most 128, 256 or 1024 by "
           "effort. Runs of "
@@ -159,7 +89,7 @@ std::vector<std::string> notes() {
           "mean "
           "is within two standard errors of its margin. With so many a mean is uncertain by about 0.5, 0.25 or 0.13 % "
           "of the range: the border by mean energy is no sharper than that.",
-          longest),
+          longest_stable_step, 1 / first_stable_step),
       "True mean of h: the Kolmogorov operator, or where low degrees do not suffice the driven ordinary differential "
       "equation at 16 steps to 1/rate. Left out where the range of h is below 0.1 % of h.",
       "One parameter is moved at a time; inertia ratio keeps the smallest inertia. Separatrix: start near the middle "

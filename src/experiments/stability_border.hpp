@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace polhode {
 
@@ -17,34 +18,37 @@ struct stability_border {
   std::int64_t stable = 0, broken = 0;
 };
 
-/// stable(n): whether n steps are. From `start` by octaves: towards fewer steps until one breaks, or towards more until
-/// one does not; then by halves of log n to 5 %. What lies beyond the first octave that breaks is not asked, so a
-/// longer step that is stable by accident does not count.
-template <class Stable>
-stability_border find_border(const step_range& range, const Stable& stable) {
-  constexpr double accuracy = 0.05;
-  stability_border out;
-  if (stable(range.start)) {
-    out.stable = range.start;
-    while (out.stable > range.least && out.broken == 0) {
-      const auto fewer = std::max(range.least, out.stable / 2);
-      (stable(fewer) ? out.stable : out.broken) = fewer;
-    }
-  } else {
-    out.broken = range.start;
-    while (out.broken < range.most && out.stable == 0) {
-      const auto more = std::min(range.most, 2 * out.broken);
-      (stable(more) ? out.stable : out.broken) = more;
-    }
+/// Asks one number of steps after the other whether it is stable, so that many searches can go on side by side. From
+/// `start` by octaves: towards fewer steps until one breaks, or towards more until one does not; then by halves of
+/// log n to 5 %. What lies beyond the first octave that breaks is not asked, so a longer step that is stable by
+/// accident does not count.
+class border_search {
+ public:
+  explicit border_search(const step_range& range) : range_(range), asks_(range.start) {}
+
+  /// Nothing: the border is found, or there is none.
+  std::optional<std::int64_t> asks() const { return asks_; }
+  /// The answer to what it asks.
+  void tell(bool stable) {
+    (stable ? border_.stable : border_.broken) = *asks_;
+    asks_ = next();
   }
-  if (out.stable == 0 || out.broken == 0) return out;
-  while (out.stable - out.broken > 1 &&
-         static_cast<double>(out.stable) > (1 + accuracy) * static_cast<double>(out.broken)) {
-    const auto middle = std::llround(std::sqrt(static_cast<double>(out.stable) * static_cast<double>(out.broken)));
-    const auto n = std::clamp<std::int64_t>(middle, out.broken + 1, out.stable - 1);
-    (stable(n) ? out.stable : out.broken) = n;
+  const stability_border& border() const { return border_; }
+
+ private:
+  std::optional<std::int64_t> next() const {
+    constexpr double accuracy = 0.05;
+    const auto [stable, broken] = border_;
+    if (broken == 0) return stable > range_.least ? std::optional(std::max(range_.least, stable / 2)) : std::nullopt;
+    if (stable == 0) return broken < range_.most ? std::optional(std::min(range_.most, 2 * broken)) : std::nullopt;
+    const auto fewer = static_cast<double>(broken), more = static_cast<double>(stable);
+    if (stable - broken <= 1 || more <= (1 + accuracy) * fewer) return std::nullopt;
+    return std::clamp<std::int64_t>(std::llround(std::sqrt(more * fewer)), broken + 1, stable - 1);
   }
-  return out;
-}
+
+  step_range range_;
+  std::optional<std::int64_t> asks_;
+  stability_border border_;
+};
 
 }  // namespace polhode

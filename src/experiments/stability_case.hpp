@@ -29,6 +29,9 @@ struct stability_case {
   double dt(std::int64_t steps) const { return horizon / static_cast<double>(steps); }
 };
 
+/// dt times the fastest rate: the longest that is tried, and that with which the search for the border begins.
+inline constexpr double longest_stable_step = 32, first_stable_step = 1.0 / 8;
+
 /// The values of theta, increasing: the axis of the map; of a body that no dissipation moves none.
 std::vector<double> stiffness_axis(const subject&, effort);
 std::string stiffness_name(double theta);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "experiments/stability_case.hpp"
 
@@ -40,6 +42,18 @@ struct stability_outcome {
 
 /// A function of its arguments: paths are addressed by the number of steps, so that runs of different dt share none.
 stability_outcome run_until_broken(const stability_case&, const scheme_entry&, const stability_plan&);
+
+/// One of many runs of as many steps.
+struct stability_member {
+  const stability_case* in;
+  const scheme_entry* scheme;
+  double dt;
+  block_listener hear = {};
+};
+
+/// What run_until_broken gives each of them alone, bit for bit, but their noise is drawn once for all. The dt and the
+/// listener of the plan do not count; the noise of all cases has as many channels.
+std::vector<stability_outcome> run_until_broken(std::span<const stability_member>, const stability_plan&);
 
 /// The mean energy at the horizon of the driven ordinary differential equation, 16 steps to a time scale.
 double fine_mean_energy(const stability_case&, int paths, std::uint64_t seed, noise_generator,

@@ -49,6 +49,12 @@ scene spherical(std::vector<std::array<double, 3>> sigma) {
   return s;
 }
 
+stability_border find_border(const step_range& range, const std::function<bool(std::int64_t)>& stable) {
+  border_search search(range);
+  while (const auto steps = search.asks()) search.tell(stable(*steps));
+  return search.border();
+}
+
 TEST(Border, IsFoundToFivePercentFromEitherSide) {
   for (const std::int64_t edge : {3, 40, 64, 65, 700, 100'000}) {
     const auto b = find_border({2, 64, 1 << 20}, [&](std::int64_t n) { return n >= edge; });
