@@ -5,7 +5,7 @@ option(POLHODE_ISA_LEVELS "Compile the inner loops for x86-64-v2, v3 and v4 and 
 
 set(POLHODE_ISA_SOURCES
   ensemble/isa/basis_sums.cpp ensemble/isa/dense_algebra.cpp ensemble/isa/direction_bins.cpp ensemble/isa/frame_sums.cpp
-  ensemble/isa/normal_block.cpp ensemble/isa/yardstick.cpp registry/isa/rigid_body.cpp)
+  ensemble/isa/normal_block.cpp ensemble/isa/tangent_controls.cpp ensemble/isa/yardstick.cpp registry/isa/rigid_body.cpp)
 set(POLHODE_AES_SOURCES ensemble/isa/normal_block_ars.cpp)  # with AES besides, which no level implies
 set(POLHODE_UNCONTRACTED  # the same bits on every instruction set
   ensemble/isa/direction_bins.cpp ensemble/isa/normal_block.cpp ${POLHODE_AES_SOURCES})

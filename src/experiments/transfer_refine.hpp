@@ -11,6 +11,8 @@
 
 namespace polhode {
 
+class operator_store;
+
 /// What the numbers that an operator answers are compared with.
 struct transfer_target {
   Eigen::VectorXd exact, scale;  ///< scale: the size of what is averaged, by which errors of several are compared
@@ -34,8 +36,10 @@ struct transfer_answer {
 
 /// Of a scheme that leaves the sphere: in the law of its paths without those that are taken back to the shell (rejected
 /// as by Milstein and Tretyakov; the moments of all need not exist). Their probability times the range of what is
-/// averaged, four times its scale, is part of the uncertainty.
-transfer_answer refine(const subject&, const scheme_entry&, double dt, std::int64_t steps, const transfer_question&);
+/// averaged, four times its scale, is part of the uncertainty. kept: where operators on the sphere are looked up, and
+/// kept; null: nowhere.
+transfer_answer refine(const subject&, const scheme_entry&, double dt, std::int64_t steps, const transfer_question&,
+                       operator_store* kept = nullptr);
 
 /// The same of the exponents of a scheme that keeps the sphere: lambda_1 and lambda_1 + lambda_2. Degrees up to
 /// most_frame_degree (ensemble/frame_sums.hpp).

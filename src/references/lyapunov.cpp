@@ -1,7 +1,12 @@
 #include "references/lyapunov.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
 
 #include "references/poisson.hpp"
 #include "references/raise_degree.hpp"
@@ -25,34 +30,69 @@ struct frame_operator {
   Eigen::VectorXd stretching;  // coefficients of s
 };
 
-/// beyond: 2 for all that the generator makes of functions of the degree, 0 for its projection.
-frame_operator operator_on_frames(const sphere_problem& problem, int degree, int beyond) {
+/// What the operators of one body's frames are sums of, whatever its dissipation t and noise.
+struct frame_parts {
+  sparse_matrix free, damped;          // t times the second
+  std::array<sparse_matrix, 6> noise;  // of covariance entries 11, 22, 33, 12, 23, 31
+  Eigen::VectorXd stretching, damped_stretching;
+};
+
+/// a: radius over inertia. beyond: 2 for all that the generator makes of functions of the degree, 0 for its projection.
+frame_parts parts_on_frames(const Eigen::Array3d& a, int degree, int beyond) {
   const int inside = degree + beyond + 1;  // so that products of two coordinates are exact
   const auto turn = wigner_generators(inside);
   const auto x = wigner_coordinates(inside, turn);
-  const double c = problem.radius, t = problem.theta * c;
-  const Eigen::Array3d a = c / Eigen::Array3d(problem.inertia.data());
-  sparse_matrix generator(wigner_count(inside), wigner_count(inside)), xx = generator, one = generator;
-  one.setIdentity();
+  const int size = wigner_count(degree), rows = wigner_count(degree + beyond);
+  sparse_matrix free(wigner_count(inside), wigner_count(inside)), damped = free, xx = free;
+  const auto tall = [&](const sparse_matrix& all) { return sparse_matrix(all.block(0, 0, rows, size)); };
+  frame_parts out;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    const sparse_matrix drift = a[long(i)] * x[i] + t * (a[long(k)] - a[long(j)]) * sparse_matrix(x[j] * x[k]);
-    generator -= sparse_matrix(drift * turn.left[i]);
+    free -= a[long(i)] * sparse_matrix(x[i] * turn.left[i]);
+    damped -= (a[long(k)] - a[long(j)]) * sparse_matrix(sparse_matrix(x[j] * x[k]) * turn.left[i]);
     xx += a[long(i)] * sparse_matrix(x[i] * x[i]);
-    for (std::size_t l = 0; l < 3; ++l) {
-      const double q = problem.covariance(long(i), long(l));
-      if (q != 0) generator += 0.5 * q * sparse_matrix(turn.left[i] * turn.left[l]);
-    }
+    out.noise[i] = tall(0.5 * sparse_matrix(turn.left[i] * turn.left[i]));
+    out.noise[3 + i] =
+        tall(0.5 * (sparse_matrix(turn.left[i] * turn.left[j]) + sparse_matrix(turn.left[j] * turn.left[i])));
   }
   // right_2 right_1 (x.Ax) = -2 w.Av and right_2 right_2 (x.Ax) = 2 (v.Av - x.Ax)
   const sparse_matrix wv = -0.5 * bracket(turn.right[1], bracket(turn.right[0], xx));
   const sparse_matrix vv = xx + 0.5 * bracket(turn.right[1], bracket(turn.right[1], xx));
-  const sparse_matrix omega = vv - t * wv, stretching = t * (xx - vv) - wv;
-  generator += sparse_matrix(omega * turn.right[2]);
-  const int size = wigner_count(degree);
-  sparse_matrix tall = generator.block(0, 0, wigner_count(degree + beyond), size);
-  tall.prune(tall.coeffs().cwiseAbs().maxCoeff(), 1e-15);  // what cancelled
-  return {tall, Eigen::VectorXd(stretching.col(0)).head(size)};
+  out.free = tall(free + sparse_matrix(vv * turn.right[2]));
+  out.damped = tall(damped - sparse_matrix(wv * turn.right[2]));
+  out.stretching = -Eigen::VectorXd(wv.col(0)).head(size);
+  out.damped_stretching = Eigen::VectorXd(sparse_matrix(xx - vv).col(0)).head(size);
+  return out;
+}
+
+/// Those of the last body that was asked for are kept up to some degree: maps and searches ask for hundreds.
+std::shared_ptr<const frame_parts> known_parts(const Eigen::Array3d& a, int degree, int beyond) {
+  constexpr int most_kept = 16;  // 10 MB
+  if (degree > most_kept) return std::make_shared<frame_parts>(parts_on_frames(a, degree, beyond));
+  static std::mutex one_at_a_time;
+  static Eigen::Array3d last = Eigen::Array3d::Zero();
+  static std::map<std::pair<int, int>, std::shared_ptr<const frame_parts>> kept;
+  const std::lock_guard lock(one_at_a_time);
+  if ((last != a).any()) kept.clear();
+  last = a;
+  auto& found = kept[{degree, beyond}];
+  if (!found) found = std::make_shared<frame_parts>(parts_on_frames(a, degree, beyond));
+  return found;
+}
+
+frame_operator operator_on_frames(const sphere_problem& problem, int degree, int beyond) {
+  const double c = problem.radius, t = problem.theta * c;
+  const auto parts = known_parts(c / Eigen::Array3d(problem.inertia.data()), degree, beyond);
+  const auto& q = problem.covariance;
+  sparse_matrix generator = parts->free;
+  if (t != 0) generator += t * parts->damped;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    if (const double own = q(long(i), long(i)); own != 0) generator += own * parts->noise[i];
+    if (const double mixed = q(long(i), long(j)); mixed != 0) generator += mixed * parts->noise[3 + i];
+  }
+  generator.prune(generator.coeffs().cwiseAbs().maxCoeff(), 1e-15);  // what cancelled
+  return {generator, parts->stretching + t * parts->damped_stretching};
 }
 
 /// A bound of |f| over all frames: functions of one l and right index b are at most sqrt(2 l + 1) |f_lb|, as the rows
