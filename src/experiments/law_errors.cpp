@@ -1,5 +1,7 @@
 #include "experiments/law_errors.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -149,10 +151,11 @@ law_error weak_law::error(const scheme_entry& scheme, double dt, double toleranc
     times.push_back(horizon_ * static_cast<double>(k) / static_cast<double>(steps));
   }
   const Eigen::VectorXd scale = observables_.size.replicate(count, 1);
-  const transfer_question q{[&](const transfer_operator& op) -> Eigen::VectorXd {
-                              return means_after(op, start_, observables_.functions, after).reshaped();
-                            },
-                            {exact, scale, tolerance}};
+  transfer_question q{[&](const transfer_operator& op) -> Eigen::VectorXd {
+                        return means_after(op, start_, observables_.functions, after).reshaped();
+                      },
+                      {exact, scale, tolerance}};
+  q.name = fmt::format("after {} steps, by {}", steps, finer);
   auto found = refine(subject_, scheme, dt, steps, q, kept_);
   found.uncertainty += truth_.uncertainty().replicate(count, 1);
   return in_sizes(found, scale, std::move(times));
@@ -176,11 +179,11 @@ equilibrium_law::equilibrium_law(const subject& s, double accuracy, operator_sto
 }
 
 law_error equilibrium_law::error(const scheme_entry& scheme, double dt, double tolerance) const {
-  const transfer_question q{
-      [&](const transfer_operator& op) -> Eigen::VectorXd {
-        return (op.stationary_law() * coefficients_on(op.basis, observables_.functions)).transpose();
-      },
-      {mean_, observables_.size, tolerance}};
+  transfer_question q{[&](const transfer_operator& op) -> Eigen::VectorXd {
+                        return (op.stationary_law() * coefficients_on(op.basis, observables_.functions)).transpose();
+                      },
+                      {mean_, observables_.size, tolerance}};
+  q.name = "at equilibrium";
   auto found = refine(subject_, scheme, dt, 1, q, kept_);
   found.uncertainty += uncertainty_;
   return in_sizes(found, observables_.size, {0.0});

@@ -14,7 +14,7 @@ std::size_t bytes_of(const transfer_operator& op) {
 operator_store::steps& operator_store::steps_of(const scheme_entry& scheme, double dt) {
   const std::lock_guard lock(lists_);
   auto& found = all_[{std::string(scheme.info.name), dt}];
-  if (!found) found.reset(new steps{{}, {subject_, scheme, dt, 1}, {}});
+  if (!found) found.reset(new steps{{}, {subject_, scheme, dt, 1}, {}, {}});
   return *found;
 }
 
@@ -36,6 +36,23 @@ std::shared_ptr<const transfer_operator> operator_store::of(const scheme_entry& 
   same->second = op;
   keep(op);
   return op;
+}
+
+Eigen::VectorXd operator_store::answer(const scheme_entry& scheme, double dt, const transfer_rule& rule,
+                                       const transfer_question& question) {
+  if (question.name.empty()) return question.ask(*of(scheme, dt, rule));
+  auto& own = steps_of(scheme, dt);
+  const auto known = [&]() -> std::optional<Eigen::VectorXd> {
+    const std::lock_guard lock(own.one_at_a_time);
+    for (const auto& one : own.answers)
+      if (one.rule == rule && one.question == question.name) return one.numbers;
+    return std::nullopt;
+  };
+  if (auto found = known()) return *found;
+  auto numbers = question.ask(*of(scheme, dt, rule));
+  const std::lock_guard lock(own.one_at_a_time);
+  own.answers.push_back({question.name, rule, numbers});
+  return numbers;
 }
 
 }  // namespace polhode

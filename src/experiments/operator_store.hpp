@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "experiments/transfer.hpp"
+#include "experiments/transfer_refine.hpp"
 
 namespace polhode {
 
@@ -21,14 +21,22 @@ class operator_store {
 
   explicit operator_store(const subject& s) : subject_(s) {}
   std::shared_ptr<const transfer_operator> of(const scheme_entry&, double dt, const transfer_rule&);
+  /// What such an operator answers; of a question that has a name answers are kept.
+  Eigen::VectorXd answer(const scheme_entry&, double dt, const transfer_rule&, const transfer_question&);
 
  private:
   using operator_pointer = std::shared_ptr<const transfer_operator>;
+  struct known_answer {
+    std::string question;
+    transfer_rule rule;
+    Eigen::VectorXd numbers;
+  };
   /// One scheme and step.
   struct steps {
     std::mutex one_at_a_time;
     transfer_maker make;
     std::vector<std::pair<transfer_rule, std::weak_ptr<const transfer_operator>>> known;
+    std::vector<known_answer> answers;
   };
   steps& steps_of(const scheme_entry&, double dt);
   void keep(operator_pointer);

@@ -124,9 +124,9 @@ shell_basis::tables::tables(int degree)
 
 namespace {
 
-/// Those of degrees that many operators have are kept: 30 MB together.
+/// Those of degrees that many operators have are kept: 50 MB together.
 std::shared_ptr<const shell_basis::tables> tables_of(int degree) {
-  constexpr int most_kept = 24;
+  constexpr int most_kept = 32;
   static std::mutex one_at_a_time;
   static std::map<int, std::shared_ptr<const shell_basis::tables>> kept;
   if (degree > most_kept) return std::make_shared<shell_basis::tables>(degree);

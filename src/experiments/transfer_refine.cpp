@@ -138,7 +138,7 @@ transfer_answer refine(const subject& s, const scheme_entry& scheme, double dt, 
                           return momentum_values(rule.basis) * steps_a_point(*s.model, scheme.needs_areas, rule.noise);
                         },
                         [&](const transfer_rule& rule) -> Eigen::VectorXd {
-                          if (sphere && kept) return question.ask(*kept->of(scheme, dt, rule));
+                          if (sphere && kept) return kept->answer(scheme, dt, rule, question);
                           return question.ask(make(rule));
                         }};
   auto answer = refine(momentum, scheme.needs_areas, question.target, steps);

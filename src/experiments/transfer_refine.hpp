@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "experiments/transfer.hpp"
 
@@ -24,6 +25,7 @@ struct transfer_target {
 struct transfer_question {
   std::function<Eigen::VectorXd(const transfer_operator&)> ask;
   transfer_target target;
+  std::string name{};  ///< of what is asked: a name that an operator_store knows has the answers that it had
 };
 
 struct transfer_answer {
