@@ -28,6 +28,13 @@ Eigen::RowVectorXd solve_from_left(const matrix& a, const Eigen::RowVectorXd& b)
   return x;
 }
 
+Eigen::MatrixXd solution_of(const matrix& a, const matrix& b) {
+  const Eigen::MatrixXd transposed = a.transpose();
+  Eigen::MatrixXd x = b;
+  by_isa(POLHODE_ENTRIES(polhode_solve_))(columns_of(transposed), columns_of(x));
+  return x;
+}
+
 Eigen::MatrixXd inverse_of(const matrix& a) {
   Eigen::MatrixXd transposed = Eigen::MatrixXd::Identity(a.rows(), a.rows());
   by_isa(POLHODE_ENTRIES(polhode_solve_))(columns_of(a), columns_of(transposed));

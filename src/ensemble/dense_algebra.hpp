@@ -16,6 +16,9 @@ void add_transposed_product(const Eigen::Ref<const Eigen::MatrixXd>& a, const Ei
 /// x with x a = b, by LU with partial pivots.
 Eigen::RowVectorXd solve_from_left(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::RowVectorXd& b);
 
+/// x with a x = b, by the same.
+Eigen::MatrixXd solution_of(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::Ref<const Eigen::MatrixXd>& b);
+
 /// a^-1 by the same: for many right sides that come one after the other.
 Eigen::MatrixXd inverse_of(const Eigen::Ref<const Eigen::MatrixXd>& a);
 

@@ -1,11 +1,11 @@
 #include "experiments/difference_bar.hpp"
 
-#include <Eigen/LU>
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "ensemble/dense_algebra.hpp"
 #include "references/sparse_blocks.hpp"
 
 namespace polhode {
@@ -44,7 +44,7 @@ Eigen::VectorXd difference_bar(const Eigen::MatrixXd& step, const Eigen::RowVect
                                const projected_generator& generator, const Eigen::MatrixXd& functions) {
   const int n = harmonic_count(lower_degree(degree_of(step.cols())));
   const Eigen::MatrixXd change = step.block(1, 1, n - 1, n - 1) - Eigen::MatrixXd::Identity(n - 1, n - 1);
-  const Eigen::MatrixXd u = change.partialPivLu().solve(functions.middleRows(1, n - 1));
+  const Eigen::MatrixXd u = solution_of(change, functions.middleRows(1, n - 1));
   Eigen::MatrixXd remainder = functions;
   remainder.bottomRows(step.rows() - n) -= step.block(n, 1, step.rows() - n, n - 1) * u;
   remainder.topRows(n).setZero();

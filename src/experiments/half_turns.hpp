@@ -21,8 +21,9 @@ inline const Eigen::Matrix<double, 4, 3> half_turns{{1, 1, 1}, {-1, -1, 1}, {1, 
 /// Advances a block of vectors, [vector][component][lane], by the step of one node.
 using block_step = std::function<void(int node, std::span<double> vectors)>;
 
-/// Whether that holds to 1e-13 of each vector for all lanes of these vectors at every node, for some signs of the
-/// active channels; make(nodes) is the step by other nodes. False without being tried for more than four channels.
+/// Whether that holds to 1e-13 of each vector for all lanes of these vectors at every node, for those signs of
+/// the active channels by which it does at one; make(nodes) is the step by other nodes. False without being tried
+/// for more than four channels.
 bool commutes_with_half_turns(std::span<const double> vectors, const noise_nodes&, int active_channels,
                               const std::function<block_step(const noise_nodes&)>& make);
 

@@ -9,6 +9,7 @@
 #include "experiments/energy_error.hpp"
 #include "experiments/known_law_errors.hpp"
 #include "experiments/levels.hpp"
+#include "experiments/operator_store.hpp"
 #include "experiments/transfer_report.hpp"
 #include "experiments/vectors.hpp"
 
@@ -119,10 +120,11 @@ std::vector<error_kind> known_errors(const context& c) {
   gather(before, kinds[2], by_observable(s, "bias"));
   gather(before, kinds[4], constant("drift", 1));
   constexpr double accuracy = 1e-12;  // of the truth
+  operator_store kept(s);
   if (!kinds[1].errors.empty())
-    measure_on_the_sphere(c, weak_law(s, s.scene.horizon, accuracy), s.scene.horizon, kinds[1]);
+    measure_on_the_sphere(c, weak_law(s, s.scene.horizon, accuracy, &kept), s.scene.horizon, kinds[1]);
   if (!kinds[2].errors.empty()) {
-    const equilibrium_law law(s, accuracy);
+    const equilibrium_law law(s, accuracy, &kept);
     if (law.reason().empty()) measure_on_the_sphere(c, law, longest_at_equilibrium(s), kinds[2]);
   }
   const auto ran = [&](const char* name) {

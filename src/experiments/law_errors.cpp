@@ -1,5 +1,7 @@
 #include "experiments/law_errors.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,9 +36,12 @@ Eigen::MatrixXd power_of(Eigen::MatrixXd base, std::int64_t exponent) {
 }
 
 Eigen::MatrixXd coefficients_on(const shell_basis& basis, std::span<const sphere_function> functions) {
-  Eigen::MatrixXd out(basis.size(), static_cast<Eigen::Index>(functions.size()));
-  for (Eigen::Index i = 0; i < out.cols(); ++i) out.col(i) = basis.coefficients(functions[static_cast<std::size_t>(i)]);
-  return out;
+  const auto& points = basis.points();
+  Eigen::MatrixXd values(points.rows(), static_cast<Eigen::Index>(functions.size()));
+  for (Eigen::Index k = 0; k < values.cols(); ++k)
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+      values(i, k) = functions[static_cast<std::size_t>(k)](points.row(i).transpose());
+  return basis.coefficients(values);
 }
 
 /// Numbers of steps: every one, of many as many as are looked at, and the last. Multiples of `finer` only.
@@ -57,25 +62,41 @@ law_error in_sizes(const transfer_answer& found, const Eigen::VectorXd& scale, s
 
 }  // namespace
 
-Eigen::MatrixXd means_after(const transfer_operator& op, const Eigen::Vector3d& start,
-                            std::span<const sphere_function> functions, const std::vector<std::int64_t>& after) {
-  const Eigen::MatrixXd coefficients = coefficients_on(op.basis, functions);
-  Eigen::MatrixXd out(coefficients.cols(), static_cast<Eigen::Index>(after.size()));
+namespace {
+
+void add_means(const Eigen::MatrixXd& matrix, Eigen::MatrixXd law, const Eigen::MatrixXd& coefficients,
+               const std::vector<std::int64_t>& after, Eigen::MatrixXd& out) {
   const auto stride = after.front(), times = static_cast<std::int64_t>(after.size());
-  const double squarings = 2 * std::log2(static_cast<double>(stride)) * static_cast<double>(op.matrix.rows());
+  const double squarings = 2 * std::log2(static_cast<double>(stride)) * static_cast<double>(matrix.rows());
   const bool in_strides = squarings < static_cast<double>((stride - 1) * times);
-  const Eigen::MatrixXd far = in_strides ? power_of(op.matrix, stride) : op.matrix;
-  Eigen::RowVectorXd law = op.basis.at(start);
+  const Eigen::MatrixXd far = in_strides ? power_of(matrix, stride) : Eigen::MatrixXd();
+  Eigen::MatrixXd next_law(1, law.cols());
+  const auto take = [&](const Eigen::MatrixXd& steps) {
+    next_law.setZero();
+    add_product(law, steps, next_law);
+    law.swap(next_law);
+  };
   std::int64_t done = 0;
   for (Eigen::Index t = 0; t < out.cols(); ++t) {
     const auto next = after[static_cast<std::size_t>(t)];
     if (in_strides && next - done == stride) {
-      law *= far;
+      take(far);
       done = next;
     }
-    for (; done < next; ++done) law *= op.matrix;
-    out.col(t) = (law * coefficients).transpose();
+    for (; done < next; ++done) take(matrix);
+    out.col(t) += (law * coefficients).transpose();
   }
+}
+
+}  // namespace
+
+Eigen::MatrixXd means_after(const transfer_operator& op, const Eigen::Vector3d& start,
+                            std::span<const sphere_function> functions, const std::vector<std::int64_t>& after) {
+  const Eigen::MatrixXd coefficients = coefficients_on(op.basis, functions);
+  const Eigen::RowVectorXd law = op.basis.at(start);
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(coefficients.cols(), static_cast<Eigen::Index>(after.size()));
+  for (const auto& block : op.blocks)
+    add_means(op.matrix(block, block), law(block), coefficients(block, Eigen::all), after, out);
   return out;
 }
 
@@ -110,13 +131,13 @@ std::vector<observable_error> law_error::worst_in_time(const law_observables& al
   return out;
 }
 
-weak_law::weak_law(const subject& s, double horizon, double accuracy)
+weak_law::weak_law(const subject& s, double horizon, double accuracy, operator_store* kept)
     : subject_(s),
       horizon_(horizon),
       observables_(every_observable(s)),
       start_(start_of(s)),
-      truth_(
-          expectations(*sphere_problem_of(s), observables_.functions, observables_.size, start_, horizon, accuracy)) {}
+      truth_(expectations(*sphere_problem_of(s), observables_.functions, observables_.size, start_, horizon, accuracy)),
+      kept_(kept) {}
 
 law_error weak_law::error(const scheme_entry& scheme, double dt, double tolerance, std::int64_t finer) const {
   const std::int64_t steps = std::max<std::int64_t>(1, std::llround(horizon_ / dt));
@@ -130,16 +151,18 @@ law_error weak_law::error(const scheme_entry& scheme, double dt, double toleranc
     times.push_back(horizon_ * static_cast<double>(k) / static_cast<double>(steps));
   }
   const Eigen::VectorXd scale = observables_.size.replicate(count, 1);
-  const transfer_question q{[&](const transfer_operator& op) -> Eigen::VectorXd {
-                              return means_after(op, start_, observables_.functions, after).reshaped();
-                            },
-                            {exact, scale, tolerance}};
-  auto found = refine(subject_, scheme, dt, steps, q);
+  transfer_question q{[&](const transfer_operator& op) -> Eigen::VectorXd {
+                        return means_after(op, start_, observables_.functions, after).reshaped();
+                      },
+                      {exact, scale, tolerance}};
+  q.name = fmt::format("after {} steps, by {}", steps, finer);
+  auto found = refine(subject_, scheme, dt, steps, q, kept_);
   found.uncertainty += truth_.uncertainty().replicate(count, 1);
   return in_sizes(found, scale, std::move(times));
 }
 
-equilibrium_law::equilibrium_law(const subject& s, double accuracy) : subject_(s), observables_(every_observable(s)) {
+equilibrium_law::equilibrium_law(const subject& s, double accuracy, operator_store* kept)
+    : subject_(s), observables_(every_observable(s)), kept_(kept) {
   const auto problem = *sphere_problem_of(s);
   const auto law = stationary(problem, accuracy);
   mean_.resize(observables_.count());
@@ -156,12 +179,12 @@ equilibrium_law::equilibrium_law(const subject& s, double accuracy) : subject_(s
 }
 
 law_error equilibrium_law::error(const scheme_entry& scheme, double dt, double tolerance) const {
-  const transfer_question q{
-      [&](const transfer_operator& op) -> Eigen::VectorXd {
-        return (op.stationary_law() * coefficients_on(op.basis, observables_.functions)).transpose();
-      },
-      {mean_, observables_.size, tolerance}};
-  auto found = refine(subject_, scheme, dt, 1, q);
+  transfer_question q{[&](const transfer_operator& op) -> Eigen::VectorXd {
+                        return (op.stationary_law() * coefficients_on(op.basis, observables_.functions)).transpose();
+                      },
+                      {mean_, observables_.size, tolerance}};
+  q.name = "at equilibrium";
+  auto found = refine(subject_, scheme, dt, 1, q, kept_);
   found.uncertainty += uncertainty_;
   return in_sizes(found, observables_.size, {0.0});
 }

@@ -50,8 +50,8 @@ class weak_law {
  public:
   static constexpr std::int64_t most_times = 512;
 
-  /// accuracy: of the truth, in units of each observable's size.
-  weak_law(const subject&, double horizon, double accuracy);
+  /// accuracy: of the truth, in units of each observable's size. kept: as for refine.
+  weak_law(const subject&, double horizon, double accuracy, operator_store* kept = nullptr);
 
   const law_observables& observables() const { return observables_; }
   const expectation_curve& truth() const { return truth_; }
@@ -67,12 +67,13 @@ class weak_law {
   law_observables observables_;
   Eigen::Vector3d start_;
   expectation_curve truth_;
+  operator_store* kept_;
 };
 
 /// The same of the stationary laws of schemes that keep the sphere.
 class equilibrium_law {
  public:
-  equilibrium_law(const subject&, double accuracy);
+  equilibrium_law(const subject&, double accuracy, operator_store* kept = nullptr);
 
   const law_observables& observables() const { return observables_; }
   const Eigen::VectorXd& mean() const { return mean_; }
@@ -86,6 +87,7 @@ class equilibrium_law {
   law_observables observables_;
   Eigen::VectorXd mean_, uncertainty_;
   std::string reason_;
+  operator_store* kept_;
 };
 
 }  // namespace polhode

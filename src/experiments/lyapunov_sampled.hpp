@@ -2,14 +2,25 @@
 // exponents of the equation.
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <vector>
+
 #include "experiments/experiment.hpp"
+#include "experiments/sampled_growth.hpp"
 #include "references/lyapunov.hpp"
 
 namespace polhode {
 
+/// The step at which exponents are compared: 128 steps per fastest time scale.
+double compared_step(const subject&);
+
+using known_growths = std::vector<std::optional<own_growth>>;  ///< [scheme]
+
 /// For each scheme, all of which keep the sphere: lambda_1 and lambda_1 + lambda_2 at one small dt, each with a verdict
-/// against the exact value. Where the exact values are not known nothing is compared.
+/// against the exact value. Where the exact values are not known nothing is compared. own: of each scheme, what is
+/// known of it; such a scheme is judged by that, and shorter paths say whether they grow so. Empty: of none.
 void report_sampled_exponents(const context&, const std::vector<scheme_entry>&, const lyapunov_exponents& exact,
-                              report::results&);
+                              report::results&, const std::function<known_growths()>& own = {});
 
 }  // namespace polhode

@@ -10,6 +10,7 @@ namespace polhode {
 /// Gauss-Hermite nodes a channel and an area. Areas are normals of variance dt^2/4 (ensemble/paths.hpp).
 struct noise_rule {
   int channel, area;
+  bool operator==(const noise_rule&) const = default;
 };
 
 /// The noise of one step as one path of as many steps as there are nodes.

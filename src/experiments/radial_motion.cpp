@@ -71,10 +71,11 @@ double taken_back(const subject& s, const scheme_entry& scheme, double dt, std::
   const double unit = 1 / std::sqrt(n * std::max(motion_of(*stepper, c, noise).variance, 1e-300));
   Eigen::ArrayXXd up = Eigen::ArrayXXd::Zero(points.rows(), powers), down = up;
   map_radii(*stepper, points, noise, [&](int point, double weight, double change) {
-    const double factor = std::exp(unit * change);
+    const double factor = std::exp(unit * change), back = 1 / factor;
+    double grown = weight, shrunk = weight;
     for (int k = 0; k < powers; ++k) {
-      up(point, k) += weight * std::pow(factor, k + 1);
-      down(point, k) += weight * std::pow(factor, -k - 1);
+      up(point, k) += grown *= factor;
+      down(point, k) += shrunk *= back;
     }
   });
   const auto bound = [&](const Eigen::ArrayXXd& mean, double far) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <numeric>
 
@@ -115,18 +117,37 @@ sphere_rule turned_quadrature(int degree) {
   return out;
 }
 
+shell_basis::tables::tables(int degree)
+    : rule(turned_quadrature(2 * degree + 2)),
+      duals(rule.weights.asDiagonal() * harmonics(rule.points, degree)),
+      recurrence(recurrence_of(degree)) {}
+
+namespace {
+
+/// Those of degrees that many operators have are kept: 50 MB together.
+std::shared_ptr<const shell_basis::tables> tables_of(int degree) {
+  constexpr int most_kept = 32;
+  static std::mutex one_at_a_time;
+  static std::map<int, std::shared_ptr<const shell_basis::tables>> kept;
+  if (degree > most_kept) return std::make_shared<shell_basis::tables>(degree);
+  const std::lock_guard lock(one_at_a_time);
+  auto& found = kept[degree];
+  if (!found) found = std::make_shared<shell_basis::tables>(degree);
+  return found;
+}
+
+}  // namespace
+
 shell_basis::shell_basis(int degree, int radial, const shell& s)
     : degree_(degree),
       radial_(radial),
       middle_((s.least + s.greatest) / 2),
       half_((s.greatest - s.least) / 2),
-      recurrence_(recurrence_of(degree)) {
-  const sphere_rule rule = turned_quadrature(2 * degree + 2);
-  duals_ = rule.weights.asDiagonal() * harmonics(rule.points, degree);
-  const auto directions = rule.points.rows();
-  points_.resize(directions * radial, 3);
+      tables_(tables_of(degree)) {
+  const auto& directions = tables_->rule.points;
+  points_.resize(directions.rows() * radial, 3);
   for (int i = 0; i < radial; ++i)
-    points_.middleRows(i * directions, directions) = (middle_ + half_ * node(i)) * rule.points;
+    points_.middleRows(i * directions.rows(), directions.rows()) = (middle_ + half_ * node(i)) * directions;
 }
 
 double shell_basis::node(int i) const { return std::cos(std::numbers::pi * (i + 0.5) / radial_); }
@@ -156,18 +177,19 @@ void shell_basis::add_radius(int i, const std::vector<int>& harmonics, const std
 }
 
 Eigen::MatrixXd shell_basis::coefficients(const Eigen::MatrixXd& values) const {
-  const auto directions = duals_.rows();
-  std::vector<int> harmonics(static_cast<std::size_t>(duals_.cols())), columns(static_cast<std::size_t>(values.cols()));
+  const auto directions = duals().rows();
+  std::vector<int> harmonics(static_cast<std::size_t>(duals().cols())),
+      columns(static_cast<std::size_t>(values.cols()));
   std::iota(harmonics.begin(), harmonics.end(), 0);
   std::iota(columns.begin(), columns.end(), 0);
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(size(), values.cols()), part(duals_.cols(), values.cols());
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(size(), values.cols()), part(duals().cols(), values.cols());
   for (int i = 0; i < radial_; ++i) {
     const auto some = values.middleRows(i * directions, directions);
     part.setZero();
     if (values.cols() < directions / 8)
-      add_transposed_product(duals_, some, part);
+      add_transposed_product(duals(), some, part);
     else
-      add_by_rings(duals_, degree_, some, part);
+      add_by_rings(duals(), degree_, some, part);
     add_radius(i, harmonics, columns, part, out);
   }
   return out;
@@ -180,7 +202,7 @@ std::vector<std::vector<int>> shell_basis::classes() const {
 }
 
 Eigen::Matrix<double, Eigen::Dynamic, 3> shell_basis::quarter() const {
-  const auto directions = duals_.rows(), count = directions / 4;
+  const auto directions = duals().rows(), count = directions / 4;
   Eigen::Matrix<double, Eigen::Dynamic, 3> out(count * radial_, 3);
   for (int i = 0; i < radial_; ++i) out.middleRows(i * count, count) = points_.middleRows(i * directions, count);
   return out;
@@ -188,11 +210,11 @@ Eigen::Matrix<double, Eigen::Dynamic, 3> shell_basis::quarter() const {
 
 // A product of two functions of one class is the same at a point and its images.
 Eigen::MatrixXd shell_basis::coefficients_by_class(const Eigen::MatrixXd& values) const {
-  const auto count = duals_.rows() / 4;
+  const auto count = duals().rows() / 4;
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(size(), size());
   for (const auto& harmonics : harmonics_by_class(degree_)) {
     const auto columns = functions_of(harmonics, radial_);
-    const Eigen::MatrixXd dual = 4 * duals_(Eigen::seqN(0, count), harmonics), some = values(Eigen::all, columns);
+    const Eigen::MatrixXd dual = 4 * duals()(Eigen::seqN(0, count), harmonics), some = values(Eigen::all, columns);
     Eigen::MatrixXd part(dual.cols(), some.cols());
     for (int i = 0; i < radial_; ++i) {
       part.setZero();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "references/kolmogorov.hpp"
@@ -24,7 +25,7 @@ class shell_basis {
  public:
   shell_basis(int degree, int radial, const shell&);
 
-  int size() const { return static_cast<int>(duals_.cols()) * radial_; }
+  int size() const { return static_cast<int>(duals().cols()) * radial_; }
   int degree() const { return degree_; }
   int radial() const { return radial_; }
   Eigen::RowVectorXd at(const Eigen::Vector3d& pi) const;
@@ -46,9 +47,18 @@ class shell_basis {
 
   double middle() const { return middle_; }
   double half() const { return half_; }
-  const std::vector<double>& recurrence() const { return recurrence_; }  ///< ensemble/basis_sums.hpp
+  const std::vector<double>& recurrence() const { return tables_->recurrence; }  ///< ensemble/basis_sums.hpp
+
+  /// What all bases of a degree have in common.
+  struct tables {
+    sphere_rule rule;
+    Eigen::MatrixXd duals;  ///< direction x harmonic: weight times value; those of a quarter, then their images
+    std::vector<double> recurrence;
+    explicit tables(int degree);
+  };
 
  private:
+  const Eigen::MatrixXd& duals() const { return tables_->duals; }
   double node(int i) const;  ///< Chebyshev's, in (-1, 1)
   Eigen::VectorXd chebyshev(double t) const;
   void add_radius(int i, const std::vector<int>& harmonics, const std::vector<int>& columns,
@@ -56,9 +66,8 @@ class shell_basis {
 
   int degree_, radial_;
   double middle_, half_;
-  Eigen::MatrixXd duals_;  ///< direction x harmonic: weight times value; those of a quarter, then their images
+  std::shared_ptr<const tables> tables_;
   Eigen::Matrix<double, Eigen::Dynamic, 3> points_;
-  std::vector<double> recurrence_;
 };
 
 }  // namespace polhode

@@ -7,6 +7,7 @@
 
 #include "ensemble/kernel_of.hpp"
 #include "ensemble/paths.hpp"
+#include "ensemble/tangent_controls.hpp"
 #include "ensemble/uniform_start.hpp"
 #include "experiments/vectors.hpp"
 
@@ -41,12 +42,19 @@ vec<pack, 3> without(const vec<pack, 3>& direction, const vec<pack, 3>& v) {
 
 void add(const pack& x, double* to) { pack(pack(to, stdx::element_aligned) + x).copy_to(to, stdx::element_aligned); }
 
+std::array<double, 9> by_rows(const Eigen::Matrix3d& m) {
+  std::array<double, 9> out;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) out[static_cast<std::size_t>(3 * i + k)] = m(i, k);
+  return out;
+}
+
 /// A block of paths of one scheme.
 class tangent_block {
  public:
   tangent_block(std::uint64_t seed, std::uint64_t first_path, double radius, const constant_noise<so3>& noise)
-      : noise_(noise),
-        covariance_(noise.sigma() * noise.sigma().transpose()),
+      : sigma_(by_rows(noise.sigma())),
+        covariance_(by_rows(noise.sigma() * noise.sigma().transpose())),
         states_(uniform_states(seed, first_path, radius)),
         tangents_(random_tangents(seed, first_path)) {
     orthonormalise();
@@ -101,32 +109,10 @@ class tangent_block {
   }
 
   void add_controls(const increment_view& one) {
-    for (std::size_t lane = 0; lane < row; lane += width) {
-      const auto x = load_lanes<pack, 3>(states_.data() + lane), v = load_lanes<pack, 3>(tangents_.data() + lane);
-      const auto b = noise_.noise(load_increment<pack, 3>(one, static_cast<std::ptrdiff_t>(lane)));
-      const auto w = cross(x, v), unit = pack(1 / dot(v, v)) * v;
-      double* to = control_.data() + lane;
-      for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const auto difference = [&](const auto& y, const auto& z) { return pack(y[j] * z[j] - y[k] * z[k]); };
-        const pack xx = difference(x, x), vv = difference(unit, v), vw = difference(unit, w), xv = difference(x, v);
-        const pack excess = b[i] * b[i] - one.dt * covariance_(i, i), both = b[j] * b[k] - one.dt * covariance_(j, k);
-        for (const pack& f :
-             {pack(b[i] * x[j] * x[k]), pack(b[i] * unit[j] * v[k]), pack(b[i] * (unit[j] * w[k] + unit[k] * w[j])),
-              pack(excess * xx), pack(excess * vv), pack(excess * vw),  //
-              pack(both * x[j] * x[k]), pack(both * unit[j] * v[k]), pack(both * unit[j] * w[k]),
-              pack(both * unit[k] * w[j]),  //
-              pack(b[i] * x[i] * xx), pack(b[i] * x[i] * vv), pack(b[i] * x[i] * vw), pack(b[i] * unit[i] * xv),
-              pack(b[i] * unit[i] * difference(x, w)), pack(b[i] * w[i] * difference(x, unit))}) {
-          add(f, to);
-          to += row;
-        }
-      }
-    }
+    add_tangent_controls({states_.data(), tangents_.data(), one, sigma_, covariance_, control_.data()});
   }
 
-  constant_noise<so3> noise_;
-  Eigen::Matrix3d covariance_;
+  std::array<double, 9> sigma_, covariance_;
   std::vector<double> states_, tangents_;
   std::array<double, row> length_{}, area_{};
   std::array<double, growth::controls * row> control_{};

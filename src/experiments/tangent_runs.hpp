@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "ensemble/tangent_controls.hpp"
 #include "ensemble/tangent_kernel.hpp"
 #include "experiments/experiment.hpp"
 #include "experiments/noise_verdict.hpp"
@@ -28,7 +29,7 @@ run_length run_length_of(double dt, double forgetting, double observed);
 /// and six cubic forms times B_i. These are the lowest terms of the martingale sum X_i g B_i, g the solution of the
 /// Poisson equation of the stretching rate, which for dt -> 0 is all the noise that there is in the growth.
 struct growth {
-  static constexpr int controls = 48;
+  static constexpr int controls = tangent_control_count;
   Eigen::VectorXd length, area;  ///< [path], logarithmic growth per time: lambda_1 and lambda_1 + lambda_2
   Eigen::MatrixXd control;       ///< [path][control]
   explicit growth(int paths) : length(paths), area(paths), control(paths, controls) {}

@@ -31,8 +31,8 @@ Eigen::MatrixXd mapped_basis(const kernel& k, const shell_basis& basis, const po
     done += static_cast<int>(weights.size());
     if (done < static_cast<int>(noise.weight.size())) return;
     done = 0;
-    for (int lane = 0; lane < lanes; ++lane)
-      for (int j = 0; j < size; ++j)
+    for (int j = 0; j < size; ++j)
+      for (int lane = 0; lane < lanes; ++lane)
         values(first + lane, j) =
             sums[static_cast<std::size_t>((lane / sum_lanes * size + j) * sum_lanes + lane % sum_lanes)];
   });
@@ -52,10 +52,10 @@ bool has_half_turns(const kernel& k, const shell_basis& basis, const noise_nodes
   });
 }
 
-transfer_operator transfer_on(const kernel& k, shell_basis basis, const noise_nodes& noise, int active) {
+transfer_operator transfer_on(const kernel& k, shell_basis basis, const noise_nodes& noise, bool by_half_turns) {
   transfer_operator out{std::move(basis), {}, {}};
   const auto& b = out.basis;
-  if (has_half_turns(k, b, noise, active)) {
+  if (by_half_turns) {
     out.matrix = b.coefficients_by_class(mapped_basis(k, b, b.quarter(), noise));
     out.blocks = b.classes();
   } else {
@@ -124,13 +124,26 @@ Eigen::RowVectorXd transfer_operator::stationary_law() const {
   return law;
 }
 
+transfer_maker::transfer_maker(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps)
+    : subject_(s), areas_(scheme.needs_areas), dt_(dt), steps_(steps), step_(scheme.make(dt)) {}
+
+transfer_maker::known_noise& transfer_maker::noise_of(const noise_rule& rule) {
+  const auto same = std::ranges::find(noise_, rule, &known_noise::rule);
+  if (same != noise_.end()) return *same;
+  return noise_.emplace_back(rule, nodes_of(*subject_.model, areas_, dt_, rule), std::nullopt);
+}
+
+transfer_operator transfer_maker::operator()(const transfer_rule& rule) {
+  auto& noise = noise_of(rule.noise);
+  shell_basis basis(rule.basis.degree, rule.basis.radial, shell_of(*step_, subject_, noise.nodes, steps_, rule.basis));
+  if (!noise.half_turns)
+    noise.half_turns = has_half_turns(*step_, basis, noise.nodes, subject_.model->active_channels());
+  return transfer_on(*step_, std::move(basis), noise.nodes, *noise.half_turns);
+}
+
 transfer_operator make_transfer(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,
                                 const transfer_rule& rule) {
-  const auto stepper = scheme.make(dt);
-  const auto noise = nodes_of(*s.model, scheme.needs_areas, dt, rule.noise);
-  const shell around = shell_of(*stepper, s, noise, steps, rule.basis);
-  return transfer_on(*stepper, shell_basis(rule.basis.degree, rule.basis.radial, around), noise,
-                     s.model->active_channels());
+  return transfer_maker(s, scheme, dt, steps)(rule);
 }
 
 Eigen::VectorXd mean_after_step(const subject& s, const scheme_entry& scheme, double dt, const noise_rule& rule,
@@ -151,7 +164,10 @@ Eigen::VectorXd change_by_far_noise(const subject& s, const scheme_entry& scheme
   const shell_basis basis(rule.degree, rule.radial, shell_of(*stepper, s, noise, steps, rule));
   const auto far = far_nodes_of(*s.model, scheme.needs_areas, dt);
   const int active = s.model->active_channels();
-  return (ask(transfer_on(*stepper, basis, far, active)) - ask(transfer_on(*stepper, basis, noise, active))).cwiseAbs();
+  const auto answer = [&](const noise_nodes& nodes) {
+    return ask(transfer_on(*stepper, basis, nodes, has_half_turns(*stepper, basis, nodes, active)));
+  };
+  return (answer(far) - answer(noise)).cwiseAbs();
 }
 
 }  // namespace polhode

@@ -16,6 +16,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,12 +39,14 @@ struct basis_rule {
   int degree;         ///< of the harmonics
   int radial;         ///< Chebyshev polynomials; 1 on a sphere
   double deviations;  ///< of the radius in `steps` steps that the shell covers; 0 on a sphere
+  bool operator==(const basis_rule&) const = default;
 };
 
 /// How finely the operator is computed.
 struct transfer_rule {
   basis_rule basis;
   noise_rule noise;
+  bool operator==(const transfer_rule&) const = default;
 };
 
 /// law T = law for T 1 = 1, the first function of the basis being a constant: of a given first component.
@@ -59,7 +62,31 @@ struct transfer_operator {
   Eigen::RowVectorXd stationary_law() const;
 };
 
-/// steps: over which the shell is to hold the radius of a scheme that leaves the sphere.
+/// Makes the operators of one step of one length by several rules: what rests on the noise's rule alone is found once.
+class transfer_maker {
+ public:
+  /// steps: over which the shell is to hold the radius of a scheme that leaves the sphere.
+  transfer_maker(const subject&, const scheme_entry&, double dt, std::int64_t steps);
+  transfer_operator operator()(const transfer_rule&);
+
+ private:
+  /// The nodes of a rule, and whether the step commutes with the half turns at each of them.
+  struct known_noise {
+    noise_rule rule;
+    noise_nodes nodes;
+    std::optional<bool> half_turns;
+  };
+  known_noise& noise_of(const noise_rule&);
+
+  const subject& subject_;
+  bool areas_;
+  double dt_;
+  std::int64_t steps_;
+  std::shared_ptr<const kernel> step_;
+  std::vector<known_noise> noise_;
+};
+
+/// One of them.
 transfer_operator make_transfer(const subject&, const scheme_entry&, double dt, std::int64_t steps,
                                 const transfer_rule&);
 

@@ -7,6 +7,7 @@
 
 #include "ensemble/frame_sums.hpp"
 #include "experiments/frame_transfer.hpp"
+#include "experiments/operator_store.hpp"
 
 namespace polhode {
 namespace {
@@ -128,7 +129,8 @@ transfer_answer refine(const ladder& l, bool with_areas, const transfer_target& 
 }  // namespace
 
 transfer_answer refine(const subject& s, const scheme_entry& scheme, double dt, std::int64_t steps,
-                       const transfer_question& question) {
+                       const transfer_question& question, operator_store* kept) {
+  transfer_maker make(s, scheme, dt, steps);
   const bool sphere = scheme.info.casimir.exact;
   const ladder momentum{sphere ? std::span<const basis_rule>(sphere_bases) : shell_bases,
                         sphere ? std::span<const int>(sphere_nodes) : shell_nodes,
@@ -136,7 +138,8 @@ transfer_answer refine(const subject& s, const scheme_entry& scheme, double dt, 
                           return momentum_values(rule.basis) * steps_a_point(*s.model, scheme.needs_areas, rule.noise);
                         },
                         [&](const transfer_rule& rule) -> Eigen::VectorXd {
-                          return question.ask(make_transfer(s, scheme, dt, steps, rule));
+                          if (sphere && kept) return kept->answer(scheme, dt, rule, question);
+                          return question.ask(make(rule));
                         }};
   auto answer = refine(momentum, scheme.needs_areas, question.target, steps);
   if (sphere || !answer.error.allFinite()) return answer;

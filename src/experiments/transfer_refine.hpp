@@ -6,10 +6,13 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "experiments/transfer.hpp"
 
 namespace polhode {
+
+class operator_store;
 
 /// What the numbers that an operator answers are compared with.
 struct transfer_target {
@@ -22,6 +25,7 @@ struct transfer_target {
 struct transfer_question {
   std::function<Eigen::VectorXd(const transfer_operator&)> ask;
   transfer_target target;
+  std::string name{};  ///< of what is asked: a name that an operator_store knows has the answers that it had
 };
 
 struct transfer_answer {
@@ -34,8 +38,10 @@ struct transfer_answer {
 
 /// Of a scheme that leaves the sphere: in the law of its paths without those that are taken back to the shell (rejected
 /// as by Milstein and Tretyakov; the moments of all need not exist). Their probability times the range of what is
-/// averaged, four times its scale, is part of the uncertainty.
-transfer_answer refine(const subject&, const scheme_entry&, double dt, std::int64_t steps, const transfer_question&);
+/// averaged, four times its scale, is part of the uncertainty. kept: where operators on the sphere are looked up, and
+/// kept; null: nowhere.
+transfer_answer refine(const subject&, const scheme_entry&, double dt, std::int64_t steps, const transfer_question&,
+                       operator_store* kept = nullptr);
 
 /// The same of the exponents of a scheme that keeps the sphere: lambda_1 and lambda_1 + lambda_2. Degrees up to
 /// most_frame_degree (ensemble/frame_sums.hpp).

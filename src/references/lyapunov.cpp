@@ -1,7 +1,13 @@
 #include "references/lyapunov.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <tuple>
+#include <vector>
 
 #include "references/poisson.hpp"
 #include "references/raise_degree.hpp"
@@ -25,34 +31,102 @@ struct frame_operator {
   Eigen::VectorXd stretching;  // coefficients of s
 };
 
-/// beyond: 2 for all that the generator makes of functions of the degree, 0 for its projection.
-frame_operator operator_on_frames(const sphere_problem& problem, int degree, int beyond) {
+/// What the operators of one body's frames are sums of, whatever its dissipation t and noise: entries of one pattern.
+struct frame_parts {
+  sparse_matrix pattern;
+  Eigen::VectorXd free, damped;          // t times the second
+  std::array<Eigen::VectorXd, 6> noise;  // of covariance entries 11, 22, 33, 12, 23, 31; the last three: or none
+  Eigen::VectorXd stretching, damped_stretching;
+};
+
+void drop_cancelled(sparse_matrix& a) {
+  if (a.nonZeros() > 0) a.prune(a.coeffs().cwiseAbs().maxCoeff(), 1e-15);
+}
+
+/// Zero, with an entry wherever one of them has one.
+sparse_matrix pattern_of(const std::vector<sparse_matrix>& all) {
+  sparse_matrix out(all.front().rows(), all.front().cols());
+  for (const auto& part : all) out += part;
+  out.coeffs().setZero();
+  return out;
+}
+
+/// Drops what cancelled and all columns that no sum of these mixes with those that the vector has.
+void keep_block(std::vector<sparse_matrix>& all, const Eigen::VectorXd& vector) {
+  for (auto& part : all) drop_cancelled(part);
+  const sparse_matrix square = pattern_of(all).topRows(vector.size());
+  std::vector<bool> inside(static_cast<std::size_t>(vector.size()));
+  for (const int i : blocks_of(square, vector)) inside[static_cast<std::size_t>(i)] = true;
+  for (auto& part : all) part.prune([&](int, int column, double) { return inside[static_cast<std::size_t>(column)]; });
+}
+
+/// a: radius over inertia. beyond: 2 for all that the generator makes of functions of the degree, 0 for its projection.
+frame_parts parts_on_frames(const Eigen::Array3d& a, int degree, int beyond, bool mixed_noise) {
   const int inside = degree + beyond + 1;  // so that products of two coordinates are exact
   const auto turn = wigner_generators(inside);
   const auto x = wigner_coordinates(inside, turn);
-  const double c = problem.radius, t = problem.theta * c;
-  const Eigen::Array3d a = c / Eigen::Array3d(problem.inertia.data());
-  sparse_matrix generator(wigner_count(inside), wigner_count(inside)), xx = generator, one = generator;
-  one.setIdentity();
+  const int size = wigner_count(degree), rows = wigner_count(degree + beyond);
+  sparse_matrix free(wigner_count(inside), wigner_count(inside)), damped = free, xx = free;
+  std::vector<sparse_matrix> all(2);
+  const auto tall = [&](const sparse_matrix& m) -> sparse_matrix { return m.block(0, 0, rows, size); };
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    const sparse_matrix drift = a[long(i)] * x[i] + t * (a[long(k)] - a[long(j)]) * sparse_matrix(x[j] * x[k]);
-    generator -= sparse_matrix(drift * turn.left[i]);
+    free -= a[long(i)] * sparse_matrix(x[i] * turn.left[i]);
+    damped -= (a[long(k)] - a[long(j)]) * sparse_matrix(sparse_matrix(x[j] * x[k]) * turn.left[i]);
     xx += a[long(i)] * sparse_matrix(x[i] * x[i]);
-    for (std::size_t l = 0; l < 3; ++l) {
-      const double q = problem.covariance(long(i), long(l));
-      if (q != 0) generator += 0.5 * q * sparse_matrix(turn.left[i] * turn.left[l]);
-    }
+    all.push_back(tall(0.5 * sparse_matrix(turn.left[i] * turn.left[i])));
+  }
+  for (std::size_t i = 0; i < 3 && mixed_noise; ++i) {
+    const auto &one = turn.left[i], &other = turn.left[(i + 1) % 3];
+    all.push_back(tall(0.5 * (sparse_matrix(one * other) + sparse_matrix(other * one))));
   }
   // right_2 right_1 (x.Ax) = -2 w.Av and right_2 right_2 (x.Ax) = 2 (v.Av - x.Ax)
   const sparse_matrix wv = -0.5 * bracket(turn.right[1], bracket(turn.right[0], xx));
   const sparse_matrix vv = xx + 0.5 * bracket(turn.right[1], bracket(turn.right[1], xx));
-  const sparse_matrix omega = vv - t * wv, stretching = t * (xx - vv) - wv;
-  generator += sparse_matrix(omega * turn.right[2]);
-  const int size = wigner_count(degree);
-  sparse_matrix tall = generator.block(0, 0, wigner_count(degree + beyond), size);
-  tall.prune(tall.coeffs().cwiseAbs().maxCoeff(), 1e-15);  // what cancelled
-  return {tall, Eigen::VectorXd(stretching.col(0)).head(size)};
+  all[0] = tall(free + sparse_matrix(vv * turn.right[2]));
+  all[1] = tall(damped - sparse_matrix(wv * turn.right[2]));
+  frame_parts out;
+  out.stretching = -Eigen::VectorXd(wv.col(0)).head(size);
+  out.damped_stretching = Eigen::VectorXd(sparse_matrix(xx - vv).col(0)).head(size);
+  keep_block(all, out.stretching.cwiseAbs() + out.damped_stretching.cwiseAbs());
+  out.pattern = pattern_of(all);
+  const auto entries = [&](const sparse_matrix& part) -> Eigen::VectorXd {
+    return sparse_matrix(out.pattern + part).coeffs();
+  };
+  out.free = entries(all[0]);
+  out.damped = entries(all[1]);
+  for (std::size_t i = 2; i < all.size(); ++i) out.noise[i - 2] = entries(all[i]);
+  return out;
+}
+
+/// Those of the last body that was asked for are kept unless they are large: maps and searches ask for hundreds.
+std::shared_ptr<const frame_parts> known_parts(const Eigen::Array3d& a, int degree, int beyond, bool mixed_noise) {
+  constexpr Eigen::Index most_entries = 500'000;  // 30 MB
+  static std::mutex one_at_a_time;
+  static Eigen::Array3d last = Eigen::Array3d::Zero();
+  static std::map<std::tuple<int, int, bool>, std::shared_ptr<const frame_parts>> kept;
+  const std::lock_guard lock(one_at_a_time);
+  if ((last != a).any()) kept.clear();
+  last = a;
+  if (const auto found = kept.find({degree, beyond, mixed_noise}); found != kept.end()) return found->second;
+  const auto made = std::make_shared<const frame_parts>(parts_on_frames(a, degree, beyond, mixed_noise));
+  if (made->pattern.nonZeros() <= most_entries) kept[{degree, beyond, mixed_noise}] = made;
+  return made;
+}
+
+frame_operator operator_on_frames(const sphere_problem& problem, int degree, int beyond) {
+  const double c = problem.radius, t = problem.theta * c;
+  const auto& q = problem.covariance;
+  const std::array noise{q(0, 0), q(1, 1), q(2, 2), q(0, 1), q(1, 2), q(2, 0)};
+  const bool mixed = std::any_of(noise.begin() + 3, noise.end(), [](double x) { return x != 0; });
+  const auto parts = known_parts(c / Eigen::Array3d(problem.inertia.data()), degree, beyond, mixed);
+  Eigen::VectorXd entries = parts->free + t * parts->damped;
+  for (std::size_t i = 0; i < noise.size(); ++i)
+    if (noise[i] != 0) entries += noise[i] * parts->noise[i];
+  frame_operator out{parts->pattern, parts->stretching + t * parts->damped_stretching};
+  out.generator.coeffs() = entries;
+  drop_cancelled(out.generator);
+  return out;
 }
 
 /// A bound of |f| over all frames: functions of one l and right index b are at most sqrt(2 l + 1) |f_lb|, as the rows

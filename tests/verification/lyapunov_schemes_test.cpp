@@ -169,6 +169,36 @@ TEST(SampledExponents, WithoutAnExactValueNothingIsCompared) {
   EXPECT_NE(row_of(out, "lambda_1"), nullptr);
 }
 
+report::results held_against(const subject& s, const own_growth& own) {
+  const context c{s, effort::quick, 2};
+  report::results out;
+  report_sampled_exponents(c, s.schemes, lyapunov(*sphere_problem_of(s), 1e-5), out,
+                           [&] { return known_growths(s.schemes.size(), own); });
+  return out;
+}
+
+// What is known of a scheme decides in place of its paths, and they see where it is not so.
+TEST(SampledExponents, PathsAreHeldAgainstWhatIsKnownWithoutThem) {
+  const auto s = with_schemes(load_scene("paper"), {"lie_euler"});
+  const auto value = make_frame_transfer(s, s.schemes[0], compared_step(s), {{10, 1, 0}, {5, 2}}).exponents();
+  const own_growth own{value, Eigen::Vector2d::Constant(1e-6)};
+  const auto right = held_against(s, own);
+  EXPECT_EQ(verdict_of(right, "lie_euler", "finds lambda_1"), verdict_kind::holds);
+  EXPECT_EQ(verdict_of(right, "lie_euler", "controls have mean zero"), verdict_kind::holds);
+  EXPECT_EQ(*row_of(right, "lambda_1")->value, value[0]);
+  const auto* simulated = row_of(right, "lambda_1, simulated");
+  ASSERT_TRUE(simulated);
+  const double width = *simulated->high - *simulated->low;
+  for (const Eigen::Index k : {0, 1}) {
+    auto wrong = own;
+    wrong.value[k] += 3 * width;
+    EXPECT_EQ(verdict_of(held_against(s, wrong), "lie_euler", "controls have mean zero"), verdict_kind::refuted) << k;
+  }
+  auto uncertain = own;
+  uncertain.uncertainty[1] = 1;  // of no use: paths decide
+  EXPECT_EQ(row_of(held_against(s, uncertain), "lambda_1, simulated"), nullptr);
+}
+
 TEST(SampledExponents, AStartThatIsNotForgottenIsNotTriedAndSaysAtWhichEffortItIs) {
   const auto s = with_schemes(load_scene("single"), {"lie_euler"});
   const context c{s, effort::quick, 2};

@@ -12,6 +12,12 @@
 namespace polhode {
 namespace {
 
+/// A state and its weight.
+struct weighted_state {
+  pack x, y, z;                           // of its direction
+  std::array<pack, most_radial> radials;  // weight T_k(t)
+};
+
 /// weight T_k(t).
 void chebyshev(const basis_sums& q, const pack& radius, double weight, std::array<pack, most_radial>& out) {
   out[0] = pack(weight);
@@ -25,56 +31,82 @@ void chebyshev(const basis_sums& q, const pack& radius, double weight, std::arra
   }
 }
 
-void add_to(double* at, const pack& value) {
-  pack sum;
-  sum.copy_from(at, stdx::element_aligned);
-  sum += value;
-  sum.copy_to(at, stdx::element_aligned);
-}
-
-template <bool on_a_sphere>
-void add_row(double* at, int radial, const pack& harmonic, const std::array<pack, most_radial>& radials) {
-  if constexpr (on_a_sphere)
-    add_to(at, harmonic * radials[0]);
-  else
-    for (int k = 0; k < radial; ++k) add_to(at + k * sum_lanes, harmonic * radials[static_cast<std::size_t>(k)]);
-}
-
-template <bool on_a_sphere>
-void add_state(const basis_sums& q, const double* state, double weight, double* sums) {
-  const auto pi = load_lanes<pack, 3>(state);
+void load(const basis_sums& q, const double* at, double weight, weighted_state& out) {
+  const auto pi = load_lanes<pack, 3>(at);
   const pack radius = square_root(pack(pi[0] * pi[0] + pi[1] * pi[1] + pi[2] * pi[2])), scale = pack(1.0) / radius;
-  const pack x = scale * pi[0], y = scale * pi[1], z = scale * pi[2];
-  std::array<pack, most_radial> radials;
-  chebyshev(q, radius, weight, radials);
+  out.x = scale * pi[0];
+  out.y = scale * pi[1];
+  out.z = scale * pi[2];
+  chebyshev(q, radius, weight, out.radials);
+}
+
+/// Harmonics factor p, p on a sphere with the weight in it.
+template <bool on_a_sphere, std::size_t count>
+void add_rows(double* at, int radial, const std::array<pack, count>& factor, const std::array<pack, count>& p,
+              const std::array<weighted_state, count>& states) {
+  if constexpr (on_a_sphere) {
+    pack sum(at, stdx::element_aligned);
+    for (std::size_t i = 0; i < count; ++i) sum += factor[i] * p[i];
+    sum.copy_to(at, stdx::element_aligned);
+    return;
+  }
+  std::array<pack, count> harmonics;
+  for (std::size_t i = 0; i < count; ++i) harmonics[i] = factor[i] * p[i];
+  for (int k = 0; k < radial; ++k) {
+    pack sum(at + k * sum_lanes, stdx::element_aligned);
+    for (std::size_t i = 0; i < count; ++i) sum += harmonics[i] * states[i].radials[static_cast<std::size_t>(k)];
+    sum.copy_to(at + k * sum_lanes, stdx::element_aligned);
+  }
+}
+
+/// Of several states at a time: their recurrences hide each other's latency, and the sums are touched once.
+template <bool on_a_sphere, std::size_t count>
+void add_states(const basis_sums& q, const double* first, const double* weights, double* sums) {
+  std::array<weighted_state, count> states;
+  std::array<pack, count> cosine, sine, p, before;
+  for (std::size_t i = 0; i < count; ++i) {
+    load(q, first + i * 3 * block_lanes, weights[i], states[i]);
+    cosine[i] = pack(1.0);
+    sine[i] = pack(0.0);
+  }
   const int row = q.radial * sum_lanes;
   const double* factor = q.recurrence;
-  pack cosine(1.0), sine(0.0);
   for (int m = 0; m <= q.degree; ++m) {
-    if (m > 0) {
-      const pack turned = cosine * x - sine * y;
-      sine = cosine * y + sine * x;
-      cosine = turned;
+    const double highest = *factor++;
+    for (std::size_t i = 0; i < count; ++i) {
+      const pack turned = cosine[i] * states[i].x - sine[i] * states[i].y;
+      if (m > 0) {
+        sine[i] = cosine[i] * states[i].y + sine[i] * states[i].x;
+        cosine[i] = turned;
+      }
+      before[i] = pack(0.0);
+      p[i] = pack(on_a_sphere ? highest * weights[i] : highest);
     }
-    pack before(0.0), p(*factor++);
     for (int l = m; l <= q.degree; ++l, factor += 2) {
       double* const middle = sums + (l * l + l) * row;
-      add_row<on_a_sphere>(middle + m * row, q.radial, cosine * p, radials);
-      if (m > 0) add_row<on_a_sphere>(middle - m * row, q.radial, sine * p, radials);
-      const pack next = factor[0] * z * p - factor[1] * before;
-      before = p;
-      p = next;
+      add_rows<on_a_sphere>(middle + m * row, q.radial, cosine, p, states);
+      if (m > 0) add_rows<on_a_sphere>(middle - m * row, q.radial, sine, p, states);
+      for (std::size_t i = 0; i < count; ++i) {
+        const pack next = factor[0] * states[i].z * p[i] - factor[1] * before[i];
+        before[i] = p[i];
+        p[i] = next;
+      }
     }
   }
 }
 
 template <bool on_a_sphere>
 void add_all(const basis_sums& q) {
+  constexpr int together = 4;
   const int group = (q.degree + 1) * (q.degree + 1) * q.radial * sum_lanes;
-  for (int lane = 0; lane < q.lanes; lane += static_cast<int>(pack::size()))
-    for (int i = 0; i < q.nodes; ++i)
-      add_state<on_a_sphere>(q, q.states + i * 3 * block_lanes + lane, q.weights[i],
-                             q.sums + lane / sum_lanes * group + lane % sum_lanes);
+  for (int lane = 0; lane < q.lanes; lane += static_cast<int>(pack::size())) {
+    const double* const states = q.states + lane;
+    double* const sums = q.sums + lane / sum_lanes * group + lane % sum_lanes;
+    int i = 0;
+    for (; i + together <= q.nodes; i += together)
+      add_states<on_a_sphere, together>(q, states + i * 3 * block_lanes, q.weights + i, sums);
+    for (; i < q.nodes; ++i) add_states<on_a_sphere, 1>(q, states + i * 3 * block_lanes, q.weights + i, sums);
+  }
 }
 
 }  // namespace

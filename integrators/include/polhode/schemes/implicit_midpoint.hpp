@@ -42,6 +42,23 @@ struct implicit_midpoint {
 
   template <lie_poisson_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
+    const auto solved = midpoint(system, mu, w);
+    auto next = System::algebra::cayley_action(generator(system, solved.m, w), mu);
+    for (int k = 0; k < System::dimension; ++k)
+      next[k] = select(solved.failed, S(std::numeric_limits<double>::quiet_NaN()), next[k]);
+    return next;
+  }
+
+ private:
+  template <class Vector, class Mask>
+  struct solution {
+    Vector m;
+    Mask failed;
+  };
+
+  template <class System, class S>
+  static auto midpoint(const System& system, const vec<S, System::dimension>& mu,
+                       const wiener<S, System::channels>& w) {
     constexpr int n = System::dimension;
     const auto at = linearised_motion(system, mu, w);
     const auto back = inverse_derivative<quotient::truncated>(at);
@@ -70,13 +87,34 @@ struct implicit_midpoint {
     auto m = mu + way;
     if (any(S(0.0), pending)) [[unlikely]]
       iterate(system, mu, w, m, pending);
-    if constexpr (is_dual<S>) m = m - newton_correction(system, mu, m, w);  // slopes converge later than values
-    auto next = System::algebra::cayley_action(generator(system, m, w), mu);
-    for (int k = 0; k < n; ++k) next[k] = select(pending, S(std::numeric_limits<double>::quiet_NaN()), next[k]);
-    return next;
+    return solution<decltype(m), decltype(pending)>{m, pending};
   }
 
- private:
+  /// Of duals the values are solved for alone: F(m, mu, dW) = 0 then gives the slopes, DF dm = -dF at constant m.
+  template <class System, class V, int slopes>
+  static auto midpoint(const System& system, const vec<dual<V, slopes>, System::dimension>& mu,
+                       const wiener<dual<V, slopes>, System::channels>& w) {
+    constexpr int n = System::dimension;
+    using number = dual<V, slopes>;
+    vec<V, n> value;
+    for (int k = 0; k < n; ++k) value[k] = mu[k].value;
+    wiener<V, System::channels> increment;
+    increment.dt = w.dt;
+    for (int k = 0; k < System::channels; ++k) increment.dw[k] = w.dw[k].value;
+    const auto solved = midpoint(system, value, increment);
+    const auto back = inverse_derivative(linearised_motion(system, solved.m, increment));
+    vec<number, n> m;
+    for (int k = 0; k < n; ++k) m[k].value = solved.m[k];
+    const auto f = m - mu - number(0.5) * motion(system, m, w);
+    for (int t = 0; t < slopes; ++t) {
+      vec<V, n> moved;
+      for (int k = 0; k < n; ++k) moved[k] = f[k].slope[t];
+      const auto way = times(back, moved);
+      for (int k = 0; k < n; ++k) m[k].slope[t] = -way[k];
+    }
+    return solution<vec<number, n>, decltype(solved.failed)>{m, solved.failed};
+  }
+
   /// Without a question in between: a branch that packs take or do not would cost more than one too many.
   template <class System, class S>
   static constexpr int usual_corrections =

@@ -1,0 +1,9 @@
+#include "ensemble/tangent_controls.hpp"
+
+#include "ensemble/isa_entry.hpp"
+
+namespace polhode {
+
+void add_tangent_controls(const tangent_controls& request) { by_isa(POLHODE_ENTRIES(polhode_add_controls_))(request); }
+
+}  // namespace polhode

@@ -1,0 +1,31 @@
+// Sums that control variates of the growth of tangents are made of, compiled once per instruction set.
+#pragma once
+
+#include <array>
+
+#include "ensemble/kernel.hpp"
+
+namespace polhode {
+
+inline constexpr int tangent_control_count = 48;
+
+/// Of a block of bodies before one step: adds the controls of experiments/tangent_runs.hpp to sums, [control][lane].
+struct tangent_controls {
+  const double *states, *tangents;   ///< [component][lane]; of two tangents the first counts
+  increment_view step;               ///< one
+  std::array<double, 9> sigma;       ///< [component][channel]: B = sigma dW
+  std::array<double, 9> covariance;  ///< Q = sigma sigma^T, by rows
+  double* sums;
+};
+
+/// By the instruction set in force.
+void add_tangent_controls(const tangent_controls&);
+
+}  // namespace polhode
+
+extern "C" {
+void polhode_add_controls_v2(const polhode::tangent_controls&);
+void polhode_add_controls_v3(const polhode::tangent_controls&);
+void polhode_add_controls_v4(const polhode::tangent_controls&);
+void polhode_add_controls_portable(const polhode::tangent_controls&);
+}
