@@ -1,11 +1,11 @@
 #include "experiments/difference_bar.hpp"
 
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "ensemble/dense_algebra.hpp"
+#include "references/decompositions.hpp"
 #include "references/sparse_blocks.hpp"
 
 namespace polhode {

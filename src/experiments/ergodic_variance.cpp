@@ -1,11 +1,11 @@
 #include "experiments/ergodic_variance.hpp"
 
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 
 #include "ensemble/dense_algebra.hpp"
 #include "experiments/stationary_bias.hpp"
+#include "references/decompositions.hpp"
 
 namespace polhode {
 namespace {

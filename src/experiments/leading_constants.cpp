@@ -1,6 +1,5 @@
 #include "experiments/leading_constants.hpp"
 
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include "experiments/levels.hpp"
 #include "experiments/stationary_bias.hpp"
+#include "references/decompositions.hpp"
 #include "references/exponential_action.hpp"
 #include "statistics/power_series.hpp"
 

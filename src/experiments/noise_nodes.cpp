@@ -1,11 +1,11 @@
 #include "experiments/noise_nodes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <numbers>
 
+#include "references/decompositions.hpp"
 #include "references/harmonics.hpp"
 
 namespace polhode {

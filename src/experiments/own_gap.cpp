@@ -1,11 +1,11 @@
 #include "experiments/own_gap.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 
+#include "references/decompositions.hpp"
 #include "references/slowest_modes.hpp"
 #include "references/sparse_blocks.hpp"
 

@@ -7,6 +7,8 @@
 #include <complex>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "references/decompositions.hpp"
+
 namespace polhode {
 namespace {
 

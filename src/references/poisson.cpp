@@ -1,9 +1,10 @@
 #include "references/poisson.hpp"
 
-#include <Eigen/SparseLU>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "references/decompositions.hpp"
 
 namespace polhode {
 namespace {

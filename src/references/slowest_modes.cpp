@@ -1,11 +1,11 @@
 #include "references/slowest_modes.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "references/decompositions.hpp"
 
 namespace polhode {
 namespace {

@@ -1,8 +1,9 @@
 #include "references/sparse_blocks.hpp"
 
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <numeric>
+
+#include "references/decompositions.hpp"
 
 namespace polhode {
 namespace {

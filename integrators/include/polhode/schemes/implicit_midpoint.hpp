@@ -102,7 +102,7 @@ struct implicit_midpoint {
     increment.dt = w.dt;
     for (int k = 0; k < System::channels; ++k) increment.dw[k] = w.dw[k].value;
     const auto solved = midpoint(system, value, increment);
-    const auto back = inverse_derivative(linearised_motion(system, solved.m, increment));
+    const auto back = inverse_derivative<quotient::exact>(linearised_motion(system, solved.m, increment));
     vec<number, n> m;
     for (int k = 0; k < n; ++k) m[k].value = solved.m[k];
     const auto f = m - mu - number(0.5) * motion(system, m, w);
