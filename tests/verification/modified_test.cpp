@@ -346,9 +346,9 @@ TEST(Modified, HealthySchemesHoldAndThoseOffTheSphereAreSkipped) {
     holding += v.kind == report::verdict_kind::holds;
     skipped += v.kind == report::verdict_kind::skipped;
   }
-  EXPECT_EQ(holding, 13 + 6 * 9);
+  EXPECT_EQ(holding, 14 + 6 * 10);
   EXPECT_EQ(skipped, 4);
-  EXPECT_EQ(r.verdicts.size(), 13u + 6 * 9 + 4);
+  EXPECT_EQ(r.verdicts.size(), 14u + 6 * 10 + 4);
 }
 
 }  // namespace
