@@ -66,9 +66,11 @@ void run_paths(const context& c, const attractor_frame& f, std::int64_t steps, i
       std::ranges::any_of(open, [&](int k) { return runs[static_cast<std::size_t>(k)].scheme->needs_areas; });
   harmonic_means means(degree);
   std::vector<double> states(3 * block_lanes);
+  const auto first = static_cast<std::uint64_t>(block) * block_lanes;
+  const auto all = shared_increments::of_block(*c.subject.model, c.seed, steps, f.dt, areas, fast_noise(c), first);
   for (int path = block * block_lanes; path < (block + 1) * block_lanes; ++path) {
     const auto address = static_cast<std::uint64_t>(path);
-    const shared_increments drawn(*c.subject.model, c.seed, steps, f.dt, areas, 1, fast_noise(c), address);
+    const auto& drawn = all[address - first];
     hear(path, drawn.view(0, static_cast<int>(steps)));
     for (const int k : open) {
       auto& run = runs[static_cast<std::size_t>(k)];

@@ -119,10 +119,7 @@ void report_collapse(const context& c, const attractor_frame& f, noise_log& log,
   std::vector<std::unique_ptr<kernel>> kernels;
   for (const auto& scheme : f.schemes) kernels.push_back(scheme.make(t.dt));
   const auto part = log.open({"collapse"}, blocks_of(plan.most));
-  const auto run_path = [&](std::uint64_t path, std::span<const int> open) {
-    const bool areas =
-        std::ranges::any_of(open, [&](int k) { return f.schemes[static_cast<std::size_t>(k)].needs_areas; });
-    const shared_increments drawn(*c.subject.model, c.seed, steps, t.dt, areas, 1, fast_noise(c), path);
+  const auto run_path = [&](std::uint64_t path, const shared_increments& drawn, std::span<const int> open) {
     log.add_path(static_cast<int>(path), drawn.view(0, static_cast<int>(steps)), part);
     std::vector<double> start(3 * block_lanes), states;
     start_uniformly(c.seed, path * block_lanes, f.problem.radius, start);
@@ -137,7 +134,12 @@ void report_collapse(const context& c, const attractor_frame& f, noise_log& log,
   const auto sizes = sample_until_tight(
       c, plan, static_cast<int>(f.schemes.size()),
       [&](int block, std::span<const int> open) {
-        for (int i = 0; i < block_lanes; ++i) run_path(static_cast<std::uint64_t>(block * block_lanes + i), open);
+        const bool areas =
+            std::ranges::any_of(open, [&](int k) { return f.schemes[static_cast<std::size_t>(k)].needs_areas; });
+        const auto first = static_cast<std::uint64_t>(block) * block_lanes;
+        const auto drawn =
+            shared_increments::of_block(*c.subject.model, c.seed, steps, t.dt, areas, fast_noise(c), first);
+        for (std::uint64_t i = 0; i < block_lanes; ++i) run_path(first + i, drawn[i], open);
       },
       [&](int scheme, int paths) {
         const auto found = mean_interval(so_far(static_cast<std::size_t>(scheme), paths));

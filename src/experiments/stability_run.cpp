@@ -181,8 +181,8 @@ class common_normals {
   increment_view scaled_to(double dt, bool areas) {
     if (silent_) return silence(view_.steps, dt);
     if (!areas) return {dt, view_.steps, {}, {}, view_.singles, std::sqrt(dt)};
-    area_.assign(view_.area.begin(), view_.area.end());
-    for (double& x : area_) x *= dt / normal_area_dt;
+    area_.resize(view_.area.size());
+    std::ranges::transform(view_.area, area_.begin(), [scale = dt / normal_area_dt](double x) { return scale * x; });
     return {dt, view_.steps, {}, area_, view_.singles, std::sqrt(dt)};
   }
 
