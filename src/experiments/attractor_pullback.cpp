@@ -25,11 +25,12 @@ namespace polhode {
 namespace {
 
 constexpr int degree = 4;
-constexpr int spans = 7;                   // to the longest T, of which six changes are left
-constexpr double span_time = 2.5;          // in the time in which the area of a set shrinks by e
-constexpr double clear_of_zero = 3;        // standard errors that a level must have above zero to be fitted
-constexpr double most_path_steps = 1.5e8;  // of one scheme at quick effort
-constexpr int least_paths = 32;
+constexpr int spans = 7;                 // to the longest T, of which six changes are left
+constexpr double span_time = 2.5;        // in the time in which the area of a set shrinks by e
+constexpr double clear_of_zero = 3;      // standard errors that a level must have above zero to be fitted
+constexpr double most_path_steps = 1e8;  // of one scheme at quick effort
+constexpr int least_paths = 24;
+constexpr int least_looks = 4, most_looks = 7;
 constexpr const char* pullback_claim = "pullback converges";
 
 struct pullback_plan {
@@ -173,16 +174,13 @@ void report_rate(const std::string& name, const std::optional<interval_estimate>
 
 void report_pullback(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double span = -span_time / f.exponents.sum;
-  const auto env = [](const char* n, int d) {
-    const char* e = getenv(n);
-    return e ? atoi(e) : d;
-  };
-  pullback_plan plan{f.steps_in(span, f.dt), env("PP", by_effort(c.effort, 64, 384, 384)),
-                     env("PB", by_effort(c.effort, 2, 4, 4)), env("PL", 1)};
+  pullback_plan plan{f.steps_in(span, f.dt), by_effort(c.effort, 24, 144, 144), by_effort(c.effort, 1, 2, 2),
+                     most_looks};
   const double most = affordable(c.effort, most_path_steps);
   const auto work = [&] {
     return 2.0 * static_cast<double>(plan.spans_run() * plan.steps) * plan.paths * plan.blocks * block_lanes;
   };
+  while (work() > most && plan.looks > least_looks) --plan.looks;
   while (work() > most && plan.paths > least_paths) plan.paths /= 2;
   if (!affords(c, f.schemes,
                {"attractor", pullback_claim, "forgetting the start", "path-steps a scheme", work(),
