@@ -1,7 +1,9 @@
 // Averaged over noise paths, is the random measure the stationary law?
 //
 // Every noise path drives one block of bodies from a uniform start until one body alone has forgotten it; its random
-// measure is known by its harmonics. The mean over N paths of one scheme has the distance E D^2 = b^2 + V / N from the
+// measure is known by its harmonics. So it is twelve times over, each time once a body has forgotten the last look to a
+// twentieth: as good as another path, at a third of its steps. Paths of one average are looked at at one time, so that
+// they are independent of each other. The mean over N paths of one scheme has the distance E D^2 = b^2 + V / N from the
 // true law, b the distance of the scheme's own stationary law, which its transfer operator gives exactly.
 #include <fmt/format.h>
 
@@ -28,13 +30,13 @@ namespace {
 constexpr int degree = 2;
 constexpr int row = block_lanes;  // noise paths whose averages over 2, 4, … 64 are one sample of the slope
 constexpr double forgotten = 1e-4;
-constexpr int looks = 9;            // at a path, once it is forgotten
+constexpr int looks = 12;           // at a path, once it is forgotten
 constexpr int between_looks = 3;    // the part of that time that lies between them
 constexpr double mean_bound = 0.1;  // as in experiment gibbs: a tenth of a standard deviation, of any function
 constexpr double tight_share = 0.5;
 constexpr double law_tolerance = 0.02;     // of the scheme's own bias
-constexpr double most_path_steps = 1.2e8;  // of one scheme at quick effort
-constexpr int least_paths = 256;
+constexpr double most_path_steps = 1.8e8;  // of one scheme at quick effort
+constexpr int least_paths = 320;
 constexpr const char* average_claim = "mean over noise paths";
 constexpr int replicates = 400;
 
@@ -228,7 +230,7 @@ std::vector<scheme_run> prepared(const context& c, const attractor_frame& f, int
 void report_averages(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double wait = -std::log(forgotten) / f.gap;
   const time_course course{f.steps_in(wait, f.dt), f.steps_in(wait / between_looks, f.dt)};
-  sampling_plan plan{least_paths, by_effort(c.effort, 1024, 4096, 16'384)};
+  sampling_plan plan{least_paths, by_effort(c.effort, 1280, 5120, 20'480)};
   const double most = affordable(c.effort, most_path_steps);
   const auto work = [&] { return 1.0 * block_lanes * static_cast<double>(course.steps()) * plan.most; };
   while (work() > most && plan.most > least_paths) plan.most /= 2;

@@ -3,7 +3,9 @@
 // Bodies start uniformly at -T_1, -T_2, … and see the noise of one path up to time 0; the step before time 0 has the
 // same noise for every T. Two sets of bodies that know nothing of each other give c, c' at each T, and the product of
 // their changes, (c_T - c_T+).(c'_T - c'_T+), has the square of the change of the random measure itself as its mean:
-// that the sets are finite adds scatter and no bias.
+// that the sets are finite adds scatter and no bias. A path has several times 0, a span apart: bodies that are of age T
+// at one of them are of the next T at the next, so that a look costs seven spans in place of 28. Looks at one path are
+// not independent, and intervals are over paths.
 #include <fmt/format.h>
 
 #include <Eigen/Core>
