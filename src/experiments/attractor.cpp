@@ -109,12 +109,15 @@ experiment attractor_experiment() {
       {"attractor",
        "What becomes of bodies all over the sphere under one common noise?",
        {"Averages: per noise path the harmonics (to degree 2) of the random measure of 64 bodies from a uniform start, "
-        "after one body has forgotten it to 1e-4. Over N paths the square of the mean's distance from the true law is "
+        "after one body has forgotten it to 1e-4, and eleven more times, each a third of that later. Over N paths the "
+        "square of the mean's distance from the true law is "
         "b^2 + V/N, b the exact bias of the scheme's own law (transfer operator): with b^2 taken off the slope must be "
         "-1/2, and the mean over all paths must be the scheme's own law to a tenth of a standard deviation of any "
         "function.",
         "Pullback: bodies start uniformly at -T with the same noise up to time 0. Change: from one T to the next, "
-        "root-mean-square over noise paths, by two independent sets of bodies, so that their number leaves no bias.",
+        "root-mean-square over noise paths and, of each, over seven times 0 (fewer where a span takes many steps), by "
+        "two "
+        "independent sets of bodies, so that their number leaves no bias.",
         "Where lambda_1 < 0: the rate at which bodies 1e-6 apart meet (set back to that distance now and then), over "
         "many noise paths, against the exact lambda_1.",
         "Where lambda_1 > 0 (quick: schemes of weak order two alone): numbers of boxes of equal area that are "

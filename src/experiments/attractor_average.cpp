@@ -1,7 +1,9 @@
 // Averaged over noise paths, is the random measure the stationary law?
 //
 // Every noise path drives one block of bodies from a uniform start until one body alone has forgotten it; its random
-// measure is known by its harmonics. The mean over N paths of one scheme has the distance E D^2 = b^2 + V / N from the
+// measure is known by its harmonics. So it is twelve times over, each time once a body has forgotten the last look to a
+// twentieth: as good as another path, at a third of its steps. Paths of one average are looked at at one time, so that
+// they are independent of each other. The mean over N paths of one scheme has the distance E D^2 = b^2 + V / N from the
 // true law, b the distance of the scheme's own stationary law, which its transfer operator gives exactly.
 #include <fmt/format.h>
 
@@ -28,11 +30,13 @@ namespace {
 constexpr int degree = 2;
 constexpr int row = block_lanes;  // noise paths whose averages over 2, 4, … 64 are one sample of the slope
 constexpr double forgotten = 1e-4;
+constexpr int looks = 12;           // at a path, once it is forgotten
+constexpr int between_looks = 3;    // the part of that time that lies between them
 constexpr double mean_bound = 0.1;  // as in experiment gibbs: a tenth of a standard deviation, of any function
 constexpr double tight_share = 0.5;
 constexpr double law_tolerance = 0.02;     // of the scheme's own bias
-constexpr double most_path_steps = 2.5e8;  // of one scheme at quick effort
-constexpr int least_paths = 2048;
+constexpr double most_path_steps = 1.8e8;  // of one scheme at quick effort
+constexpr int least_paths = 320;
 constexpr const char* average_claim = "mean over noise paths";
 constexpr int replicates = 400;
 
@@ -56,26 +60,40 @@ struct scheme_run {
   const scheme_entry* scheme;
   std::unique_ptr<kernel> stepper;
   own_law own;
-  Eigen::MatrixXd means;  ///< [coefficient][noise path], less those of the true law
+  Eigen::MatrixXd means;  ///< [coefficient][block, look, noise path], less those of the true law
 };
 
-void run_paths(const context& c, const attractor_frame& f, std::int64_t steps, int block, std::span<const int> open,
-               std::vector<scheme_run>& runs, const path_listener& hear) {
+/// When a path is looked at, in steps.
+struct time_course {
+  std::int64_t first, between;
+  std::int64_t until(int look) const { return first + look * between; }
+  std::int64_t before(int look) const { return look == 0 ? 0 : until(look - 1); }
+  std::int64_t steps() const { return until(looks - 1); }
+};
+
+void run_paths(const context& c, const attractor_frame& f, const time_course& course, int block,
+               std::span<const int> open, std::vector<scheme_run>& runs, const path_listener& hear) {
   const Eigen::VectorXd truth = harmonic_means::of_density(*f.law.density, degree);
   const bool areas =
       std::ranges::any_of(open, [&](int k) { return runs[static_cast<std::size_t>(k)].scheme->needs_areas; });
   harmonic_means means(degree);
   std::vector<double> states(3 * block_lanes);
+  const auto first = static_cast<std::uint64_t>(block) * block_lanes;
+  const auto all =
+      shared_increments::of_block(*c.subject.model, c.seed, course.steps(), f.dt, areas, fast_noise(c), first);
   for (int path = block * block_lanes; path < (block + 1) * block_lanes; ++path) {
     const auto address = static_cast<std::uint64_t>(path);
-    const shared_increments drawn(*c.subject.model, c.seed, steps, f.dt, areas, 1, fast_noise(c), address);
-    hear(path, drawn.view(0, static_cast<int>(steps)));
+    const auto& drawn = all[address - first];
+    hear(path, drawn.view(0, static_cast<int>(course.steps())));
     for (const int k : open) {
       auto& run = runs[static_cast<std::size_t>(k)];
       start_uniformly(c.seed, address * block_lanes, f.problem.radius, states);
-      run.stepper->advance(states, run.stepper->share(drawn.view(0, static_cast<int>(steps))), 0, steps);
-      means.add(states);
-      run.means.col(path) = means.take() - truth;
+      const auto noise = run.stepper->share(drawn.view(0, static_cast<int>(course.steps())));
+      for (int look = 0; look < looks; ++look) {
+        run.stepper->advance(states, noise, course.before(look), course.until(look) - course.before(look));
+        means.add(states);
+        run.means.col((block * looks + look) * block_lanes + path % block_lanes) = means.take() - truth;
+      }
     }
   }
 }
@@ -122,7 +140,7 @@ distances distances_of(const Eigen::MatrixXd& means, double bias) {
   for (Eigen::MatrixXd at = means;; at = halved(at), ++level) {
     const Eigen::ArrayXd square = at.colwise().squaredNorm().transpose();
     const auto n = square.size();
-    out.paths.push_back(static_cast<double>(means.cols() / n));
+    out.paths.push_back(std::exp2(level));
     out.value.push_back(std::sqrt(square.mean()));
     const double error = n < 8 ? NAN : 1.96 * std::sqrt((square - square.mean()).square().mean() / double(n - 1));
     const bool known = std::isfinite(error);
@@ -202,7 +220,7 @@ std::vector<scheme_run> prepared(const context& c, const attractor_frame& f, int
     const auto k = static_cast<std::size_t>(i);
     const auto& scheme = f.schemes[k];
     runs[k] = {&scheme, scheme.make(f.dt), own_law_of(c, f, scheme),
-               Eigen::MatrixXd(harmonic_count(degree) - 1, paths)};
+               Eigen::MatrixXd(harmonic_count(degree) - 1, looks * paths)};
   });
   return runs;
 }
@@ -210,10 +228,11 @@ std::vector<scheme_run> prepared(const context& c, const attractor_frame& f, int
 }  // namespace
 
 void report_averages(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
-  const auto steps = f.steps_in(-std::log(forgotten) / f.gap, f.dt);
-  sampling_plan plan{least_paths, by_effort(c.effort, 8192, 32'768, 131'072)};
+  const double wait = -std::log(forgotten) / f.gap;
+  const time_course course{f.steps_in(wait, f.dt), f.steps_in(wait / between_looks, f.dt)};
+  sampling_plan plan{least_paths, by_effort(c.effort, 1280, 5120, 20'480)};
   const double most = affordable(c.effort, most_path_steps);
-  const auto work = [&] { return 1.0 * block_lanes * static_cast<double>(steps) * plan.most; };
+  const auto work = [&] { return 1.0 * block_lanes * static_cast<double>(course.steps()) * plan.most; };
   while (work() > most && plan.most > least_paths) plan.most /= 2;
   if (!affords(c, f.schemes,
                {"attractor", average_claim, "forgetting the start", "path-steps a scheme", work(),
@@ -222,19 +241,22 @@ void report_averages(const context& c, const attractor_frame& f, noise_log& log,
     return;
   auto runs = prepared(part_of(c, 0, 0), f, plan.most);
   std::vector<grand_mean> found(runs.size());
+  // One look remembers the one before by so much at most: the variance of a mean of many is (1 + r) / (1 - r) as large.
+  const double r = std::pow(forgotten, 1.0 / between_looks), correlated = std::sqrt((1 + r) / (1 - r));
   const auto part = log.open({"averages"}, blocks_of(plan.most));
   const auto hear = [&](int path, const increment_view& v) { log.add_path(path, v, part); };
   const auto sizes = sample_until_tight(
       part_of(c, 0.2, 1), plan, static_cast<int>(runs.size()),
-      [&](int block, std::span<const int> open) { run_paths(c, f, steps, block, open, runs, hear); },
+      [&](int block, std::span<const int> open) { run_paths(c, f, course, block, open, runs, hear); },
       [&](int scheme, int paths) {
         const auto k = static_cast<std::size_t>(scheme);
-        found[k] = mean_of(runs[k].means.leftCols(paths), c.seed);
+        found[k] = mean_of(runs[k].means.leftCols(looks * paths), c.seed);
+        found[k].error *= correlated;
         return found[k].error <= tight_share * mean_bound;
       });
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const std::string name(runs[k].scheme->info.name);
-    report_slope(name, runs[k], runs[k].means.leftCols(sizes[k].used), c.seed, out);
+    report_slope(name, runs[k], runs[k].means.leftCols(looks * sizes[k].used), c.seed, out);
     report_mean(name, runs[k], found[k], out);
     out.verdicts.back().reason += "; " + sizes[k].text();
   }

@@ -1,14 +1,17 @@
 // Where lambda_1 < 0 all bodies under one noise meet in one random point: at the rate lambda_1?
 //
 // Bodies in pairs at a tiny distance, under the noise of many paths: the mean of log(distance) over a long time, once
-// directions have forgotten their start, falls at lambda_1 a unit of time.
+// directions have forgotten their start, falls at lambda_1 a unit of time. One pair a path: rates differ between paths
+// far more than between pairs of one path. So a lane is a path, and a block of first bodies and one of second ones see
+// the same block of noise.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
-#include "ensemble/shared_increments.hpp"
+#include "ensemble/paths.hpp"
 #include "ensemble/uniform_start.hpp"
 #include "experiments/attractor.hpp"
 #include "experiments/sequential.hpp"
@@ -41,46 +44,91 @@ clock clock_of(const attractor_frame& f) {
   return t;
 }
 
-/// Moves lane 2i + 1 towards lane 2i until they are close, on the sphere.
-void bring_together(double radius, std::vector<double>& states) {
-  for (std::size_t lane = 0; lane < block_lanes; lane += 2) {
+using chunk_listener = std::function<void(const increment_view&)>;
+
+/// Two bodies a noise path, which is a lane.
+struct pairs {
+  std::vector<double> first, second;
+};
+
+/// Moves each second body towards its first until they are close, on the sphere.
+void bring_together(double radius, pairs& p) {
+  for (std::size_t lane = 0; lane < block_lanes; ++lane) {
     std::array<double, 3> to{};
     double apart = 0, size = 0;
-    const auto at = [&](std::size_t k, std::size_t body) -> double& { return states[k * block_lanes + lane + body]; };
-    for (std::size_t k = 0; k < 3; ++k) apart = std::hypot(apart, at(k, 1) - at(k, 0));
+    for (std::size_t k = lane; k < p.first.size(); k += block_lanes)
+      apart = std::hypot(apart, p.second[k] - p.first[k]);
     for (std::size_t k = 0; k < 3; ++k) {
-      to[k] = at(k, 0) + close * radius * (at(k, 1) - at(k, 0)) / apart;
+      const auto at = k * block_lanes + lane;
+      to[k] = p.first[at] + close * radius * (p.second[at] - p.first[at]) / apart;
       size = std::hypot(size, to[k]);
     }
-    for (std::size_t k = 0; k < 3; ++k) at(k, 1) = radius * to[k] / size;
+    for (std::size_t k = 0; k < 3; ++k) p.second[k * block_lanes + lane] = radius * to[k] / size;
   }
 }
 
-/// The mean over the pairs of the logarithm of their distance.
-double log_distance(const std::vector<double>& states) {
-  double sum = 0;
-  for (std::size_t lane = 0; lane < block_lanes; lane += 2) {
+/// Adds factor times the logarithm of their distance, path by path.
+void add_log_distance(const pairs& p, double factor, std::span<double> sums) {
+  for (std::size_t lane = 0; lane < block_lanes; ++lane) {
     double square = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      square += std::pow(states[k * block_lanes + lane + 1] - states[k * block_lanes + lane], 2);
-    sum += 0.5 * std::log(square);
+    for (std::size_t k = lane; k < p.first.size(); k += block_lanes) square += std::pow(p.second[k] - p.first[k], 2);
+    sums[lane] += factor * 0.5 * std::log(square);
   }
-  return sum / (block_lanes / 2);
 }
 
 /// Pieces after which the pairs are brought together again: no distance grows to the size of the sphere, or falls to
-/// rounding (Benettin et al., Meccanica 15 (1980) 9).
-double rate_along(const kernel& k, const shared_steps& noise, const clock& t, double radius,
-                  std::vector<double>& states) {
-  double sum = 0;
-  for (std::int64_t i = 0; i < t.before + t.measured; ++i) {
-    bring_together(radius, states);
-    const double before = log_distance(states);
-    k.advance(states, noise, i * t.piece, t.piece);
-    if (i >= t.before) sum += log_distance(states) - before;
+/// rounding (Benettin et al., Meccanica 15 (1980) 9). Rates by scheme and path; all schemes see the same noise.
+class collapsing_block {
+ public:
+  collapsing_block(const context& c, const attractor_frame& f, const clock& t, int block)
+      : context_(c),
+        radius_(f.problem.radius),
+        clock_(t),
+        first_path_(static_cast<std::uint64_t>(block) * block_lanes) {}
+
+  /// kernels, rates: of the schemes that run.
+  void run(std::span<const kernel* const> kernels, bool with_areas, std::span<const std::span<double>> rates,
+           const chunk_listener& hear) {
+    increment_buffer noise(*context_.subject.model, chunk, with_areas, fast_noise(context_));
+    std::vector<pairs> bodies(kernels.size(), started());
+    for (const auto& r : rates) std::ranges::fill(r, 0.0);
+    for (std::int64_t i = 0; i < clock_.before + clock_.measured; ++i) {
+      for (auto& p : bodies) bring_together(radius_, p);
+      if (i >= clock_.before) add(-1, bodies, rates);
+      advance(i * clock_.piece, kernels, noise, bodies, hear);
+      if (i >= clock_.before) add(1, bodies, rates);
+    }
   }
-  return sum / t.time();
-}
+
+ private:
+  static constexpr int chunk = 16;  // steps whose noise stays in the nearest cache
+
+  pairs started() const {
+    return {uniform_states(context_.seed, 2 * first_path_, radius_),
+            uniform_states(context_.seed, 2 * first_path_ + block_lanes, radius_)};
+  }
+  void add(int sign, const std::vector<pairs>& bodies, std::span<const std::span<double>> rates) const {
+    for (std::size_t k = 0; k < bodies.size(); ++k) add_log_distance(bodies[k], sign / clock_.time(), rates[k]);
+  }
+  void advance(std::int64_t first_step, std::span<const kernel* const> kernels, increment_buffer& noise,
+               std::vector<pairs>& bodies, const chunk_listener& hear) const {
+    for (std::int64_t i = 0; i < clock_.piece; i += chunk) {
+      const auto n = static_cast<int>(std::min<std::int64_t>(chunk, clock_.piece - i));
+      const auto view =
+          noise.fill(context_.seed, first_path_, static_cast<std::uint64_t>(first_step + i), n, clock_.dt);
+      hear(view);
+      for (std::size_t k = 0; k < kernels.size(); ++k) {
+        kernels[k]->advance(bodies[k].first, view);
+        kernels[k]->advance(bodies[k].second, view);
+      }
+    }
+  }
+
+  const context& context_;
+  double radius_;
+  const clock& clock_;
+  std::uint64_t first_path_;
+};
 
 void report_rate(const std::string& name, const clock& t, const std::vector<double>& rates, double exact, double margin,
                  report::results& out) {
@@ -113,33 +161,29 @@ void report_collapse(const context& c, const attractor_frame& f, noise_log& log,
                 static_cast<double>(steps), [](effort) { return most_steps; }},
                out))
     return;
-  const sampling_plan plan{512, by_effort(c.effort, 1024, 8192, 32'768)};
+  const sampling_plan plan{1024, by_effort(c.effort, 2048, 16'384, 65'536)};
   const auto most = static_cast<std::size_t>(blocks_of(plan.most) * block_lanes);
   std::vector<std::vector<double>> rates(f.schemes.size(), std::vector<double>(most));
   std::vector<std::unique_ptr<kernel>> kernels;
   for (const auto& scheme : f.schemes) kernels.push_back(scheme.make(t.dt));
   const auto part = log.open({"collapse"}, blocks_of(plan.most));
-  const auto run_path = [&](std::uint64_t path, std::span<const int> open) {
-    const bool areas =
-        std::ranges::any_of(open, [&](int k) { return f.schemes[static_cast<std::size_t>(k)].needs_areas; });
-    const shared_increments drawn(*c.subject.model, c.seed, steps, t.dt, areas, 1, fast_noise(c), path);
-    log.add_path(static_cast<int>(path), drawn.view(0, static_cast<int>(steps)), part);
-    std::vector<double> start(3 * block_lanes), states;
-    start_uniformly(c.seed, path * block_lanes, f.problem.radius, start);
+  const auto run_block = [&](int block, std::span<const int> open) {
+    std::vector<const kernel*> steppers;
+    std::vector<std::span<double>> found;
+    bool areas = false;
     for (const int scheme : open) {
       const auto k = static_cast<std::size_t>(scheme);
-      const auto noise = kernels[k]->share(drawn.view(0, static_cast<int>(steps)));
-      states = start;
-      rates[k][static_cast<std::size_t>(path)] = rate_along(*kernels[k], noise, t, f.problem.radius, states);
+      steppers.push_back(kernels[k].get());
+      found.push_back(std::span(rates[k]).subspan(static_cast<std::size_t>(block) * block_lanes, block_lanes));
+      areas = areas || f.schemes[k].needs_areas;
     }
+    collapsing_block(c, f, t, block).run(steppers, areas, found, [&](const increment_view& v) {
+      log.add(block, v, part);
+    });
   };
   const auto so_far = [&](std::size_t k, int paths) { return std::vector(rates[k].begin(), rates[k].begin() + paths); };
-  const auto sizes = sample_until_tight(
-      c, plan, static_cast<int>(f.schemes.size()),
-      [&](int block, std::span<const int> open) {
-        for (int i = 0; i < block_lanes; ++i) run_path(static_cast<std::uint64_t>(block * block_lanes + i), open);
-      },
-      [&](int scheme, int paths) {
+  const auto sizes =
+      sample_until_tight(c, plan, static_cast<int>(f.schemes.size()), run_block, [&](int scheme, int paths) {
         const auto found = mean_interval(so_far(static_cast<std::size_t>(scheme), paths));
         return half_width(found) <= tight_share * margin;
       });

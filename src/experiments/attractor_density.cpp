@@ -61,7 +61,7 @@ std::vector<double> law_in_bins(const Eigen::VectorXd& density) {
 void report_densities(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double unit = -1 / f.exponents.sum;
   auto p = common_noise_plan(c, f.dt);
-  p.bodies = by_effort(c.effort, 1 << 17, 1 << 19, 1 << 20);
+  p.bodies = by_effort(c.effort, 1 << 16, 1 << 18, 1 << 19);
   for (const double time : shown_at) p.snapshots.push_back(f.steps_in(time * unit, p.dt));
   p.steps = p.snapshots.back();
   const auto part = log.open({"densities"}, 1);

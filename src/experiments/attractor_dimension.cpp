@@ -22,7 +22,7 @@ constexpr int coarsest = 16;  // boxes along a hemisphere: larger ones see the s
 constexpr double dimension_margin = 0.15;
 constexpr int noise_paths = 64;            // a third of the margin is then left to the interval
 constexpr double longer = 2;               // than the mean time to fall below a box: rates fluctuate along a path
-constexpr double most_path_steps = 1.8e9;  // of one scheme at quick effort
+constexpr double most_path_steps = 1.1e9;  // of one scheme at quick effort
 constexpr const char* dimension_claim = "information dimension";
 constexpr std::array names{"box-counting", "information", "correlation"};
 

@@ -3,7 +3,9 @@
 // Bodies start uniformly at -T_1, -T_2, … and see the noise of one path up to time 0; the step before time 0 has the
 // same noise for every T. Two sets of bodies that know nothing of each other give c, c' at each T, and the product of
 // their changes, (c_T - c_T+).(c'_T - c'_T+), has the square of the change of the random measure itself as its mean:
-// that the sets are finite adds scatter and no bias.
+// that the sets are finite adds scatter and no bias. A path has several times 0, a span apart: bodies that are of age T
+// at one of them are of the next T at the next, so that a look costs seven spans in place of 28. Looks at one path are
+// not independent, and intervals are over paths.
 #include <fmt/format.h>
 
 #include <Eigen/Core>
@@ -25,59 +27,87 @@ namespace polhode {
 namespace {
 
 constexpr int degree = 4;
-constexpr int spans = 7;                   // to the longest T, of which six changes are left
-constexpr double span_time = 2.5;          // in the time in which the area of a set shrinks by e
-constexpr double clear_of_zero = 3;        // standard errors that a level must have above zero to be fitted
-constexpr double most_path_steps = 1.5e8;  // of one scheme at quick effort
-constexpr int least_paths = 32;
+constexpr int spans = 7;                 // to the longest T, of which six changes are left
+constexpr double span_time = 2.5;        // in the time in which the area of a set shrinks by e
+constexpr double clear_of_zero = 3;      // standard errors that a level must have above zero to be fitted
+constexpr double most_path_steps = 1e8;  // of one scheme at quick effort
+constexpr int least_paths = 24;
+constexpr int least_looks = 4, most_looks = 7;
 constexpr const char* pullback_claim = "pullback converges";
 
 struct pullback_plan {
   std::int64_t steps;  ///< between two starts
   int paths, blocks;   ///< blocks of bodies a set
+  int looks;           ///< at a path, a span apart
+
+  std::int64_t all_steps() const { return (spans + looks - 1) * steps; }
+  /// Of one set and scheme.
+  std::int64_t spans_run() const { return looks * spans + spans * (spans - 1) / 2; }
 };
 
-/// The coefficients of both sets at time 0, by the number of spans before it.
-using snapshots = std::vector<std::array<Eigen::VectorXd, 2>>;
+/// Coefficients of both sets, by look and by the spans since their start.
+using snapshots = std::vector<std::array<std::array<Eigen::VectorXd, 2>, spans>>;
+
+/// Bodies that start at one time grow old together: looked at, they are of one age after the other.
+void follow(const context& c, const attractor_frame& f, const pullback_plan& plan, const kernel& k,
+            const shared_steps& noise, int start, std::size_t set, snapshots& out) {
+  harmonic_means means(degree);
+  const auto blocks = static_cast<std::size_t>(plan.blocks);
+  std::vector<std::vector<double>> states(blocks, std::vector<double>(3 * block_lanes));
+  for (std::size_t b = 0; b < blocks; ++b)
+    start_uniformly(c.seed, (set * blocks + b) * block_lanes, f.problem.radius, states[b]);
+  for (int age = 1; age <= spans; ++age) {
+    const int look = start + age - spans;
+    if (look >= plan.looks) return;
+    for (auto& block : states) {
+      k.advance(block, noise, (start + age - 1) * plan.steps, plan.steps);
+      if (look >= 0) means.add(block);
+    }
+    if (look >= 0) out[static_cast<std::size_t>(look)][static_cast<std::size_t>(age - 1)][set] = means.take();
+  }
+}
 
 snapshots pulled_back(const context& c, const attractor_frame& f, const pullback_plan& plan, const kernel& k,
                       const shared_steps& noise) {
-  harmonic_means means(degree);
-  std::vector<double> states(3 * block_lanes);
-  snapshots out;
-  for (int span = 1; span <= spans; ++span) {
-    const std::int64_t steps = span * plan.steps, first = spans * plan.steps - steps;
-    auto& at = out.emplace_back();
-    for (std::size_t set = 0; set < 2; ++set) {
-      for (int block = 0; block < plan.blocks; ++block) {
-        const auto bodies = (static_cast<int>(set) * plan.blocks + block) * block_lanes;
-        start_uniformly(c.seed, static_cast<std::uint64_t>(bodies), f.problem.radius, states);
-        k.advance(states, noise, first, steps);
-        means.add(states);
-      }
-      at[set] = means.take();
-    }
-  }
+  snapshots out(static_cast<std::size_t>(plan.looks));
+  for (int start = 0; start < spans + plan.looks - 1; ++start)
+    for (std::size_t set = 0; set < 2; ++set) follow(c, f, plan, k, noise, start, set, out);
   return out;
 }
 
-/// Squares of the change from T to the next T, by noise path; `hear` is told on any thread.
-squared_errors changes_of(const context& c, const attractor_frame& f, const pullback_plan& plan,
-                          const scheme_entry& scheme, const path_listener& hear) {
-  const auto stepper = scheme.make(f.dt);
-  const std::int64_t all = spans * plan.steps;
-  squared_errors out{plan.paths, spans - 1, std::vector<double>(static_cast<std::size_t>(plan.paths * (spans - 1)))};
-  parallel_for(c.threads, plan.paths, [&](int path) {
-    const shared_increments drawn(*c.subject.model, c.seed, all, f.dt, scheme.needs_areas, 1, fast_noise(c),
-                                  static_cast<std::uint64_t>(path));
-    const auto view = drawn.view(0, static_cast<int>(all));
-    if (hear) hear(path, view);
-    const auto at = pulled_back(c, f, plan, *stepper, stepper->share(view));
+/// Of one path of one scheme: squares of the change from T to the next T, mean over the looks.
+void add_changes(const snapshots& at, int path, squared_errors& out) {
+  for (const auto& look : at)
     for (int i = 0; i + 1 < spans; ++i) {
-      const auto &here = at[static_cast<std::size_t>(i)], &next = at[static_cast<std::size_t>(i + 1)];
-      out.at(path, i) = (here[0] - next[0]).dot(here[1] - next[1]);
+      const auto &here = look[static_cast<std::size_t>(i)], &next = look[static_cast<std::size_t>(i + 1)];
+      out.at(path, i) += (here[0] - next[0]).dot(here[1] - next[1]) / static_cast<double>(at.size());
     }
-  });
+}
+
+/// By scheme and noise path; all schemes see the same noise.
+std::vector<squared_errors> changes_of(const context& c, const attractor_frame& f, const pullback_plan& plan,
+                                       noise_log& log, std::size_t part) {
+  const squared_errors nothing{plan.paths, spans - 1,
+                               std::vector<double>(static_cast<std::size_t>(plan.paths * (spans - 1)))};
+  std::vector<squared_errors> out(f.schemes.size(), nothing);
+  std::vector<std::unique_ptr<kernel>> steppers;
+  for (const auto& scheme : f.schemes) steppers.push_back(scheme.make(f.dt));
+  progress_counter done(plan.paths, c.progress);
+  for (int first = 0; first < plan.paths; first += block_lanes) {
+    const auto drawn =
+        shared_increments::of_block(*c.subject.model, c.seed, plan.all_steps(), f.dt, any_needs_areas(f.schemes),
+                                    fast_noise(c), static_cast<std::uint64_t>(first));
+    const int paths = std::min(block_lanes, plan.paths - first);
+    const auto view = [&](int i) {
+      return drawn[static_cast<std::size_t>(i)].view(0, static_cast<int>(plan.all_steps()));
+    };
+    for (int i = 0; i < paths; ++i) log.add_path(first + i, view(i), part);
+    parallel_for(c.threads, paths, [&](int i) {
+      for (std::size_t s = 0; s < steppers.size(); ++s)
+        add_changes(pulled_back(c, f, plan, *steppers[s], steppers[s]->share(view(i))), first + i, out[s]);
+      done.add();
+    });
+  }
   return out;
 }
 
@@ -146,33 +176,26 @@ void report_rate(const std::string& name, const std::optional<interval_estimate>
 
 void report_pullback(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double span = -span_time / f.exponents.sum;
-  pullback_plan plan{f.steps_in(span, f.dt), by_effort(c.effort, 64, 384, 384), by_effort(c.effort, 2, 4, 4)};
+  pullback_plan plan{f.steps_in(span, f.dt), by_effort(c.effort, 24, 144, 144), by_effort(c.effort, 1, 2, 2),
+                     most_looks};
   const double most = affordable(c.effort, most_path_steps);
   const auto work = [&] {
-    return 1.0 * spans * (spans + 1) * static_cast<double>(plan.steps) * plan.paths * plan.blocks * block_lanes;
+    return 2.0 * static_cast<double>(plan.spans_run() * plan.steps) * plan.paths * plan.blocks * block_lanes;
   };
+  while (work() > most && plan.looks > least_looks) --plan.looks;
   while (work() > most && plan.paths > least_paths) plan.paths /= 2;
   if (!affords(c, f.schemes,
                {"attractor", pullback_claim, "forgetting the start", "path-steps a scheme", work(),
                 [](effort e) { return affordable(e, most_path_steps); }},
                out))
     return;
-  progress_counter done(static_cast<int>(f.schemes.size()), c.progress);
-  const auto part = log.open({"pullback"}, blocks_of(plan.paths));
-  std::vector<std::optional<noise_audit>> heard(static_cast<std::size_t>(plan.paths));
-  const path_listener hear = [&](int path, const increment_view& v) {
-    heard[static_cast<std::size_t>(path)] = log.alone(path, v, part);
-  };
-  for (const auto& scheme : f.schemes) {
-    const std::string name(scheme.info.name);
-    const auto changes = changes_of(c, f, plan, scheme, &scheme == &heard_among(f.schemes) ? hear : path_listener{});
-    const double between = static_cast<double>(plan.steps) * f.dt;
-    report_changes(name, changes, between, out);
-    report_rate(name, rate_of(changes, between, c.seed), f.gap, out);
-    done.add();
+  const auto changes = changes_of(c, f, plan, log, log.open({"pullback"}, blocks_of(plan.paths)));
+  const double between = static_cast<double>(plan.steps) * f.dt;
+  for (std::size_t s = 0; s < f.schemes.size(); ++s) {
+    const std::string name(f.schemes[s].info.name);
+    report_changes(name, changes[s], between, out);
+    report_rate(name, rate_of(changes[s], between, c.seed), f.gap, out);
   }
-  for (int path = 0; path < plan.paths; ++path)
-    if (const auto& one = heard[static_cast<std::size_t>(path)]) log.join(path, *one, part);
 }
 
 }  // namespace polhode

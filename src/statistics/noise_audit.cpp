@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-constexpr int window = 16;                            // steps, of which the first two are looked at closely
+constexpr int window = 16, path_window = 4;           // steps, of which the first two are looked at closely
 constexpr double tail = 4;                            // standard deviations
 constexpr double tail_share = 6.334248366623996e-05;  // P(|z| > 4)
 
@@ -123,7 +123,8 @@ void noise_audit::add_rows(const audited_steps& s, const Real* dw, double unit) 
       u(s.area.empty() ? 0 : static_cast<std::size_t>(pairs_));
   if (all_ == 0 && !paths_) path_audit_.add_starts(dw, s.steps, s.rows, channels_);
   for (int i = 0; i < s.steps; ++i) {
-    const bool close = i % window < 2;
+    const int place = i % (paths_ ? path_window : window);
+    const bool close = place < 2;
     const auto seen = static_cast<std::int64_t>(all_) / lanes;
     const auto compared = seen % path_audit::compared_every == 0 ? seen / path_audit::compared_every % channels_ : -1;
     for (int k = 0; k < channels_; ++k) {
@@ -141,7 +142,7 @@ void noise_audit::add_rows(const audited_steps& s, const Real* dw, double unit) 
     }
     if (!u.empty()) area_all_ += lanes;
     if (!close) continue;
-    look_closely(z, i % window == 1 ? &before : nullptr, u);
+    look_closely(z, place == 1 ? &before : nullptr, u);
     before = z;
     if (heads_.empty()) heads_.push_back(z);
   }

@@ -3,7 +3,8 @@
 // Every sum below has mean 0 and a known variance under that law, so that divided by its standard deviation it is
 // N(0, 1) for the many thousand numbers of a run. With z an increment over sqrt(dt):
 //   every step:      z and z^2 - 1;  u and u^2 - E u^2 of the areas, u = A / (dt/2)
-//   two steps in 16: z^3 - 3z, z^4 - 6z^2 + 3, |z| > 4 (Poisson); products of channels, of a step and the next, of lane
+//   two steps in 16 (of one path common to many bodies, two times 64 in four times 64):
+//                    z^3 - 3z, z^4 - 6z^2 + 3, |z| > 4 (Poisson); products of channels, of a step and the next, of lane
 //                    i and lane i + 1, of lane i and lane i + 32; of areas with increments and with each other
 //   a block's first: products with the first of the blocks 1, 2, 4, 8 … before
 //   paths:           whether two of them start alike, and the products of any two lanes (path_audit.hpp)
