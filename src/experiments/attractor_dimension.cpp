@@ -56,7 +56,7 @@ void add_clouds(const context& c, const dimension_plan& plan, const scheme_entry
 
 bool tight(const context& c, const std::vector<cloud>& clouds) {
   const auto found = fit_dimension(clouds, box_kind::information, usable_levels(clouds));
-  return found && half_width(found->value) <= by_effort(c.effort, 0.5, 0.25, 0.25) * dimension_margin;
+  return found && half_width(found->value) <= by_effort(c.effort, 0.5, 0.2, 0.2) * dimension_margin;
 }
 
 /// Half of the paths where they make the interval tight.
