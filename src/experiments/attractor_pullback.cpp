@@ -56,14 +56,15 @@ void follow(const context& c, const attractor_frame& f, const pullback_plan& pla
   std::vector<std::vector<double>> states(blocks, std::vector<double>(3 * block_lanes));
   for (std::size_t b = 0; b < blocks; ++b)
     start_uniformly(c.seed, (set * blocks + b) * block_lanes, f.problem.radius, states[b]);
-  for (int age = 1; age <= spans; ++age) {
-    const int look = start + age - spans;
+  for (int age = 0; age < spans;) {
+    const int next = std::max(age + 1, spans - start), look = start + next - spans;  // to the first look at once
     if (look >= plan.looks) return;
     for (auto& block : states) {
-      k.advance(block, noise, (start + age - 1) * plan.steps, plan.steps);
-      if (look >= 0) means.add(block);
+      k.advance(block, noise, (start + age) * plan.steps, (next - age) * plan.steps);
+      means.add(block);
     }
-    if (look >= 0) out[static_cast<std::size_t>(look)][static_cast<std::size_t>(age - 1)][set] = means.take();
+    age = next;
+    out[static_cast<std::size_t>(look)][static_cast<std::size_t>(age - 1)][set] = means.take();
   }
 }
 

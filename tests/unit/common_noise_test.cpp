@@ -27,6 +27,22 @@ TEST(SharedIncrements, OfAPathAreThoseOfItsLane) {
   for (std::size_t i = 0; i < view.area.size(); ++i) EXPECT_DOUBLE_EQ(view.area[i], block.area[i * block_lanes + 3]);
 }
 
+TEST(SharedIncrements, OfABlockAreThoseOfEachPath) {
+  const auto s = paper();
+  const auto numbers = [](std::span<const double> all) { return std::vector(all.begin(), all.end()); };
+  for (const auto quality : {noise_quality::precise, noise_quality::fast}) {
+    const noise_source source{noise_generator::philox, quality};
+    const auto block = shared_increments::of_block(*s.model, 7, 70, 0.1, true, source, 64);
+    ASSERT_EQ(block.size(), std::size_t{block_lanes});
+    for (const std::size_t lane : {0u, 3u, 63u}) {
+      const shared_increments one(*s.model, 7, 70, 0.1, true, 1, source, 64 + lane);
+      const auto expected = one.view(0, 70), found = block[lane].view(0, 70);
+      EXPECT_EQ(numbers(found.dw), numbers(expected.dw));
+      EXPECT_EQ(numbers(found.area), numbers(expected.area));
+    }
+  }
+}
+
 /// Bodies that start later, with the last steps of the same table, go as bodies whose noise is those steps alone.
 TEST(Pullback, AShorterRunSeesTheLastStepsOfALongerOne) {
   const auto s = paper();

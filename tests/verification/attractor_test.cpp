@@ -1,6 +1,7 @@
 // Experiment attractor: its claims hold where bodies spread and where they collect, and threads change nothing.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -184,6 +185,17 @@ TEST(Attractor, OneNoiseForAllPathsDoesNotAverageOut) {
 TEST(Attractor, NoiseCountedFromTheStartDoesNotConverge) {
   const auto as_it_is = [](std::span<double>) {};
   EXPECT_EQ(verdict_with(as_it_is, true, "pullback converges"), report::verdict_kind::refuted);
+}
+
+// Half the dissipation: then bodies spread.
+TEST(Attractor, BodiesThatDoNotMeetDoNotCollapse) {
+  auto s = restricted(bind_scene(damped()), {"lie_heun"});
+  s.schemes[0].make = restricted(bind_scene(load_scene("paper")), {"lie_heun"}).schemes[0].make;
+  report::results out;
+  attractor_experiment().run({s, effort::quick, 2}, out);
+  const auto found = std::ranges::find(out.verdicts, "collapse at the rate lambda_1", &report::verdict::claim);
+  ASSERT_NE(found, out.verdicts.end());
+  EXPECT_EQ(found->kind, report::verdict_kind::refuted) << found->reason;
 }
 
 TEST(Attractor, ThreadsChangeNothing) {
