@@ -54,9 +54,9 @@ void add_clouds(const context& c, const dimension_plan& plan, const scheme_entry
   }
 }
 
-bool tight(const context& c, const std::vector<cloud>& clouds) {
+bool tight(const std::vector<cloud>& clouds) {
   const auto found = fit_dimension(clouds, box_kind::information, usable_levels(clouds));
-  return found && half_width(found->value) <= by_effort(c.effort, 0.5, 0.2, 0.2) * dimension_margin;
+  return found && half_width(found->value) <= 0.2 * dimension_margin;
 }
 
 /// Half of the paths where they make the interval tight.
@@ -64,7 +64,7 @@ std::vector<cloud> clouds_of(const context& c, const dimension_plan& plan, const
                              const path_listener& hear) {
   std::vector<cloud> clouds;
   add_clouds(c, plan, scheme, 0, plan.paths / 2, hear, clouds);
-  if (!tight(c, clouds)) add_clouds(c, plan, scheme, plan.paths / 2, plan.paths, hear, clouds);
+  if (!tight(clouds)) add_clouds(c, plan, scheme, plan.paths / 2, plan.paths, hear, clouds);
   return clouds;
 }
 
