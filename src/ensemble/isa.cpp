@@ -30,7 +30,8 @@ std::vector<isa> find_usable() {
 #if defined(POLHODE_X86_LEVEL)
   constexpr isa built = isa::POLHODE_X86_LEVEL;
   if (std::ranges::find(found, built) == found.end())
-    throw std::runtime_error("this build is for x86-64-" + std::string(name_of(built)) + " alone, this processor has less");
+    throw std::runtime_error("this build is for x86-64-" + std::string(name_of(built)) +
+                             " alone, this processor has less");
   found = {built};
 #endif
   return found;

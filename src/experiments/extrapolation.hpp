@@ -1,9 +1,10 @@
 // Weak errors combined over step sizes so that leading powers of dt drop out (Talay, Tubaro, Stoch. Anal. Appl. 8
 // (1990) 483), and what an accuracy then costs.
 //
-// The palindrome strang_two_turns has no odd power of dt of its own, but its noise step has: with u = sigma^2 dt the scaled
-// Gaussian rotation multiplies harmonics of degree one by exp(-u + u^4/864 + ...), which leaves a small dt^3. Without
-// dt^2 the order so is three, dt^4 being seen first; without dt^2, dt^3 and dt^4 it is five, dt^6 being seen first.
+// The palindrome strang_two_turns has no odd power of dt of its own, but its noise step has: with u = sigma^2 dt the
+// scaled Gaussian rotation multiplies harmonics of degree one by exp(-u + u^4/864 + ...), which leaves a small dt^3.
+// Without dt^2 the order so is three, dt^4 being seen first; without dt^2, dt^3 and dt^4 it is five, dt^6 being seen
+// first.
 #pragma once
 
 #include <array>

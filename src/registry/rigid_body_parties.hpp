@@ -1,5 +1,5 @@
-// The schemes whose kernels for the rigid body are compiled in a source of their own. One that is in no party is compiled
-// with the binding itself.
+// The schemes whose kernels for the rigid body are compiled in a source of their own. One that is in no party is
+// compiled with the binding itself.
 #pragma once
 
 #define POLHODE_MEETS_RIGID_BODY(scheme) template void add_scheme<scheme>(subject&, const rigid_body&);

@@ -22,7 +22,8 @@ namespace polhode {
 template <class... Schemes>
 struct scheme_list {};
 
-using all_schemes = scheme_list<euler_maruyama, heun, heun_projected, milstein, milstein_no_area, implicit_midpoint,
-                                lie_euler, lie_heun, cayley_heun, magnus, lie_trotter, strang, strang_two_turns, strang_weak2>;
+using all_schemes =
+    scheme_list<euler_maruyama, heun, heun_projected, milstein, milstein_no_area, implicit_midpoint, lie_euler,
+                lie_heun, cayley_heun, magnus, lie_trotter, strang, strang_two_turns, strang_weak2>;
 
 }  // namespace polhode

@@ -24,7 +24,7 @@ struct verify_options {
   std::string isa = "auto";          ///< instruction set of the inner loops; auto: the widest that this machine has
   /// Called after every experiment but the last with what there is by then, the rest named in `to_come`.
   std::function<void(const report::results&)> so_far = {};
-  bool profile = false;  ///< say where the processor time went
+  bool profile = false;                   ///< say where the processor time went
   report::result_store* store = nullptr;  ///< keeps results from run to run; for schemes of the registry only
 };
 

@@ -1,5 +1,5 @@
-// Compiled once per instruction set: the rigid body meets its schemes. The costliest kernels are in sources of their own,
-// so that several processors compile them.
+// Compiled once per instruction set: the rigid body meets its schemes. The costliest kernels are in sources of their
+// own, so that several processors compile them.
 #include "registry/rigid_body.hpp"
 
 #include "ensemble/isa_entry.hpp"

@@ -1,14 +1,14 @@
 // strang with noise of weak order two: the noise vectors are changed once, by O(dt).
 //
-//   mu_{n+1} = T1(dt/2) T2(dt/2) D(dt/2) N(T(dt) dW) D(dt/2) T2(dt/2) T1(dt/2) mu_n                       (Stratonovich)
-//   T(dt) T(dt)^T dt = Q dt + R dt^2,   turns T1, T2, dissipation D and noise N as in strang.hpp
+//   mu_{n+1} = T1(dt/2) T2(dt/2) D(dt/2) N(T(dt) dW) D(dt/2) T2(dt/2) T1(dt/2) mu_n (Stratonovich) T(dt) T(dt)^T dt = Q
+//   dt + R dt^2,   turns T1, T2, dissipation D and noise N as in strang.hpp
 //
 // A palindrome of flows, each of weak order two at least, is of weak order two. Q and R: systems/constant_noise.hpp,
 // weak_order_two. Isotropic noise on so(3): T = sigma sqrt(1 - sigma^2 dt/12). strang_weak2 has the same noise in the
 // palindrome of five turns, which takes three times as many and errs by more.
 //
-// Source: Strang, SIAM J. Numer. Anal. 5 (1968) 506-517; the noise step is derived where it stands. Keeps every Casimir.
-// Cost a step: strang's.
+// Source: Strang, SIAM J. Numer. Anal. 5 (1968) 506-517; the noise step is derived where it stands. Keeps every
+// Casimir. Cost a step: strang's.
 #pragma once
 
 #include <polhode/schemes/scheme_info.hpp>
