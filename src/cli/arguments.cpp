@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -19,22 +18,6 @@ namespace {
 
 constexpr std::uint64_t most_threads = 1024;
 
-std::string shown(std::string_view text) { return fmt::format("'{}'", one_line(text, 60)); }
-
-std::vector<std::string> long_options_of(const CLI::App& parser) {
-  std::vector<std::string> names;
-  for (const auto* option : parser.get_options())
-    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
-  return names;
-}
-
-/// What the parser left over, without the mark that ends the options.
-std::vector<std::string> rest_of(const CLI::App& parser) {
-  auto rest = parser.remaining();
-  std::erase(rest, "--");
-  return rest;
-}
-
 /// Not a number: text that is none.
 double number(std::string_view text) {
   double value = 0;
@@ -48,32 +31,9 @@ double checked_number(std::string_view option, std::string_view text, bool accep
   return number(text);
 }
 
-void refuse_rest(const CLI::App& parser) {
-  const auto rest = rest_of(parser);
-  if (rest.empty()) return;
-  const auto argument = rest.front().substr(0, rest.front().find('='));
-  if (!argument.starts_with('-'))
-    throw input_error(fmt::format("{} is one argument too many for {}", shown(argument), parser.get_name()));
-  const auto known = long_options_of(parser);
-  // One letter is near to any other.
-  const auto hint = argument.size() > 2 ? did_you_mean(argument, known) : "";
-  throw input_error(fmt::format("{}: unknown option{}; accepted: {}", shown(argument), hint, fmt::join(known, ", ")));
-}
-
 }  // namespace
 
-void refuse_unknown(const CLI::App& root, std::span<const command> commands) {
-  std::vector<std::string> names;
-  for (const auto& c : commands) names.push_back(c.parser->get_name());
-  const auto rest = rest_of(root);
-  if (!rest.empty() && !rest.front().starts_with('-') && root.get_subcommands().empty())
-    throw input_error(fmt::format("{}: unknown command{}; accepted: {}", shown(rest.front()),
-                                  did_you_mean(rest.front(), names), fmt::join(names, ", ")));
-  refuse_rest(root);
-  for (const auto* parser : root.get_subcommands()) refuse_rest(*parser);
-  if (root.get_subcommands().empty())
-    throw input_error(fmt::format("no command given; accepted: {}; see polhode --help", fmt::join(names, ", ")));
-}
+std::string shown(std::string_view text) { return fmt::format("'{}'", one_line(text, 60)); }
 
 std::string default_threads() {
   return std::to_string(std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, most_threads));

@@ -1,33 +1,16 @@
-// Arguments of the command line: commands and the checks that they share. Every fault is an input_error of one line.
+// Values given on the command line, checked. Every fault is an input_error of one line.
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace polhode::cli {
 
-/// A command registers itself with the parser; `run` does its work and returns the exit code.
-struct command {
-  CLI::App* parser;
-  std::function<int()> run;
-};
-command add_verify(CLI::App&);
-command add_simulate(CLI::App&);
-command add_reference(CLI::App&);
-command add_select(CLI::App&);
-command add_compare(CLI::App&);
-command add_list(CLI::App&);
-
-/// Refuses what the parser did not recognise, and names the nearest that it knows.
-void refuse_unknown(const CLI::App&, std::span<const command>);
+/// Of an argument in an error: quoted, in one line, not too long.
+std::string shown(std::string_view);
 
 /// "all processors", within what is accepted.
 std::string default_threads();

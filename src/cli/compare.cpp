@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include <string>
 
 #include "cli/arguments.hpp"
+#include "cli/commands.hpp"
 #include "cli/comparing.hpp"
 #include "cli/read_results.hpp"
 #include "cli/terminal.hpp"
@@ -69,13 +69,12 @@ int exit_code(std::span<const report::comparison> all) {
 
 command add_compare(CLI::App& app) {
   const auto given = std::make_shared<arguments>();
-  auto* parser = app.add_subcommand("compare", "Two results of one scene: what has changed, beyond noise");
-  parser->add_option("OLD", given->before, "A results.json, or the folder of a scene")->type_name("");
-  parser->add_option("NEW", given->after, "The same, later")->type_name("");
-  parser->add_option("--html", given->html, "Write the report of NEW, with OLD beside it, as one page")
-      ->type_name("FILE");
-  parser->add_option("--format", given->format, "text, json [text]")->type_name("F");
-  return {parser, [given] { return run(*given); }};
+  auto& parser = add_command(app, "compare", "Two results of one scene: what has changed, beyond noise");
+  add_option(parser, "OLD", given->before, "A results.json, or the folder of a scene", "");
+  add_option(parser, "NEW", given->after, "The same, later", "");
+  add_option(parser, "--html", given->html, "Write the report of NEW, with OLD beside it, as one page", "FILE");
+  add_option(parser, "--format", given->format, "text, json [text]", "F");
+  return {&parser, [given] { return run(*given); }};
 }
 
 }  // namespace polhode::cli

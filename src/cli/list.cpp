@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
+#include "cli/commands.hpp"
 #include "cli/layout.hpp"
 #include "cli/terminal.hpp"
 #include "registry/builtin.hpp"
@@ -94,10 +94,10 @@ int run(const arguments& given) {
 
 command add_list(CLI::App& app) {
   const auto given = std::make_shared<arguments>();
-  auto* parser = app.add_subcommand("list", "Name what there is, schemes with their claims");
-  parser->add_option("WHAT", given->what, "schemes, experiments, scenes, observables, systems")->type_name("");
-  parser->add_option("--format", given->format, "text, json [text]")->type_name("F");
-  return {parser, [given] { return run(*given); }};
+  auto& parser = add_command(app, "list", "Name what there is, schemes with their claims");
+  add_option(parser, "WHAT", given->what, "schemes, experiments, scenes, observables, systems", "");
+  add_option(parser, "--format", given->format, "text, json [text]", "F");
+  return {&parser, [given] { return run(*given); }};
 }
 
 }  // namespace polhode::cli

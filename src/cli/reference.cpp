@@ -1,12 +1,12 @@
 // polhode reference: exact answers about a scene, with how certain they are.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "cli/arguments.hpp"
+#include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "registry/reference.hpp"
 #include "registry/scene.hpp"
@@ -64,14 +64,14 @@ int run(const arguments& given) {
 
 command add_reference(CLI::App& app) {
   const auto given = std::make_shared<arguments>();
-  auto* parser = app.add_subcommand("reference", "Exact expectations, stationary law, exponents; no sampling");
-  parser->add_option("SCENE", given->scene, "A built-in name or a TOML file [paper]")->type_name("");
-  parser->add_option("--quantity", given->quantity, "expectation, gibbs, lyapunov, gap")->type_name("Q");
-  parser->add_option("--observable", given->observable, "See polhode list observables [energy]")->type_name("NAME");
-  parser->add_option("--time", given->time, "Of the expectation [the horizon]")->type_name("T");
-  parser->add_option("--degree", given->degree, "Of the harmonics, 1 to 128 [chosen]")->type_name("L");
-  parser->add_option("--format", given->format, "text, json [text]")->type_name("F");
-  return {parser, [given] { return run(*given); }};
+  auto& parser = add_command(app, "reference", "Exact expectations, stationary law, exponents; no sampling");
+  add_option(parser, "SCENE", given->scene, "A built-in name or a TOML file [paper]", "");
+  add_option(parser, "--quantity", given->quantity, "expectation, gibbs, lyapunov, gap", "Q");
+  add_option(parser, "--observable", given->observable, "See polhode list observables [energy]", "NAME");
+  add_option(parser, "--time", given->time, "Of the expectation [the horizon]", "T");
+  add_option(parser, "--degree", given->degree, "Of the harmonics, 1 to 128 [chosen]", "L");
+  add_option(parser, "--format", given->format, "text, json [text]", "F");
+  return {&parser, [given] { return run(*given); }};
 }
 
 }  // namespace polhode::cli

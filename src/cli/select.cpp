@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
+#include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "registry/choose.hpp"
 #include "reports/model/errors.hpp"
@@ -124,23 +124,19 @@ int run(const arguments& given) {
 command add_select(CLI::App& app) {
   const auto given = std::make_shared<arguments>();
   given->threads = default_threads();
-  auto* parser = app.add_subcommand("select", "The cheapest scheme and step for a target, measured on a scene");
-  parser->add_option("SCENE", given->scene, "A built-in name or a TOML file [paper]")->type_name("");
-  parser->add_option("--goal", given->goal, "strong, weak, stationary, energy")->type_name("G");
-  parser
-      ->add_option("--tolerance", given->tolerance,
-                   "Of the error, in units of the observable's size, of |Pi_0| or of h_0")
-      ->type_name("X");
-  parser->add_option("--observable", given->observable, "Of weak and stationary: one alone [all: the worst]")
-      ->type_name("NAME");
-  parser->add_option("--time", given->time, "Of strong, weak and energy [the horizon]")->type_name("T");
-  parser->add_option("--require", given->require, "casimir-exact,explicit,implicit,no-areas,monotone-energy")
-      ->type_name("A,B");
-  parser->add_option("--threads", given->threads, "Working threads [all processors]")->type_name("N");
-  parser->add_option("--seed", given->seed, "Of every random number [1]")->type_name("N");
-  parser->add_option("--isa", given->isa, "Instruction set of the inner loops [auto]")->type_name("I");
-  parser->add_option("--format", given->format, "text, json [text]")->type_name("F");
-  return {parser, [given] { return run(*given); }};
+  auto& parser = add_command(app, "select", "The cheapest scheme and step for a target, measured on a scene");
+  add_option(parser, "SCENE", given->scene, "A built-in name or a TOML file [paper]", "");
+  add_option(parser, "--goal", given->goal, "strong, weak, stationary, energy", "G");
+  add_option(parser, "--tolerance", given->tolerance,
+             "Of the error, in units of the observable's size, of |Pi_0| or of h_0", "X");
+  add_option(parser, "--observable", given->observable, "Of weak and stationary: one alone [all: the worst]", "NAME");
+  add_option(parser, "--time", given->time, "Of strong, weak and energy [the horizon]", "T");
+  add_option(parser, "--require", given->require, "casimir-exact,explicit,implicit,no-areas,monotone-energy", "A,B");
+  add_option(parser, "--threads", given->threads, "Working threads [all processors]", "N");
+  add_option(parser, "--seed", given->seed, "Of every random number [1]", "N");
+  add_option(parser, "--isa", given->isa, "Instruction set of the inner loops [auto]", "I");
+  add_option(parser, "--format", given->format, "text, json [text]", "F");
+  return {&parser, [given] { return run(*given); }};
 }
 
 }  // namespace polhode::cli

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <limits>
 #include <memory>
 
 #include "cli/arguments.hpp"
+#include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
@@ -116,14 +116,14 @@ int run(const arguments& given) {
 }
 
 void add_common(CLI::App& parser, arguments& given) {
-  parser.add_option("--out", given.out, "Folder for the files [simulation]")->type_name("DIR");
-  parser.add_option("--threads", given.threads, "1 to 1024 [" + given.threads + "]")->type_name("N");
-  parser.add_option("--seed", given.seed, "Seed of the noise [1]")->type_name("N");
-  parser.add_option("--isa", given.isa, "Instruction set: auto, v2, v3, v4 [auto]")->type_name("NAME");
-  parser.add_option("--generator", given.generator, "Random bits: philox, ars [philox]")->type_name("NAME");
-  parser.add_option("--normals", given.normals, "fast (to 1e-6), precise [fast]")->type_name("K");
-  parser.add_option("--format", given.format, "On standard output: text, json [text]")->type_name("F");
-  parser.add_flag("-q,--quiet", given.quiet, "No summary, no progress");
+  add_option(parser, "--out", given.out, "Folder for the files [simulation]", "DIR");
+  add_option(parser, "--threads", given.threads, "1 to 1024 [" + given.threads + "]", "N");
+  add_option(parser, "--seed", given.seed, "Seed of the noise [1]", "N");
+  add_option(parser, "--isa", given.isa, "Instruction set: auto, v2, v3, v4 [auto]", "NAME");
+  add_option(parser, "--generator", given.generator, "Random bits: philox, ars [philox]", "NAME");
+  add_option(parser, "--normals", given.normals, "fast (to 1e-6), precise [fast]", "K");
+  add_option(parser, "--format", given.format, "On standard output: text, json [text]", "F");
+  add_flag(parser, "-q,--quiet", given.quiet, "No summary, no progress");
 }
 
 }  // namespace
@@ -131,18 +131,18 @@ void add_common(CLI::App& parser, arguments& given) {
 command add_simulate(CLI::App& app) {
   const auto given = std::make_shared<arguments>();
   given->threads = default_threads();
-  auto* parser = app.add_subcommand("simulate", "Run an ensemble of bodies; final states and pictures");
-  parser->add_option("SCENE", given->scene, "A built-in name or a TOML file [paper]")->type_name("");
-  parser->add_option("--scheme", given->scheme, "The scheme; see polhode list schemes")->type_name("S");
-  parser->add_option("--dt", given->dt, "Step size; the horizon is a multiple")->type_name("H");
-  parser->add_option("--bodies", given->bodies, "How many")->type_name("N");
-  parser->add_option("--noise", given->noise, "common, independent, none")->type_name("K");
-  parser->add_option("--snapshots", given->snapshots, "Times to count and picture")->type_name("T1,T2");
-  parser->add_option("--colour-map", given->colour_map, "viridis, magma, cividis [viridis]")->type_name("NAME");
-  parser->add_option("--histogram", given->histogram, "Of a snapshot: npy, csv [npy]")->type_name("K");
-  parser->add_option("--start", given->start, "uniform, momentum [by the noise]")->type_name("K");
-  add_common(*parser, *given);
-  return {parser, [given] { return run(*given); }};
+  auto& parser = add_command(app, "simulate", "Run an ensemble of bodies; final states and pictures");
+  add_option(parser, "SCENE", given->scene, "A built-in name or a TOML file [paper]", "");
+  add_option(parser, "--scheme", given->scheme, "The scheme; see polhode list schemes", "S");
+  add_option(parser, "--dt", given->dt, "Step size; the horizon is a multiple", "H");
+  add_option(parser, "--bodies", given->bodies, "How many", "N");
+  add_option(parser, "--noise", given->noise, "common, independent, none", "K");
+  add_option(parser, "--snapshots", given->snapshots, "Times to count and picture", "T1,T2");
+  add_option(parser, "--colour-map", given->colour_map, "viridis, magma, cividis [viridis]", "NAME");
+  add_option(parser, "--histogram", given->histogram, "Of a snapshot: npy, csv [npy]", "K");
+  add_option(parser, "--start", given->start, "uniform, momentum [by the noise]", "K");
+  add_common(parser, *given);
+  return {&parser, [given] { return run(*given); }};
 }
 
 }  // namespace polhode::cli

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -15,6 +14,7 @@
 #include "cli/arguments.hpp"
 #include "cli/baseline.hpp"
 #include "cli/cache.hpp"
+#include "cli/commands.hpp"
 #include "cli/comparing.hpp"
 #include "cli/profile_table.hpp"
 #include "cli/progress.hpp"
@@ -178,27 +178,26 @@ command add_verify(CLI::App& app) {
   const auto given = std::make_shared<arguments>();
   given->scenes = {"paper"};
   given->threads = default_threads();
-  auto* parser = app.add_subcommand("verify", "Hold the claims of the schemes against scenes");
-  parser->add_option("SCENE", given->scenes, "Built-in names or TOML files [paper]")->type_name("");
-  parser->add_option("--schemes", given->schemes, "Only these schemes")->type_name("A,B");
-  parser->add_option("--experiments", given->experiments, "Only these experiments")->type_name("X,Y");
-  parser->add_option("--effort", given->effort, "quick, standard, thorough [standard]")->type_name("E");
-  parser->add_option("--out", given->out, "Folder for the report [report]")->type_name("DIR");
-  parser->add_option("--threads", given->threads, "1 to 1024 [" + given->threads + "]")->type_name("N");
-  parser->add_option("--seed", given->seed, "Seed of the noise [1]")->type_name("N");
-  parser->add_option("--generator", given->generator, "Random bits: philox, ars [philox]")->type_name("NAME");
-  parser->add_option("--isa", given->isa, "Instruction set: auto, v2, v3, v4 [auto]")->type_name("NAME");
-  parser->add_option("--baseline", given->baseline, "Compare with what has this name")->type_name("NAME");
-  parser->add_option("--save-baseline", given->save_baseline, "Keep the results under this name")->type_name("NAME");
-  parser->add_option("--format", given->format, "On standard output: text, json [text]")->type_name("F");
-  parser->add_option("--progress", given->progress, "auto: on terminals; lines: one an experiment [auto]")
-      ->type_name("P");
-  parser->add_flag("--latex", given->latex, "Write report.tex, too: tables and plots for a paper");
-  parser->add_flag("--profile", given->profile, "Say where the processor time went");
-  parser->add_flag("--fresh", given->fresh, "Compute all anew and replace what is cached");
-  parser->add_flag("--no-cache", given->no_cache, "Neither use the cache nor write to it");
-  parser->add_flag("-q,--quiet", given->quiet, "No summary, no progress");
-  return {parser, [given] { return run(*given); }};
+  auto& parser = add_command(app, "verify", "Hold the claims of the schemes against scenes");
+  add_option(parser, "SCENE", given->scenes, "Built-in names or TOML files [paper]", "");
+  add_option(parser, "--schemes", given->schemes, "Only these schemes", "A,B");
+  add_option(parser, "--experiments", given->experiments, "Only these experiments", "X,Y");
+  add_option(parser, "--effort", given->effort, "quick, standard, thorough [standard]", "E");
+  add_option(parser, "--out", given->out, "Folder for the report [report]", "DIR");
+  add_option(parser, "--threads", given->threads, "1 to 1024 [" + given->threads + "]", "N");
+  add_option(parser, "--seed", given->seed, "Seed of the noise [1]", "N");
+  add_option(parser, "--generator", given->generator, "Random bits: philox, ars [philox]", "NAME");
+  add_option(parser, "--isa", given->isa, "Instruction set: auto, v2, v3, v4 [auto]", "NAME");
+  add_option(parser, "--baseline", given->baseline, "Compare with what has this name", "NAME");
+  add_option(parser, "--save-baseline", given->save_baseline, "Keep the results under this name", "NAME");
+  add_option(parser, "--format", given->format, "On standard output: text, json [text]", "F");
+  add_option(parser, "--progress", given->progress, "auto: on terminals; lines: one an experiment [auto]", "P");
+  add_flag(parser, "--latex", given->latex, "Write report.tex, too: tables and plots for a paper");
+  add_flag(parser, "--profile", given->profile, "Say where the processor time went");
+  add_flag(parser, "--fresh", given->fresh, "Compute all anew and replace what is cached");
+  add_flag(parser, "--no-cache", given->no_cache, "Neither use the cache nor write to it");
+  add_flag(parser, "-q,--quiet", given->quiet, "No summary, no progress");
+  return {&parser, [given] { return run(*given); }};
 }
 
 }  // namespace polhode::cli

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "algebra/decompositions.hpp"
 #include "ensemble/dense_algebra.hpp"
-#include "references/decompositions.hpp"
 #include "references/sparse_blocks.hpp"
 
 namespace polhode {

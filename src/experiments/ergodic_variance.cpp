@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/decompositions.hpp"
 #include "ensemble/dense_algebra.hpp"
 #include "experiments/stationary_bias.hpp"
-#include "references/decompositions.hpp"
 
 namespace polhode {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "algebra/decompositions.hpp"
 #include "ensemble/paths.hpp"
 #include "ensemble/uniform_start.hpp"
 #include "experiments/gibbs_moments.hpp"
@@ -22,7 +23,7 @@ constexpr double most_steps = 10'000;  // of a path, before sampling is too dear
 
 /// The least eigenvalue of sum sigma_i sigma_i^T: sigma^2 where the noise is isotropic, else its weakest direction.
 double noise_strength(const report::scene& s) {
-  return std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(noise_covariance(s)).eigenvalues()[0]);
+  return std::max(0.0, symmetric_eigenpairs_of(noise_covariance(s)).values[0]);
 }
 
 /// Time to forget the start: relaxation on the sphere (rate sigma^2), slowed by the barrier between the wells of h.

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "algebra/decompositions.hpp"
 #include "experiments/levels.hpp"
 #include "experiments/stationary_bias.hpp"
-#include "references/decompositions.hpp"
 #include "references/exponential_action.hpp"
 #include "statistics/power_series.hpp"
 

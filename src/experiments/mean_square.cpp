@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "algebra/decompositions.hpp"
 #include "ensemble/paths.hpp"
 #include "experiments/judge.hpp"
 #include "experiments/levels.hpp"
@@ -172,7 +172,7 @@ double own_mean_square_growth(const subject& beside, const scheme_entry& scheme,
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b) squares.block<2, 2>(2 * a, 2 * b) += j.weight[i] * j.at[i](a, b) * j.at[i];
   if (!squares.allFinite()) return std::nan("");
-  return std::log(squares.eigenvalues().cwiseAbs().maxCoeff()) / dt;
+  return std::log(eigenvalues_of(squares).cwiseAbs().maxCoeff()) / dt;
 }
 
 void report_true_growth(const subject& s, report::results& out) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "references/decompositions.hpp"
+#include "algebra/decompositions.hpp"
 #include "references/harmonics.hpp"
 
 namespace polhode {
@@ -22,9 +22,9 @@ struct normal_rule : normal_rule_points {
   explicit normal_rule(int n) {
     Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(n, n);
     for (int k = 1; k < n; ++k) jacobi(k, k - 1) = jacobi(k - 1, k) = std::sqrt(k);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(jacobi);
-    nodes = eigen.eigenvalues();
-    weights = eigen.eigenvectors().row(0).cwiseAbs2();
+    const auto [values, vectors] = symmetric_eigenpairs_of(jacobi);
+    nodes = values;
+    weights = vectors.row(0).cwiseAbs2();
   }
 };
 

@@ -5,7 +5,7 @@
 #include <complex>
 #include <limits>
 
-#include "references/decompositions.hpp"
+#include "algebra/krylov_space.hpp"
 #include "references/slowest_modes.hpp"
 #include "references/sparse_blocks.hpp"
 
@@ -62,32 +62,15 @@ known_gap true_gap(const subject& s) {
 
 double own_gap(const Eigen::MatrixXd& forgetting, double dt, const Eigen::VectorXcd& mode, double error) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const Eigen::Index n = forgetting.rows(), most = std::min<Eigen::Index>(krylov, n);
-  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(n, most + 1), h = Eigen::MatrixXd::Zero(most + 1, most);
-  basis.col(0) = any_vector(n);
-  Eigen::Index size = 0;
-  while (size < most) {
-    const auto k = size++;
-    Eigen::VectorXd next = forgetting * basis.col(k);
-    for (int pass = 0; pass < 2; ++pass) {
-      const Eigen::VectorXd along = basis.leftCols(k + 1).transpose() * next;
-      next -= basis.leftCols(k + 1) * along;
-      h.col(k).head(k + 1) += along;
-    }
-    h(k + 1, k) = next.norm();
-    if (!(h(k + 1, k) > 1e-14 * h.col(k).norm())) break;  // an invariant subspace
-    basis.col(k + 1) = next / h(k + 1, k);
-  }
-  if (!h.allFinite()) return none;
-  const Eigen::EigenSolver<Eigen::MatrixXd> ritz(h.topLeftCorner(size, size));
+  krylov_space space([&](const Eigen::VectorXd& v) -> Eigen::VectorXd { return forgetting * v; },
+                     any_vector(forgetting.rows()), krylov);
+  space.grow(krylov);
   double slowest = none, followed = none, likest = 0;
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const std::complex<double> value = ritz.eigenvalues()[i];
-    const double remainder = h(size, size - 1) * std::abs(ritz.eigenvectors()(size - 1, i));
-    if (!(remainder <= is_found * std::abs(value))) continue;
-    const double gap = -std::log(std::abs(1.0 - 1.0 / value)) / dt;
+  for (const auto& ritz : space.ritz_pairs()) {
+    if (!(ritz.remainder <= is_found * std::abs(ritz.value))) continue;
+    const double gap = -std::log(std::abs(1.0 - 1.0 / ritz.value)) / dt;
     slowest = std::fmin(slowest, gap);
-    const double like = likeness(mode, basis.leftCols(size) * ritz.eigenvectors().col(i));
+    const double like = likeness(mode, space.basis() * ritz.vector);
     if (like <= likest) continue;
     likest = like;
     followed = gap;

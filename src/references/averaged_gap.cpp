@@ -1,6 +1,6 @@
 #include "references/averaged_gap.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/ellint_rd.hpp>
@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include "algebra/decompositions.hpp"
 
 namespace polhode {
 namespace {
@@ -79,11 +81,6 @@ forms forms_on(const edge& e) {
   return out;
 }
 
-Eigen::VectorXd rates(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass) {
-  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness, mass, Eigen::EigenvaluesOnly)
-      .eigenvalues();
-}
-
 /// Of one or two edges.
 std::vector<edge> edges_of(const sphere_problem& problem) {
   std::array<int, 3> order{0, 1, 2};
@@ -112,14 +109,14 @@ std::optional<averaged_rates> averaged_gap(const sphere_problem& problem) {
     const edge& e = edges[static_cast<std::size_t>(n)];
     if (std::fabs(e.beta) * e.length() > largest_power) return std::nullopt;
     const forms f = forms_on(e);
-    out.odd = std::min(
-        out.odd, rates(f.stiffness.topLeftCorner(functions, functions), f.mass.topLeftCorner(functions, functions))[0]);
+    out.odd = std::min(out.odd, generalised_eigenvalues_of(f.stiffness.topLeftCorner(functions, functions),
+                                                           f.mass.topLeftCorner(functions, functions))[0]);
     Eigen::VectorXi places = Eigen::VectorXi::LinSpaced(functions + 1, int(n) * functions, int(n + 1) * functions);
     places[functions] = int(size) - 1;
     stiffness(places, places) += f.stiffness;
     mass(places, places) += f.mass;
   }
-  out.even = rates(stiffness, mass)[1];
+  out.even = generalised_eigenvalues_of(stiffness, mass)[1];
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "algebra/decompositions.hpp"
 #include "references/logarithm_action.hpp"
 
 namespace polhode {
@@ -48,7 +49,7 @@ generator_family::generator_family(double radius)
       members_.col(column++) = columns_of(p);
     }
   // Of least norm: what is invisible stays out, so k and theta k come without their means.
-  solve_ = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(members_).pseudoInverse();
+  solve_ = pseudo_inverse(members_);
 }
 
 nearest_body generator_family::nearest(const Eigen::MatrixXd& generator) const {

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "algebra/decompositions.hpp"
 #include "references/deterministic.hpp"
 #include "references/exponential_action.hpp"
 #include "references/observables.hpp"
@@ -168,7 +169,7 @@ double needed_degree(const sphere_problem& problem) {
   const auto [least, most] = std::ranges::minmax(problem.inertia);
   const double c = problem.radius, turning = c * (1 / least - 1 / most), damping = problem.theta * c * turning;
   const double shear = std::hypot(turning, damping), trace = problem.covariance.trace();
-  const Eigen::Vector3d noise = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(problem.covariance).eigenvalues();
+  const Eigen::Vector3d noise = symmetric_eigenpairs_of(problem.covariance).values;
   const double across = std::max(noise[0], 0.0) + std::max(noise[1], 0.0) + shear * shear / trace;
   return 10 * std::sqrt(3 * std::max(shear / trace, std::min(shear, damping) / std::max(across, 1e-300)));
 }

@@ -1,6 +1,6 @@
 #include "references/linearised_body.hpp"
 
-#include <Eigen/Eigenvalues>
+#include "algebra/decompositions.hpp"
 
 namespace polhode {
 
@@ -18,7 +18,7 @@ double mean_square_growth(const linearised_body& body) {
   // The turns of the noise by an angle turn what is not isotropic by twice that, and average it away.
   Eigen::Matrix3d moments;
   moments << sum, stretch, shear, stretch, sum - lost, turn, shear, -turn, sum - lost;
-  return moments.eigenvalues().real().maxCoeff();
+  return eigenvalues_of(moments).real().maxCoeff();
 }
 
 }  // namespace polhode

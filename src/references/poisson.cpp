@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "references/decompositions.hpp"
+#include "algebra/decompositions.hpp"
 
 namespace polhode {
 namespace {

@@ -5,7 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "references/decompositions.hpp"
+#include "algebra/decompositions.hpp"
+#include "algebra/krylov_space.hpp"
 
 namespace polhode {
 namespace {
@@ -33,28 +34,13 @@ Eigen::VectorXd any_vector(Eigen::Index size) {
 complex slowest_near_zero(const sparse_matrix& a) {
   const Eigen::SparseLU<sparse_matrix> lu(a);
   if (lu.info() != Eigen::Success) return -infinity;
-  const Eigen::Index most = std::min<Eigen::Index>(krylov, a.rows());
-  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(a.rows(), most + 1), h = Eigen::MatrixXd::Zero(most + 1, most);
-  basis.col(0) = any_vector(a.rows());
-  for (Eigen::Index k = 0; k < most; ++k) {
-    const Eigen::VectorXd last = basis.col(k);
-    Eigen::VectorXd next = lu.solve(last);
-    for (int pass = 0; pass < 2; ++pass) {
-      const Eigen::VectorXd along = basis.leftCols(k + 1).transpose() * next;
-      next -= basis.leftCols(k + 1) * along;
-      h.col(k).head(k + 1) += along;
-    }
-    h(k + 1, k) = next.norm();
-    basis.col(k + 1) = next / h(k + 1, k);
-  }
-  if (!h.allFinite()) return -infinity;
-  const Eigen::EigenSolver<Eigen::MatrixXd> ritz(h.topRows(most));
+  krylov_space inverse([&](const Eigen::VectorXd& v) -> Eigen::VectorXd { return lu.solve(v); }, any_vector(a.rows()),
+                       krylov);
+  inverse.grow(krylov);
   complex slowest = -infinity;
-  for (Eigen::Index i = 0; i < most; ++i) {
-    const complex inverse = ritz.eigenvalues()[i];
-    const double remainder = h(most, most - 1) * std::abs(ritz.eigenvectors()(most - 1, i));
-    if (remainder <= is_found * std::abs(inverse) && (1.0 / inverse).real() > slowest.real()) slowest = 1.0 / inverse;
-  }
+  for (const auto& mode : inverse.ritz_pairs())
+    if (mode.remainder <= is_found * std::abs(mode.value) && (1.0 / mode.value).real() > slowest.real())
+      slowest = 1.0 / mode.value;
   return slowest;
 }
 
@@ -69,7 +55,7 @@ complex_matrix shifted(const sparse_matrix& a, complex shift) {
 
 complex slowest_rate(const sparse_matrix& a) {
   if (a.rows() > most_dense) return slowest_near_zero(a);
-  return slowest_of(Eigen::EigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(a), false).eigenvalues());
+  return slowest_of(eigenvalues_of(Eigen::MatrixXd(a)));
 }
 
 eigenpair eigenpair_near(const sparse_matrix& a, complex guess) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "references/decompositions.hpp"
+#include "algebra/decompositions.hpp"
 
 namespace polhode {
 namespace {

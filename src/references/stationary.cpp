@@ -1,10 +1,11 @@
 // The stationary density of references/kolmogorov.hpp, and whether there is but one.
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "algebra/decompositions.hpp"
 #include "references/kolmogorov.hpp"
 #include "references/raise_degree.hpp"
 #include "references/sparse_blocks.hpp"
@@ -18,9 +19,9 @@ constexpr double rounding = 1e-14;  // of directions
 
 /// The one axis about which the noise turns; empty if there are more, then it reaches every direction.
 std::optional<Eigen::Vector3d> only_axis(const Eigen::Matrix3d& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  if (solver.eigenvalues()[1] > rounding * solver.eigenvalues()[2]) return std::nullopt;
-  return solver.eigenvectors().col(2);
+  const auto [values, vectors] = symmetric_eigenpairs_of(covariance);
+  if (values[1] > rounding * values[2]) return std::nullopt;
+  return Eigen::Vector3d(vectors.col(2));
 }
 
 }  // namespace

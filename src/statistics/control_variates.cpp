@@ -1,10 +1,10 @@
 #include "statistics/control_variates.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "algebra/decompositions.hpp"
 #include "statistics/distributions.hpp"
 
 namespace polhode {
@@ -16,7 +16,7 @@ Eigen::VectorXd coefficients(const Eigen::VectorXd& y, const Eigen::MatrixXd& co
   design << controls, Eigen::VectorXd::Ones(y.size());
   const Eigen::MatrixXd normal = design.transpose() * design;
   const Eigen::VectorXd right = design.transpose() * y;
-  return Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(normal).solve(right).head(controls.cols());
+  return (pseudo_inverse(normal) * right).head(controls.cols());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/decompositions.hpp"
 #include "statistics/order_fit.hpp"
 #include "statistics/resample.hpp"
 #include "statistics/resampled_means.hpp"
@@ -22,12 +23,12 @@ error_model fit_error_model(std::span<const double> dt, const squared_errors& e,
     for (int i = 0; i < powers; ++i) design(k, 1 + i) = std::pow(dt[level], 2 * order + i);
     weight[k] = 1 / std::max(1e-300, level_mean(e, static_cast<int>(level)).error);
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> with_limit(weight.asDiagonal() * design.leftCols(3)),
-      without(weight.asDiagonal() * design.rightCols(powers));
+  const Eigen::RowVectorXd with_limit = pseudo_inverse(weight.asDiagonal() * design.leftCols(3)).row(0),
+                           without = pseudo_inverse(weight.asDiagonal() * design.rightCols(powers)).row(0);
   const auto coefficients = [&](const Eigen::RowVectorXd& mean) {
     Eigen::VectorXd y(n);
     for (Eigen::Index k = 0; k < n; ++k) y[k] = weight[k] * mean[k];
-    return std::pair{Eigen::VectorXd(with_limit.solve(y))[0], Eigen::VectorXd(without.solve(y))[0]};
+    return std::pair{with_limit.dot(y), without.dot(y)};
   };
   std::vector<double> limits, leading;
   values_of_paths values(e.paths, n);

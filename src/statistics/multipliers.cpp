@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/decompositions.hpp"
+
 namespace polhode {
 namespace {
 
@@ -18,7 +20,7 @@ std::vector<Eigen::Index> independent(const square_matrix& gram) {
     double left = gram(k, k);
     if (!kept.empty() && left > 0) {
       const Eigen::VectorXd across = gram(kept, k);
-      left -= across.dot(square_matrix(gram(kept, kept)).ldlt().solve(across));
+      left -= across.dot(pseudo_inverse(gram(kept, kept)) * across);
     }
     if (left > least_share * gram(k, k) && left > 0) kept.push_back(k);
   }
@@ -46,7 +48,7 @@ Eigen::VectorXd constant_of_polynomial(std::span<const double> dt, int degree) {
     weight[i] = 1 / x;
   }
   const Eigen::MatrixXd weighted = weight.asDiagonal() * design;
-  return (weighted.completeOrthogonalDecomposition().pseudoInverse() * weight.asDiagonal()).row(0);
+  return (pseudo_inverse(weighted) * weight.asDiagonal()).row(0);
 }
 
 response_data::response_data(int paths, int count, int finest)
@@ -73,7 +75,7 @@ std::vector<multiplier> effective_multipliers(std::span<const double> dt, const 
   }
   const auto kept = independent(gram);
   const auto count = static_cast<Eigen::Index>(kept.size());
-  const Eigen::MatrixXd inverse = square_matrix(gram(kept, kept)).inverse();
+  const Eigen::MatrixXd inverse = pseudo_inverse(gram(kept, kept));
   const Eigen::VectorXd eps = inverse * mean(kept), change = inverse * other(kept) - eps,
                         step = inverse * finest(kept) - eps;
   Eigen::VectorXd variance = Eigen::VectorXd::Zero(count), of_change = variance;

@@ -21,6 +21,7 @@ ROOMS = {
     'scheme_info':   [INSTALLED + 'schemes/scheme_info.hpp'],
     'schemes':       [INSTALLED + 'schemes/'],
     'driver':        [INSTALLED],  # integrate.hpp and what else stands at the top
+    'algebra':       ['src/algebra/'],
     'references':    ['src/references/'],
     'ensemble':      ['src/ensemble/'],
     'statistics':    ['src/statistics/'],
@@ -36,7 +37,7 @@ ROOMS = {
 # What a room may include besides itself.
 CALCULUS = ['helpers', 'lie', 'noise', 'concepts', 'scheme_info', 'driver']  # nothing concrete
 INTEGRATORS = CALCULUS + ['systems', 'schemes']
-JUDGES = ['references', 'ensemble', 'statistics']
+JUDGES = ['algebra', 'references', 'ensemble', 'statistics']
 MAY = {
     'helpers':       [],
     'lie':           ['helpers'],
@@ -46,9 +47,10 @@ MAY = {
     'scheme_info':   ['helpers', 'concepts'],
     'schemes':       ['helpers', 'lie', 'noise', 'concepts', 'scheme_info'],
     'driver':        CALCULUS,
-    'references':    INTEGRATORS,
+    'algebra':       [],
+    'references':    INTEGRATORS + ['algebra'],
     'ensemble':      INTEGRATORS,
-    'statistics':    INTEGRATORS,
+    'statistics':    INTEGRATORS + ['algebra'],
     'experiments':   CALCULUS + ['systems'] + JUDGES + ['reports/model'],
     'selection':     CALCULUS + ['systems'] + JUDGES + ['experiments', 'reports/model'],
     'comparison':    ['reports/model'],

@@ -97,7 +97,7 @@ inline double energy_on_a_line(const body_of_revolution& b, double z, double tim
   const chebyshev_line line(n);
   const Eigen::MatrixXd a = line.generator(b, 0).real();
   const Eigen::VectorXd f = Eigen::VectorXd::NullaryExpr(n, [&](Eigen::Index j) { return energy_at(b, line.z[j]); });
-  return line.at(z, (time * a).exp() * f);
+  return line.at(z, exponential_of(time * a) * f);
 }
 
 /// The gap over |m| <= most: the rates of larger m only grow.
@@ -106,9 +106,7 @@ inline double gap_on_a_line(const body_of_revolution& b, int n, int most) {
   double slowest = HUGE_VAL;
   for (int m = 0; m <= most; ++m) {
     const chebyshev_line::matrix a = line.generator(b, m);
-    Eigen::VectorXd rates =
-        m == 0 ? Eigen::EigenSolver<Eigen::MatrixXd>(a.real(), false).eigenvalues().real().eval()
-               : Eigen::ComplexEigenSolver<chebyshev_line::matrix>(a, false).eigenvalues().real().eval();
+    Eigen::VectorXd rates = m == 0 ? eigenvalues_of(a.real()).real().eval() : complex_eigenvalues_of(a).real().eval();
     std::ranges::sort(rates, std::greater());
     slowest = std::min(slowest, -rates[m == 0 ? 1 : 0]);
   }

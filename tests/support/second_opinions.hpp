@@ -2,9 +2,7 @@
 // there is one, and by a projection on higher degrees.
 #pragma once
 
-#include <Eigen/Eigenvalues>
 #include <optional>
-#include <unsupported/Eigen/MatrixFunctions>
 #include <vector>
 
 #include "references/lyapunov.hpp"
@@ -53,7 +51,7 @@ inline std::optional<second_opinion> projected_expectation(const attacked_scene&
   const Eigen::MatrixXd part = s.time * Eigen::MatrixXd(submatrix(whole, block));
   if (part.rows() > most_second || part.norm() > 1e6) return std::nullopt;
   const Eigen::VectorXd start = c(block), y = harmonics_at(s.start.normalized(), degree)(block);
-  return second_opinion{y.dot(part.exp() * start), 1e-12 * c.norm() + 1e-16 * part.norm() * c.norm(), false};
+  return second_opinion{y.dot(exponential_of(part) * start), 1e-12 * c.norm() + 1e-16 * part.norm() * c.norm(), false};
 }
 
 /// The largest |f| on the axes; of every observable there is, on the sphere.
@@ -108,7 +106,7 @@ inline opinions opinions_of_gap(const attacked_scene& s, double found, int degre
   for (const auto& block : connected_blocks(rest)) {
     const Eigen::MatrixXd part(submatrix(rest, block));
     if (part.rows() > most_second) return all;
-    slowest = std::max(slowest, Eigen::EigenSolver<Eigen::MatrixXd>(part, false).eigenvalues().real().maxCoeff());
+    slowest = std::max(slowest, eigenvalues_of(part).real().maxCoeff());
   }
   all.push_back({-slowest, 1e-15 * whole.norm(), false});
   return all;

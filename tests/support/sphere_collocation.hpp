@@ -7,15 +7,14 @@
 // sees, is damped.
 #pragma once
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/SparseCore>
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <unsupported/Eigen/MatrixFunctions>
 
+#include "algebra/decompositions.hpp"
 #include "references/kolmogorov.hpp"
+#include "support/dense.hpp"
 
 namespace polhode::test {
 
@@ -29,9 +28,9 @@ class sphere_collocation {
     for (int j = 0; j < n; ++j)
       for (int k = 0; k < 2 * n; ++k) points_.row(at(j, k)) = direction(colatitude(j), longitude(k));
     sparse_matrix whole = along(drift);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
+    const auto [values, axes] = symmetric_eigenpairs_of(covariance);
     for (int i = 0; i < 3; ++i) {
-      const Eigen::Vector3d sigma = std::sqrt(std::max(0.0, axes.eigenvalues()[i])) * axes.eigenvectors().col(i);
+      const Eigen::Vector3d sigma = std::sqrt(std::max(0.0, values[i])) * axes.col(i);
       if (sigma.isZero(0)) continue;
       const sparse_matrix v = along([&](const Eigen::Vector3d& x) { return x.cross(sigma).eval(); });
       whole += 0.5 * sparse_matrix(v * v);
@@ -45,7 +44,7 @@ class sphere_collocation {
 
   /// E[f] at a time, from one start.
   double expectation(const function_on_sphere& f, const Eigen::Vector3d& start, double time) const {
-    return weights_at(start).dot((time * a_).exp() * values(f));
+    return weights_at(start).dot(exponential_of(time * a_) * values(f));
   }
   /// Poisson's equation A u = f - m with u of mean zero.
   double mean(const function_on_sphere& f) const {
@@ -56,11 +55,11 @@ class sphere_collocation {
     bordered.bottomLeftCorner(1, n).setConstant(1 / double(n));
     Eigen::VectorXd right = Eigen::VectorXd::Zero(n + 1);
     right.head(n) = values(f);
-    return bordered.partialPivLu().solve(right)[n];
+    return solution_of(bordered, right)[n];
   }
   /// The second largest real part of an eigenvalue, with the sign changed.
   double gap() const {
-    Eigen::VectorXd rates = Eigen::EigenSolver<Eigen::MatrixXd>(a_, false).eigenvalues().real();
+    Eigen::VectorXd rates = eigenvalues_of(a_).real();
     std::ranges::sort(rates, std::greater());
     return -rates[1];
   }

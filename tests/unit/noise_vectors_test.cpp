@@ -11,11 +11,12 @@
 #include <memory>
 #include <ostream>
 #include <unsupported/Eigen/KroneckerProduct>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include <polhode/lie/so3.hpp>
 #include <polhode/systems/constant_noise.hpp>
 
+#include "algebra/decompositions.hpp"
+#include "support/dense.hpp"
 #include "support/so4_body.hpp"
 
 namespace polhode {
@@ -74,7 +75,7 @@ MatrixXd mean_exponential(const std::vector<MatrixXd>& generators, const MatrixX
       g[i] = x[index[static_cast<std::size_t>(i)]];
       weight *= w[index[static_cast<std::size_t>(i)]] / std::sqrt(2 * std::numbers::pi);
     }
-    sum += weight * represented(generators, std::sqrt(dt) * t * g).exp();
+    sum += weight * test::exponential_of(represented(generators, std::sqrt(dt) * t * g));
     for (digit = 0; digit < n && ++index[static_cast<std::size_t>(digit)] == nodes; ++digit)
       index[static_cast<std::size_t>(digit)] = 0;
   }
@@ -88,7 +89,7 @@ double defect(const std::vector<MatrixXd>& generators, const MatrixXd& sigma, co
     const MatrixXd c = represented(generators, sigma.col(i));
     squares += c * c;
   }
-  return (MatrixXd(0.5 * dt * squares).exp() - mean_exponential(generators, t, dt, nodes)).norm();
+  return (test::exponential_of(0.5 * dt * squares) - mean_exponential(generators, t, dt, nodes)).norm();
 }
 
 /// The slope between dt and dt/2.
@@ -152,8 +153,8 @@ Eigen::Matrix3d second_covariance(const Eigen::Matrix3d& sigma, double a, double
 }
 
 MatrixXd root(const Eigen::Matrix3d& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  const auto [values, vectors] = symmetric_eigenpairs_of(covariance);
+  return vectors * values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
 TEST_P(WeakOrderTwo, ErrorsInTheSecondCovarianceAreSeen) {

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <ostream>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include "experiments/ergodic_variance.hpp"
 #include "experiments/leading_constants.hpp"
@@ -16,6 +15,7 @@
 #include "registry/run_experiment.hpp"
 #include "registry/scene.hpp"
 #include "registry/verify.hpp"
+#include "support/dense.hpp"
 
 namespace polhode {
 namespace {
@@ -88,7 +88,7 @@ TEST(Modified, TheFamilyHoldsItsOwnGenerators) {
 // Where the principal logarithm of the whole matrix exists, Krylov's method finds its columns.
 TEST(Modified, LogarithmIsTheDenseOne) {
   const Eigen::MatrixXd generator = backward_operator(general_problem(), 6);
-  const Eigen::MatrixXd step = (0.05 * generator).exp(), whole = step.log();
+  const Eigen::MatrixXd step = test::exponential_of(0.05 * generator), whole = test::logarithm_of(step);
   const auto columns = logarithm_action(step, Eigen::MatrixXd::Identity(step.rows(), 9));
   ASSERT_TRUE(columns);
   EXPECT_LT((*columns - whole.leftCols(9)).norm(), 1e-11 * whole.norm());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "registry/bind.hpp"
 #include "registry/rigid_body.hpp"
@@ -25,14 +26,11 @@ report::results quick(const scene& s, std::vector<std::string> experiments, std:
   return verify(s, options);
 }
 
-/// Under one noise vector no affordable degree resolves the law of tangent directions, nor means to the bias of a
-/// splitting of weak order two.
+/// Under one noise vector no affordable degree resolves means to the bias of a splitting of weak order two.
 bool stays_open(const report::results& r, const report::verdict& v) {
-  if (r.scene.name != "single") return false;
-  if (v.claim == "leading constant of the stationary bias" || v.claim == "asymptotic variance converges" ||
-      v.claim == "spectral gap converges")
-    return true;
-  return v.claim == "order of the exponents" || (v.claim == "order of the stationary bias" && v.scheme == "strang");
+  return r.scene.name == "single" &&
+         (v.claim == "leading constant of the stationary bias" || v.claim == "asymptotic variance converges" ||
+          v.claim == "spectral gap converges");
 }
 
 void expect_no_failure(const report::results& r) {
@@ -43,11 +41,22 @@ void expect_no_failure(const report::results& r) {
   }
 }
 
+/// The nightly verification has every experiment; this one what costs seconds: not the timings, which the tests of the
+/// paper's scene have, and not the operators of high degree that one noise vector asks for.
+std::vector<std::string> tried_on(const std::string& scene) {
+  std::set<std::string> dear{"work_precision"};
+  if (scene == "single") dear.insert({"gibbs", "lyapunov", "weak"});
+  std::vector<std::string> out;
+  for (const auto& e : list_experiments())
+    if (!dear.contains(e.name)) out.push_back(e.name);
+  return out;
+}
+
 struct Scenes : testing::TestWithParam<const char*> {};
 
 // Drifting, exact with areas, splitting; all schemes in the nightly verification.
 TEST_P(Scenes, EveryClaimHoldsOrIsLeftOutWithAReason) {
-  const auto r = quick(load_scene(GetParam()), {}, {"heun", "magnus", "strang"});
+  const auto r = quick(load_scene(GetParam()), tried_on(GetParam()), {"heun", "magnus", "strang"});
   expect_no_failure(r);
   for (const auto& s : r.skipped) EXPECT_FALSE(s.reason.empty());
 }
