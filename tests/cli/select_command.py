@@ -46,7 +46,7 @@ class Select(unittest.TestCase):
     def test_answers_say_everything_and_their_programs_run(self):
         cheap = 'casimir-exact,explicit'
         for goal, tolerance, schemes, require in (('weak', '1e-3', None, cheap + ',no-areas'), ('stationary', '1e-4', ('strang_extrapolated', 'strang_two_turns'), cheap + ',no-areas'),
-                                                  ('strong', '2e-2', ('magnus',), cheap)):
+                                                  ('strong', '3e-2', ('magnus',), cheap)):
             r = self.answer('--goal', goal, '--tolerance', tolerance, '--require', require)
             with self.subTest(r=r):
                 self.assertEqual((r['goal'], r['tolerance']), (goal, float(tolerance)))

@@ -42,10 +42,12 @@ void expect_no_failure(const report::results& r) {
 }
 
 /// The nightly verification has every experiment; this one what costs seconds: not the timings, which the tests of the
-/// paper's scene have, and not the operators of high degree that one noise vector asks for.
+/// paper's scene have, not the operators of high degree that one noise vector asks for, and not the bodies without
+/// Gibbs law.
 std::vector<std::string> tried_on(const std::string& scene) {
   std::set<std::string> dear{"work_precision"};
   if (scene == "single") dear.insert({"gibbs", "lyapunov", "weak"});
+  if (scene == "anisotropic") dear.insert("attractor");
   std::vector<std::string> out;
   for (const auto& e : list_experiments())
     if (!dear.contains(e.name)) out.push_back(e.name);
@@ -84,9 +86,7 @@ TEST(Paper, ThreadsChangeNothing) {
     r.provenance = {};
     return report::to_json(r);
   };
-  const auto one = text(1);
-  EXPECT_EQ(one, text(2));
-  EXPECT_EQ(one, text(3));
+  EXPECT_EQ(text(1), text(3));
 }
 
 // Sampling stops for each scheme by itself, early where it may: neither its numbers nor its sample size know of others.
@@ -133,8 +133,8 @@ TEST(So4, ClaimsHoldThere) {
   scene.theta = 0.4;
   scene.sigma = {{0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}};
   scene.momentum = {0.6, 0.48, 0.64, -0.3, 0.8, 0.5};
-  scene.horizon = 1;
-  scene.steps = {4, 8, 16, 32};
+  scene.horizon = 0.5;
+  scene.steps = {2, 4, 8, 16};
   verify_options options;
   options.experiments = {"strong", "casimir"};
   options.effort = effort::quick;
