@@ -1,4 +1,4 @@
-// Its exit code is the widest x86-64 level that this processor has: 2, 3 or 4, else 1. As src/ensemble/isa.cpp asks.
+// Its exit code is the widest x86-64 level that this processor has: 2, 3 or 4, else 1. As src/platform/isa.cpp asks.
 int main() {
   __builtin_cpu_init();
   if (!__builtin_cpu_supports("sse4.2") || !__builtin_cpu_supports("popcnt")) return 1;

@@ -6,15 +6,15 @@ set(POLHODE_ISA_LEVELS ON CACHE STRING
 set_property(CACHE POLHODE_ISA_LEVELS PROPERTY STRINGS ON NATIVE OFF)
 
 set(POLHODE_ISA_SOURCES
-  ensemble/isa/basis_sums.cpp ensemble/isa/dense_algebra.cpp ensemble/isa/direction_bins.cpp ensemble/isa/frame_sums.cpp
-  ensemble/isa/normal_block.cpp ensemble/isa/tangent_controls.cpp ensemble/isa/yardstick.cpp registry/isa/rigid_body.cpp
-  registry/isa/rigid_body_rotations.cpp registry/isa/rigid_body_splittings.cpp)
+  transfer/isa/basis_sums.cpp algebra/isa/dense_algebra.cpp ensemble/isa/direction_bins.cpp transfer/isa/frame_sums.cpp
+  ensemble/noise/isa/normal_block.cpp ensemble/isa/tangent_controls.cpp ensemble/isa/yardstick.cpp systems/rigid_body/isa/rigid_body.cpp
+  systems/rigid_body/isa/rigid_body_rotations.cpp systems/rigid_body/isa/rigid_body_splittings.cpp)
 set(POLHODE_ISA_CALLERS
-  ensemble/basis_sums.cpp ensemble/dense_algebra.cpp ensemble/direction_bins.cpp ensemble/frame_sums.cpp ensemble/isa.cpp
-  ensemble/normal_block.cpp ensemble/tangent_controls.cpp ensemble/yardstick.cpp registry/rigid_body.cpp)
-set(POLHODE_AES_SOURCES ensemble/isa/normal_block_ars.cpp)  # with AES besides, which no level implies
+  transfer/basis_sums.cpp algebra/dense_algebra.cpp ensemble/direction_bins.cpp transfer/frame_sums.cpp platform/isa.cpp
+  ensemble/noise/normal_block.cpp ensemble/tangent_controls.cpp ensemble/yardstick.cpp systems/rigid_body/rigid_body.cpp)
+set(POLHODE_AES_SOURCES ensemble/noise/isa/normal_block_ars.cpp)  # with AES besides, which no level implies
 set(POLHODE_UNCONTRACTED  # the same bits on every instruction set
-  ensemble/isa/direction_bins.cpp ensemble/isa/normal_block.cpp ${POLHODE_AES_SOURCES})
+  ensemble/isa/direction_bins.cpp ensemble/noise/isa/normal_block.cpp ${POLHODE_AES_SOURCES})
 
 function(polhode_isa_objects target level objects sources)
   add_library(${objects} OBJECT ${sources})

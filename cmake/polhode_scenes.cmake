@@ -28,7 +28,7 @@ foreach(file IN LISTS SCENES)
   string(APPEND table "    {\"${name}\", \"${CMAKE_MATCH_1}\", R\"toml(${text})toml\"},\n")
 endforeach()
 file(WRITE "${OUT}" "// Generated from reports/scenes. Do not edit.
-#include \"registry/builtin.hpp\"
+#include \"scene/builtin.hpp\"
 
 namespace polhode {
 namespace {

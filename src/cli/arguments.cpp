@@ -9,9 +9,9 @@
 #include <limits>
 #include <thread>
 
-#include "registry/nearest.hpp"
-#include "registry/text.hpp"
 #include "reports/model/errors.hpp"
+#include "scene/nearest.hpp"
+#include "scene/text.hpp"
 
 namespace polhode::cli {
 namespace {

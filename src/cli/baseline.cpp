@@ -5,9 +5,9 @@
 #include "cli/read_results.hpp"
 #include "cli/user_folders.hpp"
 #include "comparison/compare.hpp"
-#include "registry/text.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/writers/folder.hpp"
+#include "scene/text.hpp"
 
 namespace polhode::cli {
 

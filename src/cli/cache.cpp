@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "cli/user_folders.hpp"
-#include "registry/text.hpp"
 #include "reports/model/errors.hpp"
+#include "scene/text.hpp"
 
 namespace polhode::cli {
 namespace {

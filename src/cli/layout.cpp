@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "registry/text.hpp"
+#include "scene/text.hpp"
 
 namespace polhode::cli {
 

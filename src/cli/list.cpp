@@ -9,9 +9,9 @@
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
 #include "cli/terminal.hpp"
-#include "registry/builtin.hpp"
-#include "registry/verify.hpp"
 #include "reports/writers/json.hpp"
+#include "run/verify.hpp"
+#include "scene/builtin.hpp"
 
 namespace polhode::cli {
 namespace {

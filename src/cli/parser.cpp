@@ -8,9 +8,9 @@
 
 #include "cli/arguments.hpp"
 #include "cli/terminal.hpp"
-#include "registry/nearest.hpp"
-#include "registry/provenance.hpp"
 #include "reports/model/errors.hpp"
+#include "run/provenance.hpp"
+#include "scene/nearest.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/layout.hpp"
-#include "registry/text.hpp"
+#include "scene/text.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "cli/terminal.hpp"
-#include "registry/text.hpp"
+#include "scene/text.hpp"
 
 namespace polhode::cli {
 namespace {

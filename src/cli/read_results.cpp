@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "registry/text.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/writers/json.hpp"
+#include "scene/text.hpp"
 
 namespace polhode::cli {
 

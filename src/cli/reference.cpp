@@ -8,8 +8,8 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
-#include "registry/reference.hpp"
-#include "registry/scene.hpp"
+#include "run/reference.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode::cli {
 namespace {

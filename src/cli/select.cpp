@@ -9,8 +9,8 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
-#include "registry/choose.hpp"
 #include "reports/model/errors.hpp"
+#include "run/choose.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -1,5 +1,5 @@
 // polhode simulate: an ensemble of bodies, its final states, its snapshots and their pictures.
-#include "registry/simulate.hpp"
+#include "run/simulate.hpp"
 
 #include <fmt/format.h>
 
@@ -11,12 +11,12 @@
 #include "cli/progress.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
-#include "registry/text.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/writers/colour_map.hpp"
 #include "reports/writers/numbers.hpp"
 #include "reports/writers/simulation_folder.hpp"
 #include "reports/writers/simulation_json.hpp"
+#include "scene/text.hpp"
 
 namespace polhode::cli {
 namespace {

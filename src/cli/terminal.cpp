@@ -13,8 +13,8 @@
 #include <cstring>
 #include <string>
 
-#include "registry/text.hpp"
 #include "reports/model/errors.hpp"
+#include "scene/text.hpp"
 
 namespace polhode::cli {
 namespace {

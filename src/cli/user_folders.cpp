@@ -6,8 +6,8 @@
 #include <cctype>
 #include <cstdlib>
 
-#include "registry/text.hpp"
 #include "reports/model/errors.hpp"
+#include "scene/text.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -1,5 +1,5 @@
 // polhode verify: runs the experiments, writes the report, prints what came out.
-#include "registry/verify.hpp"
+#include "run/verify.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -22,11 +22,11 @@
 #include "cli/summary.hpp"
 #include "cli/terminal.hpp"
 #include "cli/user_folders.hpp"
-#include "registry/text.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/writers/comparison_text.hpp"
 #include "reports/writers/folder.hpp"
 #include "reports/writers/json.hpp"
+#include "scene/text.hpp"
 
 namespace polhode::cli {
 namespace {

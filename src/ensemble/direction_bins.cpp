@@ -1,6 +1,6 @@
 #include "ensemble/direction_bins.hpp"
 
-#include "ensemble/isa_entry.hpp"
+#include "platform/isa_entry.hpp"
 
 namespace polhode {
 

@@ -11,9 +11,9 @@
 #include <polhode/schemes/scheme_info.hpp>
 #include <polhode/simd.hpp>
 
-#include "ensemble/flatten.hpp"
 #include "ensemble/kernel.hpp"
-#include "ensemble/work_counters.hpp"
+#include "platform/flatten.hpp"
+#include "platform/work_counters.hpp"
 
 namespace polhode {
 

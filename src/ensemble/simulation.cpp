@@ -5,11 +5,11 @@
 #include <mutex>
 #include <optional>
 
-#include <polhode/systems/noise_at.hpp>
+#include "ensemble/noise_at.hpp"
 
 #include "ensemble/direction_bins.hpp"
-#include "ensemble/paths.hpp"
-#include "ensemble/shared_increments.hpp"
+#include "ensemble/noise/paths.hpp"
+#include "ensemble/noise/shared_increments.hpp"
 #include "ensemble/sphere_bins.hpp"
 #include "ensemble/uniform_start.hpp"
 

@@ -1,6 +1,6 @@
 #include "ensemble/tangent_controls.hpp"
 
-#include "ensemble/isa_entry.hpp"
+#include "platform/isa_entry.hpp"
 
 namespace polhode {
 

@@ -9,7 +9,8 @@ namespace polhode {
 
 inline constexpr int tangent_control_count = 48;
 
-/// Of a block of bodies before one step: adds the controls of experiments/tangent_runs.hpp to sums, [control][lane].
+/// Of a block of bodies before one step: adds the controls of experiments/lyapunov/tangent_runs.hpp to sums,
+/// [control][lane].
 struct tangent_controls {
   const double *states, *tangents;   ///< [component][lane]; of two tangents the first counts
   increment_view step;               ///< one

@@ -7,9 +7,9 @@
 
 #include <polhode/dual.hpp>
 
-#include "ensemble/flatten.hpp"
 #include "ensemble/kernel_of.hpp"
 #include "ensemble/tangent_kernel.hpp"
+#include "platform/flatten.hpp"
 
 namespace polhode {
 

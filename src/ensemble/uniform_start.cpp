@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "ensemble/kernel.hpp"
-#include "ensemble/normal_block.hpp"
+#include "ensemble/noise/normal_block.hpp"
 
 namespace polhode {
 

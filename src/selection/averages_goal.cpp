@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/combined_law_error.hpp"
-#include "experiments/levels.hpp"
-#include "experiments/transfer_report.hpp"
+#include "experiments/common/levels.hpp"
+#include "experiments/laws/transfer_report.hpp"
+#include "experiments/work_precision/combined_law_error.hpp"
 #include "reports/model/errors.hpp"
 #include "selection/goal.hpp"
 

@@ -1,5 +1,5 @@
 // The energy law without noise: the largest distance of h from that of the true path, in units of h_0.
-#include "experiments/energy_error.hpp"
+#include "experiments/work_precision/energy_error.hpp"
 #include "selection/goal.hpp"
 
 namespace polhode {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "experiments/transfer.hpp"
 #include "reports/model/errors.hpp"
+#include "transfer/transfer.hpp"
 
 namespace polhode {
 

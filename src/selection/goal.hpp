@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "experiments/experiment.hpp"
-#include "experiments/extrapolation.hpp"
-#include "experiments/law_errors.hpp"
+#include "experiments/common/experiment.hpp"
+#include "experiments/laws/extrapolation.hpp"
+#include "experiments/laws/law_errors.hpp"
 
 namespace polhode {
 

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ensemble/paths.hpp"
-#include "experiments/increment_ladder.hpp"
-#include "experiments/path_cells.hpp"
-#include "experiments/vectors.hpp"
+#include "ensemble/noise/paths.hpp"
+#include "experiments/common/increment_ladder.hpp"
+#include "experiments/work_precision/path_cells.hpp"
+#include "problem/vectors.hpp"
 #include "selection/goal.hpp"
 
 namespace polhode {

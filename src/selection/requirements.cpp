@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ensemble/paths.hpp"
+#include "ensemble/noise/paths.hpp"
 #include "reports/model/errors.hpp"
 #include "selection/select.hpp"
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "experiments/levels.hpp"
-#include "experiments/step_cost.hpp"
+#include "experiments/common/levels.hpp"
+#include "experiments/work_precision/step_cost.hpp"
 
 namespace polhode {
 namespace {

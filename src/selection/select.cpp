@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ensemble/paths.hpp"
+#include "ensemble/noise/paths.hpp"
 #include "selection/advice.hpp"
 #include "selection/requirements.hpp"
 #include "selection/search.hpp"

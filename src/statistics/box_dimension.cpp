@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "statistics/log_line.hpp"
+#include "statistics/orders/log_line.hpp"
 
 namespace polhode {
 namespace {

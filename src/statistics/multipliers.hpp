@@ -1,9 +1,9 @@
 // By what factor does a path answer to its noise, as dt -> 0?
 //
-// S_k: derivative of the true end point by the logarithm of a strength (experiments/driven_block.hpp). If a scheme
-// solves the equation with the strengths 1 + eps_k, its error at dt is sum eps_k S_k + O(dt^p), and what is of order
-// dt^p is orthogonal to the S_k but for O(dt). So eps(dt) = E[S S^T]^-1 E[S.error] = eps + c_1 dt + c_2 dt^2 + …, whose
-// limit is found by a polynomial in dt, with weights fixed in advance. It sees an error of the noise to the first
+// S_k: derivative of the true end point by the logarithm of a strength (experiments/common/driven_block.hpp). If a
+// scheme solves the equation with the strengths 1 + eps_k, its error at dt is sum eps_k S_k + O(dt^p), and what is of
+// order dt^p is orthogonal to the S_k but for O(dt). So eps(dt) = E[S S^T]^-1 E[S.error] = eps + c_1 dt + c_2 dt^2 + …,
+// whose limit is found by a polynomial in dt, with weights fixed in advance. It sees an error of the noise to the first
 // power, which in squared distances is hidden under the error at the finest dt.
 #pragma once
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-#include "statistics/squared_errors.hpp"
+#include "statistics/orders/squared_errors.hpp"
 
 namespace polhode {
 

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "bench/by_hand.hpp"
-#include "ensemble/isa.hpp"
+#include "platform/isa.hpp"
 
 namespace polhode::bench {
 

@@ -1,7 +1,7 @@
 // What is written by hand, once per instruction set (isa/).
 #pragma once
 
-#include "ensemble/isa_entry.hpp"
+#include "platform/isa_entry.hpp"
 
 namespace polhode::bench {
 

@@ -4,7 +4,7 @@
 
 #include "bench/ensemble_loop.hpp"
 #include "bench/yardsticks.hpp"
-#include "registry/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode::bench {
 namespace {

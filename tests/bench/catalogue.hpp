@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ensemble/isa.hpp"
 #include "ensemble/simulation.hpp"
+#include "platform/isa.hpp"
 #include "reports/model/results.hpp"
 
 namespace polhode::bench {

@@ -7,7 +7,7 @@
 #include "bench/catalogue.hpp"
 #include "bench/ensemble_loop.hpp"
 #include "bench/yardsticks.hpp"
-#include "registry/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode::bench {
 namespace {

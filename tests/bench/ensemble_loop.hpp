@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "bench/measure.hpp"
-#include "ensemble/isa.hpp"
-#include "ensemble/normal_block.hpp"
-#include "ensemble/paths.hpp"
-#include "ensemble/shared_increments.hpp"
+#include "ensemble/noise/normal_block.hpp"
+#include "ensemble/noise/paths.hpp"
+#include "ensemble/noise/shared_increments.hpp"
 #include "ensemble/simulation.hpp"
-#include "registry/systems.hpp"
+#include "platform/isa.hpp"
+#include "systems/systems.hpp"
 
 namespace polhode::bench {
 

@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "ensemble/denormals.hpp"
+#include "platform/denormals.hpp"
 
 namespace polhode::bench {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bench/measure.hpp"
-#include "ensemble/isa.hpp"
 #include "ensemble/simulation.hpp"
+#include "platform/isa.hpp"
 #include "reports/model/results.hpp"
 
 namespace polhode::bench {

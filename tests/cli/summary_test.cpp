@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/layout.hpp"
-#include "registry/text.hpp"
+#include "scene/text.hpp"
 
 namespace {
 

@@ -2,12 +2,12 @@
 // paths are those of the scalar step.
 #include <gtest/gtest.h>
 
-#include "ensemble/isa.hpp"
 #include "ensemble/kernel_of.hpp"
-#include "registry/rigid_body.hpp"
-#include "registry/systems.hpp"
+#include "platform/isa.hpp"
 #include "support/kernel_cases.hpp"
 #include "support/schemes.hpp"
+#include "systems/rigid_body/rigid_body.hpp"
+#include "systems/systems.hpp"
 
 namespace polhode::test {
 namespace {

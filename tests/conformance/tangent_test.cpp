@@ -2,11 +2,11 @@
 // differences of that kernel, which knows nothing of dual numbers.
 #include <gtest/gtest.h>
 
-#include "ensemble/isa.hpp"
-#include "registry/bind.hpp"
-#include "registry/systems.hpp"
+#include "platform/isa.hpp"
 #include "support/kernel_cases.hpp"
 #include "support/schemes.hpp"
+#include "systems/bind.hpp"
+#include "systems/systems.hpp"
 
 namespace polhode::test {
 namespace {

@@ -21,15 +21,21 @@ ROOMS = {
     'scheme_info':   [INSTALLED + 'schemes/scheme_info.hpp'],
     'schemes':       [INSTALLED + 'schemes/'],
     'driver':        [INSTALLED],  # integrate.hpp and what else stands at the top
-    'algebra':       ['src/algebra/'],
-    'references':    ['src/references/'],
-    'ensemble':      ['src/ensemble/'],
-    'statistics':    ['src/statistics/'],
-    'experiments':   ['src/experiments/'],
-    'selection':     ['src/selection/'],
-    'comparison':    ['src/comparison/'],
-    'registry':      ['src/registry/'],
-    'cli':           ['src/cli/'],
+    'platform':     ['src/platform/'],
+    'algebra':      ['src/algebra/'],
+    'references':   ['src/references/'],
+    'sphere':       ['src/sphere/'],
+    'ensemble':     ['src/ensemble/'],
+    'statistics':   ['src/statistics/'],
+    'problem':      ['src/problem/'],
+    'transfer':     ['src/transfer/'],
+    'experiments':  ['src/experiments/'],
+    'selection':    ['src/selection/'],
+    'comparison':   ['src/comparison/'],
+    'lab_systems':  ['src/systems/'],
+    'scene':        ['src/scene/'],
+    'run':          ['src/run/'],
+    'cli':          ['src/cli/'],
     'reports/model': ['reports/model/'],
     'writers':       ['reports/writers/'],
 }
@@ -37,7 +43,7 @@ ROOMS = {
 # What a room may include besides itself.
 CALCULUS = ['helpers', 'lie', 'noise', 'concepts', 'scheme_info', 'driver']  # nothing concrete
 INTEGRATORS = CALCULUS + ['systems', 'schemes']
-JUDGES = ['algebra', 'references', 'ensemble', 'statistics']
+JUDGES = ['platform', 'algebra', 'references', 'sphere', 'ensemble', 'statistics', 'problem', 'transfer']
 MAY = {
     'helpers':       [],
     'lie':           ['helpers'],
@@ -47,15 +53,21 @@ MAY = {
     'scheme_info':   ['helpers', 'concepts'],
     'schemes':       ['helpers', 'lie', 'noise', 'concepts', 'scheme_info'],
     'driver':        CALCULUS,
-    'algebra':       [],
-    'references':    INTEGRATORS + ['algebra'],
-    'ensemble':      INTEGRATORS,
+    'platform':      INTEGRATORS,
+    'algebra':       ['platform'],
     'statistics':    INTEGRATORS + ['algebra'],
+    'references':    INTEGRATORS + ['algebra'],
+    'sphere':        ['algebra', 'references'],
+    'ensemble':      INTEGRATORS + ['platform', 'sphere'],
+    'problem':       CALCULUS + ['systems', 'sphere', 'ensemble', 'reports/model'],
+    'transfer':      CALCULUS + ['systems', 'platform', 'algebra', 'sphere', 'ensemble', 'problem'],
     'experiments':   CALCULUS + ['systems'] + JUDGES + ['reports/model'],
     'selection':     CALCULUS + ['systems'] + JUDGES + ['experiments', 'reports/model'],
     'comparison':    ['reports/model'],
-    'registry':      INTEGRATORS + JUDGES + ['experiments', 'selection', 'reports/model'],
-    'cli':           ['registry', 'selection', 'comparison', 'reports/model', 'writers'],
+    'lab_systems':   INTEGRATORS + JUDGES + ['reports/model'],
+    'scene':         ['lab_systems', 'problem', 'reports/model'],
+    'run':           INTEGRATORS + JUDGES + ['experiments', 'selection', 'lab_systems', 'scene', 'reports/model'],
+    'cli':           ['platform', 'lab_systems', 'scene', 'run', 'selection', 'comparison', 'reports/model', 'writers'],
     'reports/model': [],
     'writers':       ['reports/model'],
 }
@@ -159,7 +171,7 @@ PLANTED = [
     (INSTALLED + 'schemes/heun.hpp', '"../systems/rigid_body.hpp"', True),
     (INSTALLED + 'schemes/heun.hpp', '"reports/model/results.hpp"', True),
     (INSTALLED + 'schemes/heun.hpp', '"statistics/fit.hpp"', True),
-    (INSTALLED + 'schemes/heun.hpp', '"../../../../src/registry/scene.hpp"', True),
+    (INSTALLED + 'schemes/heun.hpp', '"../../../../src/scene/scene.hpp"', True),
     (INSTALLED + 'schemes/heun.hpp', '<Eigen/Core>', False),
     (INSTALLED + 'schemes/heun.hpp', '<cmath>', False),
     (INSTALLED + 'schemes/heun.hpp', '<fmt/core.h>', True),
@@ -170,27 +182,34 @@ PLANTED = [
     (INSTALLED + 'integrate.hpp', '"schemes/heun.hpp"', True),
     (INSTALLED + 'integrate.hpp', '<polhode/schemes/heun.hpp>', True),
     # the laboratory
-    ('src/references/gibbs.cpp', '<polhode/systems/rigid_body.hpp>', False),
-    ('src/references/gibbs.cpp', '<gsl/gsl_sf.h>', False),
-    ('src/references/gibbs.cpp', '"statistics/fit.hpp"', True),
-    ('src/ensemble/run.cpp', '"registry/scene.hpp"', True),
+    ('src/sphere/closed_forms/gibbs.cpp', '<polhode/systems/rigid_body.hpp>', True),
+    ('src/sphere/closed_forms/gibbs.cpp', '<gsl/gsl_sf.h>', False),
+    ('src/sphere/closed_forms/gibbs.cpp', '"statistics/fit.hpp"', True),
+    ('src/ensemble/run.cpp', '"scene/scene.hpp"', True),
+    ('src/ensemble/run.cpp', '"platform/isa.hpp"', False),
+    ('src/platform/isa.cpp', '"ensemble/run.hpp"', True),
+    ('src/transfer/transfer.cpp', '"problem/subject.hpp"', False),
+    ('src/transfer/transfer.cpp', '"experiments/common/levels.hpp"', True),
+    ('src/problem/subject.hpp', '"transfer/transfer.hpp"', True),
+    ('src/systems/rigid_body/rigid_body.cpp', '<polhode/systems/rigid_body.hpp>', False),
+    ('src/systems/rigid_body/rigid_body.cpp', '"experiments/weak/weak.hpp"', True),
     ('src/statistics/fit.cpp', '"fit.hpp"', False),
     ('src/statistics/fit.cpp', '"../ensemble/run.hpp"', True),
-    ('src/experiments/weak.cpp', '"references/gibbs.hpp"', False),
-    ('src/experiments/weak.cpp', '"reports/model/results.hpp"', False),
-    ('src/experiments/weak.cpp', '<polhode/schemes/scheme_info.hpp>', False),
-    ('src/experiments/weak.cpp', '<polhode/schemes/heun.hpp>', True),
-    ('src/experiments/weak.cpp', '  "registry/scene.hpp"  // a reason', True),
-    ('src/experiments/weak.cpp', '"reports/writers/json.hpp"', True),
-    ('src/experiments/weak.cpp', '"src/registry/scene.hpp"', True),
+    ('src/experiments/weak/weak.cpp', '"sphere/closed_forms/gibbs.hpp"', False),
+    ('src/experiments/weak/weak.cpp', '"reports/model/results.hpp"', False),
+    ('src/experiments/weak/weak.cpp', '<polhode/schemes/scheme_info.hpp>', False),
+    ('src/experiments/weak/weak.cpp', '<polhode/schemes/heun.hpp>', True),
+    ('src/experiments/weak/weak.cpp', '  "scene/scene.hpp"  // a reason', True),
+    ('src/experiments/weak/weak.cpp', '"reports/writers/json.hpp"', True),
+    ('src/experiments/weak/weak.cpp', '"src/scene/scene.hpp"', True),
     ('src/selection/select.cpp', '"experiments/weak.hpp"', False),
     ('src/selection/select.cpp', '<polhode/schemes/heun.hpp>', True),
-    ('src/registry/registry.cpp', '<polhode/schemes/heun.hpp>', False),
-    ('src/registry/registry.cpp', '"selection/select.hpp"', False),
-    ('src/registry/registry.cpp', '"reports/writers/json.hpp"', True),
-    ('src/registry/registry.cpp', '"cli/main.hpp"', True),
+    ('src/run/verify.cpp', '<polhode/schemes/heun.hpp>', False),
+    ('src/run/verify.cpp', '"selection/select.hpp"', False),
+    ('src/run/verify.cpp', '"reports/writers/json.hpp"', True),
+    ('src/run/verify.cpp', '"cli/main.hpp"', True),
     ('src/cli/main.cpp', '"reports/writers/json.hpp"', False),
-    ('src/cli/main.cpp', '"registry/scene.hpp"', False),
+    ('src/cli/main.cpp', '"scene/scene.hpp"', False),
     ('src/cli/main.cpp', '"experiments/weak.hpp"', True),
     ('src/cli/main.cpp', '"tests/unit/helper.hpp"', True),
     # the reports
@@ -200,7 +219,7 @@ PLANTED = [
     ('reports/writers/json.cpp', '"statistics/fit.hpp"', True),
     ('reports/writers/json.cpp', '<polhode/vec.hpp>', True),
     ('reports/model/results.hpp', '"reports/writers/json.hpp"', True),
-    ('reports/model/results.hpp', '"registry/scene.hpp"', True),
+    ('reports/model/results.hpp', '"scene/scene.hpp"', True),
 ]
 
 
@@ -209,14 +228,14 @@ def self_test():
     with tempfile.TemporaryDirectory() as root:
         files = {}
         for file, include, wrong in PLANTED:
-            lines = files.setdefault(file, ['// a comment names #include "registry/scene.hpp" and is none', '#pragma once'])
+            lines = files.setdefault(file, ['// a comment names #include "scene/scene.hpp" and is none', '#pragma once'])
             lines.append(f'  #  include {include}' if len(lines) % 2 else f'#include {include}')
             faults += [(file, len(lines))] if wrong else []
         files['src/nowhere/lost.hpp'] = ['#pragma once']
         faults.append(('src/nowhere/lost.hpp', 1))
         for existing in (True, False):  # the verdict may not depend on whether the included file is there
             if existing:
-                for header in ('src/registry/scene.hpp', 'src/statistics/fit.hpp', 'reports/writers/json.hpp',
+                for header in ('src/scene/scene.hpp', 'src/statistics/fit.hpp', 'reports/writers/json.hpp',
                                INSTALLED + 'vec.hpp', INSTALLED + 'schemes/scheme_info.hpp'):
                     files.setdefault(header, [])
             for file, lines in files.items():

@@ -7,8 +7,8 @@
 
 #include "mutants/defective_kernel.hpp"
 #include "mutants/in_step.hpp"
-#include "registry/run_experiment.hpp"
-#include "registry/verify.hpp"
+#include "run/run_experiment.hpp"
+#include "run/verify.hpp"
 
 namespace polhode::test {
 namespace {

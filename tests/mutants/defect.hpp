@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/subject.hpp"
+#include "problem/subject.hpp"
 
 namespace polhode::test {
 

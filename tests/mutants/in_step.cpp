@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "registry/bind.hpp"
-#include "registry/rigid_body.hpp"
+#include "systems/bind.hpp"
+#include "systems/rigid_body/rigid_body.hpp"
 
 namespace polhode::test {
 namespace {

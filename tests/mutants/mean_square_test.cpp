@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "experiments/mean_square.hpp"
+#include "experiments/stability/mean_square.hpp"
 #include "mutants/defect.hpp"
-#include "registry/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode::test {
 namespace {

@@ -12,9 +12,9 @@
 #include <set>
 #include <utility>
 
-#include "ensemble/paths.hpp"
+#include "ensemble/noise/paths.hpp"
 #include "mutants/spoilt_noise.hpp"
-#include "registry/verify.hpp"
+#include "run/verify.hpp"
 
 namespace polhode::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-#include "ensemble/noise_defect.hpp"
+#include "ensemble/noise/noise_defect.hpp"
 #include "mutants/defect.hpp"
 
 namespace polhode::test {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "registry/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode::test {
 namespace {

@@ -11,9 +11,9 @@
 #include <mutex>
 #include <string>
 
-#include "ensemble/paths.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "ensemble/noise/paths.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode {
 namespace {

@@ -3,11 +3,11 @@
 
 #include <cstdio>
 
-#include "ensemble/paths.hpp"
-#include "experiments/stability_long.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
-#include "statistics/order_fit.hpp"
+#include "ensemble/noise/paths.hpp"
+#include "experiments/stability/stability_long.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
+#include "statistics/orders/order_fit.hpp"
 
 namespace polhode {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <map>
 
-#include "registry/choose.hpp"
-#include "registry/verify.hpp"
+#include "run/choose.hpp"
+#include "run/verify.hpp"
 
 namespace polhode {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "comparison/compare.hpp"
 #include "ensemble/kernel.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode {
 namespace {

@@ -32,8 +32,9 @@ inline std::optional<body_of_revolution> revolution(const sphere_problem& p) {
     const double q = p.covariance(long(j), long(j)), r = p.covariance(a, a);
     Eigen::Matrix3d round = q * Eigen::Matrix3d::Identity();
     round(a, a) = r;
-    if (p.inertia[j] == p.inertia[l] && p.covariance == round && q > 0)
-      return body_of_revolution{a, p.radius, p.theta, 1 / p.inertia[j], 1 / p.inertia[i], q, r};
+    const auto k = p.quadratic.diagonal();
+    if (k[long(j)] == k[long(l)] && p.covariance == round && q > 0)
+      return body_of_revolution{a, p.radius, p.damping, k[long(j)], k[long(i)], q, r};
   }
   return std::nullopt;
 }

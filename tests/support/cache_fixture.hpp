@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
 #include "reports/writers/csv.hpp"
 #include "reports/writers/json.hpp"
 #include "reports/writers/result_folder.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode::test {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "ensemble/paths.hpp"
-#include "registry/scene.hpp"
+#include "ensemble/noise/paths.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode::test {
 

@@ -9,8 +9,8 @@
 #include <random>
 #include <string>
 
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode::test {
 

@@ -1,4 +1,4 @@
-// Broken noise, one thing at a time, for ensemble/noise_defect.hpp.
+// Broken noise, one thing at a time, for ensemble/noise/noise_defect.hpp.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "ensemble/kernel.hpp"
-#include "ensemble/noise_defect.hpp"
+#include "ensemble/noise/noise_defect.hpp"
 
 namespace polhode::test {
 

@@ -15,8 +15,8 @@
 #include <gsl/gsl_cdf.h>
 
 #include "ensemble/kernel.hpp"
-#include "ensemble/normal_block.hpp"
-#include "ensemble/paths.hpp"
+#include "ensemble/noise/normal_block.hpp"
+#include "ensemble/noise/paths.hpp"
 #include "support/noise_sources.hpp"
 
 namespace polhode::test {

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "references/kolmogorov.hpp"
+#include "sphere/kolmogorov.hpp"
 
 namespace polhode::test {
 
@@ -68,9 +68,9 @@ inline std::vector<operator_term> generator_terms(const sphere_problem& p) {
     for (std::size_t i = 0; i < 3; ++i) a[i] += b[i];
     return a;
   };
-  const fifty_digits c = p.radius, theta = p.theta;
+  const fifty_digits c = p.radius, theta = p.damping;
   std::array<fifty_digits, 3> k;
-  for (std::size_t i = 0; i < 3; ++i) k[i] = 1 / fifty_digits(p.inertia[i]);
+  for (std::size_t i = 0; i < 3; ++i) k[i] = p.quadratic(long(i), long(i));
   std::vector<operator_term> out;
   const auto epsilon = [](std::size_t i, std::size_t j) { return (i + 1) % 3 == j ? 1 : -1; };
   for (std::size_t i = 0; i < 3; ++i) {
@@ -127,10 +127,10 @@ struct series_value {
 /// Of h; nothing where the terms leave a remainder above the tolerance.
 inline std::optional<series_value> energy_by_series(const sphere_problem& p, const Eigen::Vector3d& start, double time,
                                                     double tolerance) {
-  const int raised = p.theta == 0 ? 1 : 2, most_terms = 32 / raised;
+  const int raised = p.damping == 0 ? 1 : 2, most_terms = 32 / raised;
   polynomial f(2);
   for (int i = 0; i < 3; ++i)
-    f.add(2 * (i == 0), 2 * (i == 1), 2 * (i == 2), p.radius * p.radius / (2 * p.inertia[std::size_t(i)]));
+    f.add(2 * (i == 0), 2 * (i == 1), 2 * (i == 2), p.radius * p.radius / 2 * p.quadratic(i, i));
   const auto terms = generator_terms(p);
   fifty_digits sum = 0, factor = 1;
   double first = 0;

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include "references/gibbs.hpp"
+#include "sphere/closed_forms/gibbs.hpp"
 #include "support/second_opinions.hpp"
 
 namespace polhode::test {
@@ -71,9 +71,9 @@ reference_value timed(const std::string& quantity, const attacked_scene& s, atta
 
 inline void attack_gibbs(const attacked_scene& s, attack_count& count) {
   const auto& p = s.problem;
-  auto i = p.inertia;
+  const auto i = inertia_of(p);
   if (!s.isotropic || (i[0] == i[1] && i[1] == i[2])) return;
-  const double beta = 2 * p.theta / p.covariance(0, 0);
+  const double beta = 2 * p.damping / p.covariance(0, 0);
   const gibbs_law law(i, p.radius, beta);
   const auto second = gibbs_about_the_other_axis(i, p.radius, beta);
   ++count.tried;
@@ -88,19 +88,18 @@ inline void attack_gibbs(const attacked_scene& s, attack_count& count) {
 
 inline reference_value asked(const std::string& quantity, const attacked_scene& s, const std::string& observable) {
   const auto& p = s.problem;
-  const auto f = *named_observable(observable, p.inertia);
+  const auto f = *named_observable(observable, p);
   const double size = observable == "energy" ? f(s.start) : supremum_of(p, f), rate = p.covariance.trace();
   if (quantity == "mean") return stationary_mean(p, f, 1e-11 * size);
   if (quantity == "expectation") return expectation(p, f, s.start, s.time, 1e-11 * size);
   if (quantity == "gap") return spectral_gap(p, 1e-9 * rate);
-  const auto answer = lyapunov(p, 1e-6 * p.radius / *std::ranges::min_element(p.inertia));
+  const auto answer = lyapunov(p, 1e-6 * p.radius / std::ranges::min(inertia_of(p)));
   return {answer.lambda1, answer.uncertainty, answer.degree, answer.reason};
 }
 
 inline opinions opinions_on(const std::string& quantity, const attacked_scene& s, const std::string& observable,
                             const reference_value& found, bool dear) {
-  if (quantity == "mean")
-    return opinions_of_mean(s, *named_observable("energy", s.problem.inertia), found.degree, dear);
+  if (quantity == "mean") return opinions_of_mean(s, *named_observable("energy", s.problem), found.degree, dear);
   if (quantity == "expectation") return opinions_of_expectation(s, observable, found.degree, dear);
   if (quantity == "gap") return found.degree > 0 ? opinions_of_gap(s, *found.value, found.degree, dear) : opinions{};
   return opinions_of_lambda1(s, found.degree);

@@ -6,8 +6,8 @@
 #include <polhode/noise/normal.hpp>
 #include <polhode/systems/rigid_body.hpp>
 
-#include "registry/schemes.hpp"
 #include "support/so4_body.hpp"
+#include "systems/schemes.hpp"
 
 namespace polhode::test {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "references/lyapunov.hpp"
-#include "references/sparse_blocks.hpp"
+#include "algebra/sparse_blocks.hpp"
+#include "sphere/lyapunov.hpp"
 #include "support/attacked_scene.hpp"
 #include "support/body_of_revolution.hpp"
 #include "support/gibbs_about_the_other_axis.hpp"
@@ -36,8 +36,7 @@ void add_refined(opinions& all, const ValueAt& value_at, int coarse, int fine, d
 
 /// Of the generator on n points around: about the norm of its second derivatives beside a pole, and of its drift.
 inline double stiffness(const sphere_problem& p, int n) {
-  const auto [least, most] = std::ranges::minmax(p.inertia);
-  const double shear = p.radius * std::hypot(1, p.theta * p.radius) * (1 / least - 1 / most);
+  const double shear = p.radius * std::hypot(1, p.damping * p.radius) * p.spread();
   return p.covariance.trace() * std::pow(n, 4) / 4 + shear * n * n;
 }
 
@@ -64,7 +63,7 @@ inline double supremum_of(const sphere_problem& p, const sphere_function& f) {
 
 inline opinions opinions_of_expectation(const attacked_scene& s, const std::string& observable, int degree, bool dear) {
   const auto& p = s.problem;
-  const auto f = *named_observable(observable, p.inertia);
+  const auto f = *named_observable(observable, p);
   const bool energy = observable == "energy";
   opinions all;
   const double size = energy ? f(s.start) : supremum_of(p, f);
@@ -114,17 +113,17 @@ inline opinions opinions_of_gap(const attacked_scene& s, double found, int degre
 
 inline opinions opinions_of_mean(const attacked_scene& s, const sphere_function& f, int degree, bool dear) {
   const auto& p = s.problem;
-  const auto& i = p.inertia;
+  const auto i = inertia_of(p);
   opinions all;
-  const double size = std::fabs(f(s.start)), trace = Eigen::Array3d(i.data()).inverse().sum();
+  const double size = std::fabs(f(s.start)), trace = p.quadratic.trace();
   const auto body = revolution(p);
   if (i[0] == i[1] && i[1] == i[2]) {
     all.push_back({size, 1e-14 * size});
-  } else if (p.theta == 0) {
+  } else if (p.damping == 0) {
     const double value = p.radius * p.radius * trace / 6;
     all.push_back({value, 1e-14 * value});
   } else if (s.isotropic || body) {
-    const double beta = 2 * p.theta / (s.isotropic ? p.covariance(0, 0) : body->across);
+    const double beta = 2 * p.damping / (s.isotropic ? p.covariance(0, 0) : body->across);
     const double least = p.radius * p.radius / (2 * *std::ranges::max_element(i));
     const double value = least + gibbs_about_the_other_axis(i, p.radius, beta)[3];
     all.push_back({value, 1e-14 * value});
@@ -148,10 +147,9 @@ inline opinions opinions_of_mean(const attacked_scene& s, const sphere_function&
 inline opinions opinions_of_lambda1(const attacked_scene& s, int degree) {
   const auto& p = s.problem;
   opinions all;
-  const auto [least, most] = std::ranges::minmax(p.inertia);
   if (const auto body = revolution(p))
     add_refined(
-        all, [&](int n) { return lambda1_on_the_sphere(*body, n); }, 13, 17, p.radius * (1 / least - 1 / most),
+        all, [&](int n) { return lambda1_on_the_sphere(*body, n); }, 13, 17, p.radius * p.spread(),
         lost_to_rounding * p.radius);
   if (degree > 10) return all;
   const auto higher = lyapunov(p, 1e-12 * p.radius, degree + 6);

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
-#include "ensemble/paths.hpp"
+#include "ensemble/noise/paths.hpp"
 #include "references/odeint.hpp"
-#include "registry/choose.hpp"
-#include "registry/verify.hpp"
+#include "run/choose.hpp"
+#include "run/verify.hpp"
 
 namespace polhode::test {
 

@@ -13,7 +13,7 @@
 #include <numbers>
 
 #include "algebra/decompositions.hpp"
-#include "references/kolmogorov.hpp"
+#include "sphere/kolmogorov.hpp"
 #include "support/dense.hpp"
 
 namespace polhode::test {
@@ -123,8 +123,8 @@ class sphere_collocation {
 
 /// x = Pi / c: x' = c x cross (K x + theta c x cross K x).
 inline field drift_of(const sphere_problem& p) {
-  return [c = p.radius, theta = p.theta,
-          k = Eigen::Array3d(Eigen::Array3d(p.inertia.data()).inverse())](const Eigen::Vector3d& x) -> Eigen::Vector3d {
+  return [c = p.radius, theta = p.damping,
+          k = Eigen::Array3d(p.quadratic.diagonal())](const Eigen::Vector3d& x) -> Eigen::Vector3d {
     const Eigen::Vector3d rate = c * (k * x.array()).matrix();
     return x.cross(rate + theta * c * x.cross(rate));
   };

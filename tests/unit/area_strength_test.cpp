@@ -5,7 +5,7 @@
 #include <polhode/noise/normal.hpp>
 #include <vector>
 
-#include "statistics/area_strength.hpp"
+#include "statistics/noise/area_strength.hpp"
 
 namespace polhode {
 namespace {

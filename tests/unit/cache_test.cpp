@@ -4,9 +4,9 @@
 #include <map>
 #include <set>
 
-#include "ensemble/isa.hpp"
-#include "experiments/noise_verdict.hpp"
-#include "registry/cache_key.hpp"
+#include "experiments/common/noise_verdict.hpp"
+#include "platform/isa.hpp"
+#include "run/cache_key.hpp"
 #include "support/cache_fixture.hpp"
 #include "support/noise_defects.hpp"
 

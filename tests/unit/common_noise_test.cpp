@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "ensemble/paths.hpp"
-#include "ensemble/shared_increments.hpp"
+#include "ensemble/noise/paths.hpp"
+#include "ensemble/noise/shared_increments.hpp"
 #include "ensemble/simulation.hpp"
 #include "ensemble/uniform_start.hpp"
-#include "experiments/harmonic_means.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "experiments/attractor/harmonic_means.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <polhode/noise/normal.hpp>
 
-#include "statistics/order_fit.hpp"
+#include "statistics/orders/order_fit.hpp"
 #include "statistics/sample.hpp"
 
 namespace polhode {

@@ -1,11 +1,11 @@
 // Processor time is charged to what a thread says it works on.
-#include "ensemble/cpu_profile.hpp"
+#include "platform/cpu_profile.hpp"
 
 #include <gtest/gtest.h>
 
 #include <ctime>
 
-#include "ensemble/paths.hpp"
+#include "ensemble/noise/paths.hpp"
 
 namespace polhode {
 namespace {

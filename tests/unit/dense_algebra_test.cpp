@@ -1,11 +1,11 @@
 // Eigen's products and solution on every instruction set: what Eigen gives where it stands, also for parts of matrices.
-#include "ensemble/dense_algebra.hpp"
+#include "algebra/dense_algebra.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "ensemble/isa.hpp"
+#include "platform/isa.hpp"
 
 namespace polhode::test {
 namespace {

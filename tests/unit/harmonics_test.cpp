@@ -1,4 +1,4 @@
-#include "references/harmonics.hpp"
+#include "sphere/harmonics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <unsupported/Eigen/KroneckerProduct>
 
-#include "references/linearised_body.hpp"
+#include "sphere/closed_forms/linearised_body.hpp"
 
 namespace polhode {
 namespace {

@@ -1,18 +1,18 @@
-#include "references/lyapunov.hpp"
+#include "sphere/lyapunov.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "references/gibbs.hpp"
-#include "references/wigner.hpp"
+#include "sphere/closed_forms/gibbs.hpp"
+#include "sphere/wigner.hpp"
 
 namespace polhode::test {
 namespace {
 
 sphere_problem isotropic(double theta, double sigma) {
-  return {{1, 2, 3}, theta, 1, sigma * sigma * Eigen::Matrix3d::Identity()};
+  return body_on_sphere({1, 2, 3}, theta, 1, sigma * sigma * Eigen::Matrix3d::Identity());
 }
 
 double corner(const sparse_matrix& a, int degree) {
@@ -74,7 +74,8 @@ TEST(Lyapunov, DoesNotDependOnTheNamesOfTheAxes) {
   q << 0.3, 0.1, -0.05, 0.1, 0.2, 0.08, -0.05, 0.08, 0.4;
   for (long i = 0; i < 3; ++i)
     for (long j = 0; j < 3; ++j) cycled((i + 1) % 3, (j + 1) % 3) = q(i, j);
-  const auto one = lyapunov({{1, 2, 3}, 0.4, 1, q}, 1e-8), other = lyapunov({{3, 1, 2}, 0.4, 1, cycled}, 1e-8);
+  const auto one = lyapunov(body_on_sphere({1, 2, 3}, 0.4, 1, q), 1e-8),
+             other = lyapunov(body_on_sphere({3, 1, 2}, 0.4, 1, cycled), 1e-8);
   ASSERT_TRUE(one.reason.empty() && other.reason.empty()) << one.reason << other.reason;
   EXPECT_NEAR(*one.lambda1, *other.lambda1, 1e-8);
   EXPECT_NEAR(one.sum, other.sum, 1e-9);
@@ -83,7 +84,8 @@ TEST(Lyapunov, DoesNotDependOnTheNamesOfTheAxes) {
 // Momentum c is momentum 1 with theta c and Q / c, in time scaled by c.
 TEST(Lyapunov, ScalesWithTheMomentum) {
   const Eigen::Matrix3d q = Eigen::Vector3d(0.1, 0.3, 0.6).asDiagonal();
-  const auto large = lyapunov({{1, 2, 3}, 0.25, 2, 2 * q}, 1e-8), unit = lyapunov({{1, 2, 3}, 0.5, 1, q}, 1e-8);
+  const auto large = lyapunov(body_on_sphere({1, 2, 3}, 0.25, 2, 2 * q), 1e-8),
+             unit = lyapunov(body_on_sphere({1, 2, 3}, 0.5, 1, q), 1e-8);
   ASSERT_TRUE(large.lambda1 && unit.lambda1);
   EXPECT_NEAR(*large.lambda1, 2 * *unit.lambda1, 3e-8);
   EXPECT_NEAR(large.sum, 2 * unit.sum, 1e-9);
@@ -95,7 +97,8 @@ TEST(Lyapunov, ConservesAreaWithoutDissipation) {
   EXPECT_GT(*free.lambda1, 0.01);
   EXPECT_EQ(free.sum, 0);
   EXPECT_EQ(free.dimension, 2);
-  const auto rigid = lyapunov({{2, 2, 2}, 0.5, 1, Eigen::Matrix3d::Identity()}, 1e-7);  // the flow is a rotation
+  const auto rigid =
+      lyapunov(body_on_sphere({2, 2, 2}, 0.5, 1, Eigen::Matrix3d::Identity()), 1e-7);  // the flow is a rotation
   ASSERT_TRUE(rigid.lambda1);
   EXPECT_NEAR(*rigid.lambda1, 0, 1e-14);
   EXPECT_EQ(rigid.dimension, 2);

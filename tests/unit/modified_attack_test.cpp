@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode::test {
 namespace {

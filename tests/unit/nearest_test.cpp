@@ -1,12 +1,12 @@
 // The nearest name, and text made fit for one line.
-#include "registry/nearest.hpp"
+#include "scene/nearest.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "registry/text.hpp"
+#include "scene/text.hpp"
 
 namespace {
 

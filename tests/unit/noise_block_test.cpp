@@ -8,9 +8,9 @@
 
 #include <polhode/noise/normal.hpp>
 
-#include "ensemble/isa.hpp"
 #include "ensemble/kernel.hpp"
-#include "ensemble/normal_block.hpp"
+#include "ensemble/noise/normal_block.hpp"
+#include "platform/isa.hpp"
 #include "support/noise_sources.hpp"
 
 namespace polhode {

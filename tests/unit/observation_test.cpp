@@ -13,9 +13,9 @@
 
 #include "ensemble/angle.hpp"
 #include "ensemble/direction_bins.hpp"
-#include "ensemble/isa.hpp"
 #include "ensemble/sphere_bins.hpp"
-#include "registry/verify.hpp"
+#include "platform/isa.hpp"
+#include "run/verify.hpp"
 
 namespace polhode {
 namespace {

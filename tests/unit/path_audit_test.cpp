@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ensemble/kernel.hpp"
-#include "ensemble/normal_block.hpp"
-#include "statistics/noise_audit.hpp"
+#include "ensemble/noise/normal_block.hpp"
+#include "statistics/noise/noise_audit.hpp"
 
 namespace polhode {
 namespace {

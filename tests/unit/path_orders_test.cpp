@@ -5,7 +5,7 @@
 
 #include <polhode/noise/normal.hpp>
 
-#include "statistics/path_slopes.hpp"
+#include "statistics/orders/path_slopes.hpp"
 
 namespace polhode {
 namespace {

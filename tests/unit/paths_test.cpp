@@ -1,4 +1,4 @@
-#include "ensemble/paths.hpp"
+#include "ensemble/noise/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 
 #include <polhode/integrate.hpp>
 
-#include "registry/scene.hpp"
-#include "registry/systems.hpp"
+#include "scene/scene.hpp"
 #include "support/schemes.hpp"
+#include "systems/systems.hpp"
 
 namespace polhode {
 namespace {

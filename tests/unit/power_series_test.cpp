@@ -1,4 +1,4 @@
-#include "statistics/power_series.hpp"
+#include "statistics/orders/power_series.hpp"
 
 #include <gtest/gtest.h>
 

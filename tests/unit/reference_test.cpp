@@ -1,5 +1,5 @@
 // `polhode reference` as a function: known answers, laws that hold whatever the method, and refusals in words.
-#include "registry/reference.hpp"
+#include "run/reference.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "references/harmonics.hpp"
-#include "references/kolmogorov.hpp"
-#include "registry/verify.hpp"
 #include "reports/model/errors.hpp"
+#include "run/verify.hpp"
+#include "sphere/harmonics.hpp"
+#include "sphere/kolmogorov.hpp"
 #include "support/dense.hpp"
+#include "transfer/transfer.hpp"
 
 namespace polhode::test {
 namespace {
@@ -321,7 +322,7 @@ TEST(Reference, EveryListedObservableIsAnswered) {
   const auto listed = list_observables();
   EXPECT_EQ(listed.size(), 9u);
   for (const auto& o : listed) {
-    const auto f = named_observable(o.name, {1, 2, 3});
+    const auto f = named_observable(o.name, *sphere_problem_of(bind_scene(load_scene("paper"))));
     ASSERT_TRUE(f) << o.name;
     EXPECT_NEAR(ask(load_scene("paper"), {"expectation", o.name, 0.0, 0}).value, (*f)({0.6, 0.48, 0.64}), 1e-11);
   }

@@ -17,7 +17,8 @@ TEST(ReferencesUnderAttack, StationaryMean) { sample("mean", 40); }
 
 // An attack that could not fail would say nothing: an answer off by a millionth beyond its bar is told wrong.
 TEST(ReferencesUnderAttack, TellsAWrongAnswer) {
-  const attacked_scene paper{{{1, 2, 3}, 0.5, 1, 0.25 * Eigen::Matrix3d::Identity()}, {0.6, 0.48, 0.64}, 2, true};
+  const attacked_scene paper{
+      body_on_sphere({1, 2, 3}, 0.5, 1, 0.25 * Eigen::Matrix3d::Identity()), {0.6, 0.48, 0.64}, 2, true};
   for (const char* quantity : {"mean", "expectation", "gap", "lyapunov"})
     for (const double off : {0.0, 1e-6}) {
       auto found = asked(quantity, paper, "energy");

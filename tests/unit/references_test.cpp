@@ -4,8 +4,8 @@
 
 #include "references/driven_ode.hpp"
 #include "references/free_rotation.hpp"
-#include "references/gibbs.hpp"
 #include "references/odeint.hpp"
+#include "sphere/closed_forms/gibbs.hpp"
 #include "support/schemes.hpp"
 
 namespace polhode::test {

@@ -1,4 +1,4 @@
-#include "experiments/sequential.hpp"
+#include "experiments/common/sequential.hpp"
 
 #include <gtest/gtest.h>
 

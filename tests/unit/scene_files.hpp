@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "registry/scene.hpp"
 #include "reports/model/errors.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode::testing {
 

@@ -1,12 +1,12 @@
 // Scenes: what is read.
-#include "registry/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "registry/builtin.hpp"
+#include "scene/builtin.hpp"
 #include "scene_files.hpp"
 
 namespace {

@@ -3,19 +3,19 @@
 
 #include <gtest/gtest.h>
 
-#include "references/averaged_gap.hpp"
+#include "sphere/closed_forms/averaged_gap.hpp"
 
 namespace polhode::test {
 namespace {
 
 const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
-const sphere_problem paper{{1, 2, 3}, 0.5, 1, 0.25 * one};
+const auto paper = body_on_sphere({1, 2, 3}, 0.5, 1, 0.25 * one);
 const Eigen::Vector3d paper_start(0.6, 0.48, 0.64);
 
-sphere_function energy_of(const sphere_problem& p) { return *named_observable("energy", p.inertia); }
-const std::vector<sphere_problem> tops{{{1, 1, 2.5}, 0, 1.3, Eigen::Vector3d(0.25, 0.25, 0.4).asDiagonal()},
-                                       {{1, 0.4, 1}, 0.5, 1.3, 0.25 * one},
-                                       {{1.7, 2, 2}, 0.5, 1.3, 0.25 * one}};
+sphere_function energy_of(const sphere_problem& p) { return *named_observable("energy", p); }
+const std::vector<sphere_problem> tops{
+    body_on_sphere({1, 1, 2.5}, 0, 1.3, Eigen::Vector3d(0.25, 0.25, 0.4).asDiagonal()),
+    body_on_sphere({1, 0.4, 1}, 0.5, 1.3, 0.25 * one), body_on_sphere({1.7, 2, 2}, 0.5, 1.3, 0.25 * one)};
 
 TEST(SphereCollocation, KnownAnswers) {  // MODEL section 3
   const sphere_collocation grid(13, drift_of(paper), paper.covariance);
@@ -49,7 +49,7 @@ TEST(SeriesInTime, AgreesWithTheExponential) {
   Eigen::Matrix<double, 2, 3> two;
   two << 0.9, 0.2, 0, -0.1, 0.8, 0.5;
   for (const auto& [theta, time] : {std::pair{0.0, 0.05}, {0.5, 0.02}}) {
-    const sphere_problem p{{1, 2, 3}, theta, 1, two.transpose() * two};
+    const auto p = body_on_sphere({1, 2, 3}, theta, 1, two.transpose() * two);
     const auto series = energy_by_series(p, paper_start, time, 1e-13);
     ASSERT_TRUE(series);
     const auto expected = expectation(p, energy_of(p), paper_start, time, 1e-12);
@@ -70,13 +70,13 @@ TEST(AveragedGap, IsThatOfABodyOfRevolution) {
 
 // h itself is an even mode, of rate 3 sigma^2; the exact gaps rise to the limit, short of it by about sigma.
 TEST(AveragedGap, IsTheLimitOfExactGapsAsTheNoiseFades) {
-  const auto averaged = averaged_gap({{1, 2, 3}, 0, 1, one});
+  const auto averaged = averaged_gap(body_on_sphere({1, 2, 3}, 0, 1, one));
   ASSERT_TRUE(averaged);
   EXPECT_NEAR(averaged->even, 3, 1e-6);
   EXPECT_NEAR(averaged->gap(), 1.884, 5e-4);
   double last = 0;
   for (const double sigma : {0.4, 0.2}) {
-    const auto exact = spectral_gap({{1, 2, 3}, 0, 1, sigma * sigma * one}, 1e-9);
+    const auto exact = spectral_gap(body_on_sphere({1, 2, 3}, 0, 1, sigma * sigma * one), 1e-9);
     ASSERT_TRUE(exact.converged());
     const double missing = averaged->gap() - *exact.value / (sigma * sigma);
     EXPECT_GT(missing, 0);
@@ -88,17 +88,17 @@ TEST(AveragedGap, IsTheLimitOfExactGapsAsTheNoiseFades) {
 }
 
 TEST(AveragedGap, IsNamedWhereTheGapIsRefused) {
-  const auto refused = spectral_gap({{1, 2, 3}, 0, 1, 2.5e-5 * one}, 1e-9);
+  const auto refused = spectral_gap(body_on_sphere({1, 2, 3}, 0, 1, 2.5e-5 * one), 1e-9);
   EXPECT_FALSE(refused.converged());
   EXPECT_NE(refused.reason.find("is 4.71e-05 at this strength"), std::string::npos) << refused.reason;
-  EXPECT_FALSE(averaged_gap({{2, 2, 2}, 0, 1, one}));
-  EXPECT_FALSE(averaged_gap({{1, 2, 3}, 0.5, 1, Eigen::Vector3d(1, 2, 3).asDiagonal()}));
+  EXPECT_FALSE(averaged_gap(body_on_sphere({2, 2, 2}, 0, 1, one)));
+  EXPECT_FALSE(averaged_gap(body_on_sphere({1, 2, 3}, 0.5, 1, Eigen::Vector3d(1, 2, 3).asDiagonal())));
 }
 
 // Noise about one axis only, on a body next to spherical: degrees agreed on what converges as a power of the degree.
 TEST(StationaryMean, SlowConvergenceIsNotTakenForConvergence) {
-  sphere_problem p{
-      {3.0377824024688329, 3.0377824005045042, 3.0377824009503032}, 0.016481350527746543, 1.7905436987210701, {}};
+  auto p = body_on_sphere({3.0377824024688329, 3.0377824005045042, 3.0377824009503032}, 0.016481350527746543,
+                          1.7905436987210701, Eigen::Matrix3d::Zero());
   const Eigen::Vector3d sigma(0.013594, 0.208435, -0.072977);
   p.covariance = sigma * sigma.transpose();
   const double truth = *stationary_mean(p, energy_of(p), 1e-13, 48).value;

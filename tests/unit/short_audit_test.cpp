@@ -6,7 +6,7 @@
 
 #include <polhode/noise/normal.hpp>
 
-#include "statistics/noise_audit.hpp"
+#include "statistics/noise/noise_audit.hpp"
 
 namespace polhode {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <polhode/integrate.hpp>
 
-#include "ensemble/paths.hpp"
-#include "ensemble/shared_increments.hpp"
+#include "ensemble/noise/paths.hpp"
+#include "ensemble/noise/shared_increments.hpp"
 #include "ensemble/sphere_bins.hpp"
-#include "registry/verify.hpp"
+#include "run/verify.hpp"
 #include "support/schemes.hpp"
 
 namespace polhode {

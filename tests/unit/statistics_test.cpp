@@ -4,10 +4,10 @@
 
 #include <polhode/noise/normal.hpp>
 
-#include "experiments/judge.hpp"
-#include "statistics/finest_order.hpp"
-#include "statistics/order_fit.hpp"
-#include "statistics/power_series.hpp"
+#include "experiments/common/judge.hpp"
+#include "statistics/orders/finest_order.hpp"
+#include "statistics/orders/order_fit.hpp"
+#include "statistics/orders/power_series.hpp"
 #include "statistics/sample.hpp"
 
 namespace polhode {

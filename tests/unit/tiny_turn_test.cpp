@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include <polhode/systems/body_parts.hpp>
-#include <polhode/systems/tiny_turn.hpp>
+#include "systems/rigid_body/body_parts.hpp"
+#include "systems/rigid_body/tiny_turn.hpp"
 
-#include "registry/rigid_body_choice.hpp"
 #include "support/schemes.hpp"
+#include "systems/rigid_body/rigid_body_choice.hpp"
 
 namespace polhode::test {
 namespace {

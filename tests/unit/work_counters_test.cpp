@@ -1,12 +1,12 @@
 // What a scene does not need is not computed: shown by what was counted.
-#include "ensemble/work_counters.hpp"
+#include "platform/work_counters.hpp"
 
 #include <gtest/gtest.h>
 
 #include "ensemble/simulation.hpp"
-#include "registry/scene.hpp"
-#include "registry/systems.hpp"
-#include "registry/verify.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
+#include "systems/systems.hpp"
 
 namespace polhode {
 namespace {

@@ -7,15 +7,15 @@
 #include <memory>
 #include <numbers>
 
-#include "experiments/experiment.hpp"
-#include "experiments/noise_verdict.hpp"
-#include "references/gibbs.hpp"
-#include "references/lyapunov.hpp"
-#include "registry/bind.hpp"
-#include "registry/run_experiment.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "experiments/common/experiment.hpp"
+#include "experiments/common/noise_verdict.hpp"
 #include "reports/writers/json.hpp"
+#include "run/run_experiment.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
+#include "sphere/closed_forms/gibbs.hpp"
+#include "sphere/lyapunov.hpp"
+#include "systems/bind.hpp"
 
 namespace polhode {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "experiments/stationary_bias.hpp"
-#include "registry/bind.hpp"
-#include "registry/rigid_body.hpp"
-#include "registry/run_experiment.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "experiments/laws/stationary_bias.hpp"
+#include "run/run_experiment.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
+#include "systems/bind.hpp"
+#include "systems/rigid_body/rigid_body.hpp"
 
 namespace polhode {
 namespace {

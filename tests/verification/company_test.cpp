@@ -1,5 +1,5 @@
 // What is said of a scheme does not depend on which others run beside it.
-#include "experiments/noise_verdict.hpp"
+#include "experiments/common/noise_verdict.hpp"
 #include "support/cache_fixture.hpp"
 
 namespace polhode {

@@ -1,6 +1,6 @@
 // How far a bias is known where no density is resolved (one noise vector): against higher degrees, against paths, and
 // by what it refutes.
-#include "experiments/difference_bar.hpp"
+#include "experiments/laws/difference_bar.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,13 @@
 #include <polhode/schemes/lie_euler.hpp>
 #include <polhode/systems/rigid_body.hpp>
 
-#include "experiments/bias_reference.hpp"
-#include "experiments/stationary_bias.hpp"
-#include "registry/bind.hpp"
-#include "registry/run_experiment.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "experiments/laws/bias_reference.hpp"
+#include "experiments/laws/stationary_bias.hpp"
+#include "run/run_experiment.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 #include "statistics/sample.hpp"
+#include "systems/bind.hpp"
 
 namespace polhode {
 namespace {
@@ -86,7 +86,7 @@ TEST(SampledBias, IsThatOfTheOperatorUnderOneNoiseVector) {
   const auto reference = bias_by_difference(s, true_law(s), reason);
   ASSERT_TRUE(reference) << reason;
   const auto bias = reference->of(s, s.schemes[0], dt, 4);
-  const auto truth = stationary_mean(*sphere_problem_of(s), *named_observable("energy", single.inertia), 1e-6);
+  const auto truth = stationary_mean(*sphere_problem_of(s), *named_observable("energy", *sphere_problem_of(s)), 1e-6);
   const auto sampled = sampled_energy<lie_euler>(dt);
   EXPECT_LT(bias.uncertainty[0], 0.02 * std::fabs(bias.error[0]));
   EXPECT_NEAR(sampled.value, *truth.value + bias.error[0], 2 * half_width(sampled) + bias.uncertainty[0]);

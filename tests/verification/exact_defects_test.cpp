@@ -5,15 +5,15 @@
 #include <array>
 #include <cmath>
 
-#include "experiments/stationary_bias.hpp"
-#include "experiments/transfer.hpp"
-#include "experiments/transfer_report.hpp"
-#include "experiments/transfer_verdict.hpp"
-#include "registry/bind.hpp"
-#include "registry/rigid_body.hpp"
-#include "registry/run_experiment.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "experiments/laws/stationary_bias.hpp"
+#include "experiments/laws/transfer_report.hpp"
+#include "experiments/laws/transfer_verdict.hpp"
+#include "run/run_experiment.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
+#include "systems/bind.hpp"
+#include "systems/rigid_body/rigid_body.hpp"
+#include "transfer/transfer.hpp"
 
 namespace polhode {
 namespace {
@@ -137,7 +137,8 @@ TEST(ExactDefects, NoiseFarOutChangesNothingOfASmoothStep) {
     const auto steps = s.scene.steps.back();
     const double dt = s.scene.horizon / static_cast<double>(steps);
     const double radius = Eigen::Vector3d(s.scene.momentum.data()).norm();
-    const std::array functions{*named_observable("energy", s.scene.inertia), *named_observable("pi3", s.scene.inertia)};
+    const std::array functions{*named_observable("energy", *sphere_problem_of(s)),
+                               *named_observable("pi3", *sphere_problem_of(s))};
     double allowed = 0;  // of an observable's size
     for (const auto& f : functions)
       allowed = std::max(allowed, moved(s, f, rare_share(s.model->active_channels())) / size_on_sphere(f, radius));
@@ -174,7 +175,7 @@ TEST(ExactDefects, TheShareOfRareNoiseIsThatOfTheNormalTail) {
 TEST(ExactDefects, FewPathsAreTakenBackToTheShell) {
   const auto s = restricted(bind_scene(load_scene("paper")), {"euler_maruyama", "heun", "lie_euler"});
   const transfer_rule shell{{12, 7, 5}, {5, 2}}, sphere{{12, 1, 0}, {5, 2}};
-  const auto energy = *named_observable("energy", s.scene.inertia);
+  const auto energy = *named_observable("energy", *sphere_problem_of(s));
   const double most =
       moved(s, energy, noticed_share) / (4 * size_on_sphere(energy, Eigen::Vector3d(s.scene.momentum.data()).norm()));
   EXPECT_EQ(taken_back(s, s.schemes[2], 2.0 / 64, 64, sphere), 0);

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/frame_transfer.hpp"
-#include "experiments/half_turns.hpp"
-#include "experiments/transfer.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
+#include "transfer/frame_transfer.hpp"
+#include "transfer/half_turns.hpp"
+#include "transfer/transfer.hpp"
 
 namespace polhode {
 namespace {

@@ -4,15 +4,15 @@
 
 #include <polhode/noise/normal.hpp>
 
-#include "experiments/transfer.hpp"
-#include "experiments/weak_sampled.hpp"
-#include "registry/bind.hpp"
-#include "registry/rigid_body.hpp"
-#include "registry/run_experiment.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "experiments/weak/weak_sampled.hpp"
+#include "run/run_experiment.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 #include "statistics/rounding_noise.hpp"
 #include "support/so4_body.hpp"
+#include "systems/bind.hpp"
+#include "systems/rigid_body/rigid_body.hpp"
+#include "transfer/transfer.hpp"
 
 namespace polhode {
 namespace {
@@ -105,7 +105,8 @@ TEST_F(Limit, WeakFallbackIsHeldAgainstTheTruth) {
     const order_question q{
         "weak", "weak order", {{"difference", "energy", 1}}, [](const scheme_entry&) { return 1; }, {}};
     report::results out;
-    report_sampled_orders({s, effort::quick, 2, 5}, s.schemes, q, {*named_observable("energy", s.scene.inertia)}, out);
+    report_sampled_orders({s, effort::quick, 2, 5}, s.schemes, q, {*named_observable("energy", *sphere_problem_of(s))},
+                          out);
     return of(out, "limit of the law is that of the Stratonovich solution");
   };
   const auto healthy = judged({});

@@ -5,18 +5,18 @@
 #include <cmath>
 #include <functional>
 
-#include "ensemble/isa.hpp"
-#include "experiments/frame_transfer.hpp"
-#include "experiments/levels.hpp"
-#include "experiments/lyapunov_own.hpp"
-#include "experiments/lyapunov_sampled.hpp"
-#include "experiments/tangent_runs.hpp"
-#include "experiments/transfer.hpp"
-#include "registry/bind.hpp"
-#include "registry/rigid_body.hpp"
-#include "registry/run_experiment.hpp"
-#include "registry/scene.hpp"
-#include "registry/systems.hpp"
+#include "experiments/common/levels.hpp"
+#include "experiments/lyapunov/lyapunov_own.hpp"
+#include "experiments/lyapunov/lyapunov_sampled.hpp"
+#include "experiments/lyapunov/tangent_runs.hpp"
+#include "platform/isa.hpp"
+#include "run/run_experiment.hpp"
+#include "scene/scene.hpp"
+#include "systems/bind.hpp"
+#include "systems/rigid_body/rigid_body.hpp"
+#include "systems/systems.hpp"
+#include "transfer/frame_transfer.hpp"
+#include "transfer/transfer.hpp"
 
 namespace polhode {
 namespace {

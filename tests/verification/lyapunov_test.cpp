@@ -1,13 +1,13 @@
 // The rows of the experiment `lyapunov`, read back as a user would and held to the exponents at those places.
-#include "references/lyapunov.hpp"
+#include "sphere/lyapunov.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode {
 namespace {
@@ -31,7 +31,7 @@ std::vector<row> rows(std::string_view quantity) {
 
 /// Sharper than the experiment's own.
 lyapunov_exponents at(double sigma, double theta) {
-  return lyapunov({{1, 2, 3}, theta, 1, sigma * sigma * Eigen::Matrix3d::Identity()}, 1e-7);
+  return lyapunov(body_on_sphere({1, 2, 3}, theta, 1, sigma * sigma * Eigen::Matrix3d::Identity()), 1e-7);
 }
 
 struct place {
@@ -50,7 +50,7 @@ std::optional<double> border_at(double sigma) {
 }
 
 TEST(LyapunovRows, AreTheExponentsOfTheScene) {
-  const auto found = lyapunov({{1, 2, 3}, 0.5, 1, 0.25 * Eigen::Matrix3d::Identity()}, 1e-10);
+  const auto found = lyapunov(body_on_sphere({1, 2, 3}, 0.5, 1, 0.25 * Eigen::Matrix3d::Identity()), 1e-10);
   ASSERT_EQ(found.reason, "");
   const auto first = rows("lambda_1"), sum = rows("lambda_1 + lambda_2"), dimension = rows("kaplan_yorke_dimension");
   ASSERT_EQ(first.size() * sum.size() * dimension.size(), 1u);

@@ -4,18 +4,18 @@
 #include <cmath>
 #include <ostream>
 
-#include "experiments/ergodic_variance.hpp"
-#include "experiments/leading_constants.hpp"
-#include "experiments/modified_constants.hpp"
-#include "experiments/modified_steps.hpp"
-#include "experiments/modified_table.hpp"
-#include "experiments/modified_verdict.hpp"
-#include "experiments/transfer.hpp"
-#include "references/logarithm_action.hpp"
-#include "registry/run_experiment.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "algebra/logarithm_action.hpp"
+#include "experiments/modified/ergodic_variance.hpp"
+#include "experiments/modified/leading_constants.hpp"
+#include "experiments/modified/modified_constants.hpp"
+#include "experiments/modified/modified_steps.hpp"
+#include "experiments/modified/modified_table.hpp"
+#include "experiments/modified/modified_verdict.hpp"
+#include "run/run_experiment.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 #include "support/dense.hpp"
+#include "transfer/transfer.hpp"
 
 namespace polhode {
 namespace {
@@ -69,7 +69,7 @@ TEST(Modified, EffectiveParametersAreTheKnownOnes) {
 }
 
 sphere_problem general_problem() {
-  sphere_problem p{{0.7, 1.9, 2.6}, 0.3, 1.4, {}};
+  auto p = body_on_sphere({0.7, 1.9, 2.6}, 0.3, 1.4, Eigen::Matrix3d::Zero());
   p.covariance << 0.5, 0.1, -0.05, 0.1, 0.3, 0.08, -0.05, 0.08, 0.4;
   return p;
 }
@@ -260,7 +260,7 @@ TEST(ErgodicVariance, OfASphericalBodyIsKnown) {
   scene.theta = 0;
   const auto s = bind_scene(scene);
   const double sigma2 = 0.25, dt = 0.125, share = sigma2 * dt;
-  exact_averages one{{"pi1"}, {*named_observable("pi1", scene.inertia)}, {}, {}, {}};
+  exact_averages one{{"pi1"}, {*named_observable("pi1", *sphere_problem_of(s))}, {}, {}, {}};
   one.value = one.uncertainty = one.size = Eigen::VectorXd::Ones(1);
   law_averages averages;
   averages.stationary = one;
@@ -320,7 +320,7 @@ TEST(Modified, AveragesOfHighDegreeAreNotTriedAndSayAtWhichEffortTheyAre) {
   auto s = bind_scene(load_scene("anisotropic"));
   law_averages averages;
   averages.at_horizon = {{"pi1"},
-                         {*named_observable("pi1", s.scene.inertia)},
+                         {*named_observable("pi1", *sphere_problem_of(s))},
                          Eigen::VectorXd::Ones(1),
                          Eigen::VectorXd::Zero(1),
                          Eigen::VectorXd::Ones(1),

@@ -6,9 +6,9 @@
 #include <polhode/noise/normal.hpp>
 #include <tuple>
 
-#include "experiments/noise_verdict.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "experiments/common/noise_verdict.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 #include "statistics/control_variates.hpp"
 #include "support/noise_defects.hpp"
 

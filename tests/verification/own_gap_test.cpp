@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "algebra/decompositions.hpp"
-#include "experiments/ergodic_variance.hpp"
-#include "experiments/own_gap.hpp"
-#include "registry/run_experiment.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "experiments/modified/ergodic_variance.hpp"
+#include "experiments/modified/own_gap.hpp"
+#include "run/run_experiment.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode {
 namespace {

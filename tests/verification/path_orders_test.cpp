@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 
-#include "experiments/levels.hpp"
-#include "experiments/path_orders.hpp"
-#include "registry/bind.hpp"
-#include "registry/rigid_body.hpp"
-#include "registry/run_experiment.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "experiments/common/levels.hpp"
+#include "experiments/strong/path_orders.hpp"
+#include "run/run_experiment.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
+#include "systems/bind.hpp"
+#include "systems/rigid_body/rigid_body.hpp"
 
 namespace polhode {
 namespace {

@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "experiments/levels.hpp"
-#include "experiments/stability_escape.hpp"
-#include "registry/run_experiment.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "experiments/common/levels.hpp"
+#include "experiments/stability/stability_escape.hpp"
+#include "run/run_experiment.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode {
 namespace {

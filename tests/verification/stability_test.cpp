@@ -5,15 +5,15 @@
 #include <functional>
 #include <random>
 
-#include "ensemble/work_counters.hpp"
-#include "experiments/levels.hpp"
-#include "experiments/noise_verdict.hpp"
-#include "experiments/stability_border.hpp"
-#include "experiments/stability_long.hpp"
-#include "experiments/stability_run.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "experiments/common/levels.hpp"
+#include "experiments/common/noise_verdict.hpp"
+#include "experiments/stability/stability_border.hpp"
+#include "experiments/stability/stability_long.hpp"
+#include "experiments/stability/stability_run.hpp"
+#include "platform/work_counters.hpp"
 #include "reports/writers/json.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode {
 namespace {

@@ -3,14 +3,14 @@
 
 #include <cmath>
 
-#include "ensemble/paths.hpp"
-#include "experiments/levels.hpp"
-#include "experiments/transfer.hpp"
-#include "experiments/weak_sampled.hpp"
-#include "registry/run_experiment.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "ensemble/noise/paths.hpp"
+#include "experiments/common/levels.hpp"
+#include "experiments/weak/weak_sampled.hpp"
 #include "reports/writers/json.hpp"
+#include "run/run_experiment.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
+#include "transfer/transfer.hpp"
 
 namespace polhode {
 namespace {
@@ -22,7 +22,7 @@ const scheme_entry& scheme_of(const subject& s, std::string_view name) {
 double transferred_energy(const subject& s, const scheme_entry& e, double dt, int steps, const transfer_rule& rule) {
   const auto op = make_transfer(s, e, dt, steps, rule);
   const Eigen::Vector3d start(s.scene.momentum.data());
-  return op.law_after(start, steps).dot(op.basis.coefficients(*named_observable("energy", s.scene.inertia)));
+  return op.law_after(start, steps).dot(op.basis.coefficients(*named_observable("energy", *sphere_problem_of(s))));
 }
 
 report::results quick(const std::vector<std::string>& schemes, const std::string& experiment, int threads = 2) {
@@ -100,7 +100,8 @@ TEST(Weak, CoupledLevelsFindWhatTheOperatorFinds) {
                          [&](const scheme_entry& e) { return weak_order_on(e.info, s.model->noise()); },
                          {}};
   report::results out;
-  report_sampled_orders({s, effort::quick, 2, 5}, s.schemes, q, {*named_observable("energy", s.scene.inertia)}, out);
+  report_sampled_orders({s, effort::quick, 2, 5}, s.schemes, q, {*named_observable("energy", *sphere_problem_of(s))},
+                        out);
   int compared = 0;
   for (const auto& m : out.measurements) {
     if (m.quantity != "difference" || m.scheme != "lie_euler" || *m.dt < 0.02) continue;
@@ -108,7 +109,7 @@ TEST(Weak, CoupledLevelsFindWhatTheOperatorFinds) {
     const auto& e = scheme_of(s, "lie_euler");
     const transfer_rule rule{{16, 1, 0}, {7, 2}};
     const double time = asymptotic_levels(s, 64).horizon, radius = sphere_problem_of(s)->radius;
-    const auto h = *named_observable("energy", s.scene.inertia);
+    const auto h = *named_observable("energy", *sphere_problem_of(s));
     const Eigen::Vector3d start = radius * Eigen::Vector3d(s.scene.momentum.data()).normalized();
     const double exact = *expectation(*sphere_problem_of(s), h, start, time, 1e-10).value;
     EXPECT_NEAR(*m.value, std::fabs(transferred_energy(s, e, *m.dt, steps, rule) - exact), 2 * (*m.high - *m.value))
@@ -126,7 +127,8 @@ TEST(Weak, CoupledLevelsDoNotDependOnTheCompany) {
     const order_question q{
         "weak", "weak order", {{"difference", "energy", 1}}, [](const scheme_entry&) { return 1; }, {}};
     report::results out;
-    report_sampled_orders({s, effort::quick, 2, 5}, schemes, q, {*named_observable("energy", s.scene.inertia)}, out);
+    report_sampled_orders({s, effort::quick, 2, 5}, schemes, q, {*named_observable("energy", *sphere_problem_of(s))},
+                          out);
     std::vector<double> values;
     for (const auto& m : out.measurements)
       if (m.scheme == "lie_euler") values.push_back(m.value.value_or(NAN));

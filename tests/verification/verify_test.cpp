@@ -5,13 +5,13 @@
 #include <cmath>
 #include <set>
 
-#include "registry/bind.hpp"
-#include "registry/rigid_body.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/writers/json.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 #include "support/so4_body.hpp"
+#include "systems/bind.hpp"
+#include "systems/rigid_body/rigid_body.hpp"
 
 namespace polhode {
 namespace {

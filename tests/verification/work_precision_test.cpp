@@ -5,10 +5,10 @@
 #include <map>
 #include <random>
 
-#include "experiments/cost_front.hpp"
-#include "experiments/step_cost.hpp"
-#include "registry/scene.hpp"
-#include "registry/verify.hpp"
+#include "experiments/work_precision/cost_front.hpp"
+#include "experiments/work_precision/step_cost.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <limits>
 
-#include "ensemble/flatten.hpp"
-#include "ensemble/isa_entry.hpp"
 #include "ensemble/kernel_of.hpp"
 #include "ensemble/sphere_bins.hpp"
+#include "platform/flatten.hpp"
+#include "platform/isa_entry.hpp"
 
 namespace polhode {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <polhode/scalar.hpp>
 
-#include "ensemble/flatten.hpp"
-#include "ensemble/isa_entry.hpp"
 #include "ensemble/kernel_of.hpp"
+#include "platform/flatten.hpp"
+#include "platform/isa_entry.hpp"
 
 namespace polhode {
 namespace {

@@ -4,9 +4,9 @@
 #include <polhode/scalar.hpp>
 #include <polhode/simd.hpp>
 
-#include "ensemble/flatten.hpp"
-#include "ensemble/isa_entry.hpp"
 #include "ensemble/kernel.hpp"
+#include "platform/flatten.hpp"
+#include "platform/isa_entry.hpp"
 
 namespace polhode {
 namespace {

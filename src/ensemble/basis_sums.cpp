@@ -1,9 +1,0 @@
-#include "ensemble/basis_sums.hpp"
-
-#include "ensemble/isa_entry.hpp"
-
-namespace polhode {
-
-void add_basis(const basis_sums& request) { by_isa(POLHODE_ENTRIES(polhode_add_basis_))(request); }
-
-}  // namespace polhode

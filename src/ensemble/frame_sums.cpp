@@ -1,9 +1,0 @@
-#include "ensemble/frame_sums.hpp"
-
-#include "ensemble/isa_entry.hpp"
-
-namespace polhode {
-
-void add_frames(const frame_sums& request) { by_isa(POLHODE_ENTRIES(polhode_add_frames_))(request); }
-
-}  // namespace polhode

@@ -1,8 +1,0 @@
-// Compiled once per instruction set, with AES instructions and without contraction of products and sums.
-#include "ensemble/flatten.hpp"
-#include "ensemble/isa_entry.hpp"
-#include "ensemble/normal_fill.hpp"
-
-extern "C" POLHODE_FLATTEN void POLHODE_ENTRY(polhode_fill_normals_ars_)(const polhode::normal_block& request) {
-  polhode::fill<polhode::noise_generator::ars>(request);
-}

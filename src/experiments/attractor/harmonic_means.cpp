@@ -1,0 +1,44 @@
+#include "experiments/attractor/harmonic_means.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "transfer/basis_sums.hpp"
+
+namespace polhode {
+namespace {
+
+const double unit = std::sqrt(4 * std::numbers::pi);
+
+}  // namespace
+
+harmonic_means::harmonic_means(int degree)
+    : basis_(degree, 1, {1, 1}), sums_(static_cast<std::size_t>(basis_.size() * block_lanes)) {}
+
+void harmonic_means::add(std::span<const double> states) {
+  const double one = 1;
+  add_basis({basis_.degree(), 1, 1, 0, basis_.recurrence().data(), block_lanes, 1, &one, states.data(), sums_.data()});
+  bodies_ += block_lanes;
+}
+
+Eigen::VectorXd harmonic_means::take() {
+  const int size = basis_.size(), bodies = std::exchange(bodies_, 0);
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(size - 1);
+  for (int group = 0; group < block_lanes / sum_lanes; ++group)
+    for (int i = 1; i < size; ++i)
+      for (int lane = 0; lane < sum_lanes; ++lane)
+        out[i - 1] += sums_[static_cast<std::size_t>((group * size + i) * sum_lanes + lane)];
+  std::ranges::fill(sums_, 0.0);
+  return unit / bodies * out;
+}
+
+Eigen::VectorXd harmonic_means::of_density(const Eigen::VectorXd& density, int degree) {
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(harmonic_count(degree) - 1);
+  const auto known = std::min(out.size(), density.size() - 1);
+  out.head(known) = unit * density.segment(1, known);
+  return out;
+}
+
+}  // namespace polhode

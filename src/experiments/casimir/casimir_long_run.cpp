@@ -1,0 +1,98 @@
+#include "experiments/casimir/casimir_long_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ensemble/noise/paths.hpp"
+#include "experiments/casimir/casimir_drift.hpp"
+#include "experiments/common/judge.hpp"
+#include "statistics/orders/order_fit.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double judged_steps = 1e6;
+constexpr int chunk_steps = 1000;
+
+/// One scheme on one block of paths for a long time.
+struct long_run {
+  const scheme_entry* scheme;
+  std::unique_ptr<kernel> stepper;
+  std::vector<double> states;
+  std::vector<double> steps, rms, largest;  ///< the drift at each time of measurement
+
+  void measure(const model& m, std::span<const double> start, double n) {
+    const auto d = casimir_drifts(m, states, start);
+    double square = 0;
+    for (const double x : d) square += x * x / block_lanes;
+    steps.push_back(n);
+    rms.push_back(std::sqrt(square));
+    largest.push_back(std::ranges::max(d));
+  }
+};
+
+void report_long_run(const long_run& run, double dt, report::results& out) {
+  const series s{"casimir", std::string(run.scheme->info.name), "drift_over_steps", "casimir", "relative", "sampled"};
+  std::vector<report::measurement> points;
+  double judged = 0;
+  for (std::size_t i = 0; i < run.steps.size(); ++i) {
+    auto m = measured(s, dt, run.rms[i], std::nullopt, run.largest[i]);
+    m.steps = run.steps[i];
+    points.push_back(m);
+    judged = std::max(judged, run.largest[i] * std::min(1.0, judged_steps / run.steps[i]));
+  }
+  const auto growth = fit_power_law(run.steps, run.rms);
+  record_fit(out, s, growth, std::move(points));
+  const claim c{s.experiment, s.scheme, "Casimirs kept to rounding"};
+  if (!std::isfinite(judged)) {
+    // An implicit step that found no solution says nothing of the orbit; an explicit path that is gone has left it.
+    auto v = judge_distance(c, {judged, judged, judged}, rounding_bound,
+                            run.scheme->info.implicit ? "a path was lost: a step's equation was not solved"
+                                                      : "a path left the orbit for infinity");
+    if (!run.scheme->info.implicit) v.kind = report::verdict_kind::refuted;
+    out.verdicts.push_back(v);
+    return;
+  }
+  out.verdicts.push_back(
+      judge_distance(c, {judged, judged, judged}, rounding_bound,
+                     fmt::format("largest relative drift {:.1e} per 10^6 steps, over {:.0e} steps{}", judged,
+                                 run.steps.back(), growth ? fmt::format("; grows like n^{:.2f}", growth->order) : "")));
+}
+
+}  // namespace
+
+void report_long_runs(const context& c, noise_log& log, report::results& out) {
+  const auto& s = c.subject;
+  const int chunks = by_effort(c.effort, 1000, 2500, 10'000);
+  const double dt = s.scene.horizon / static_cast<double>(s.scene.steps.back());
+  std::vector<long_run> runs;
+  for (const auto& scheme : s.schemes)
+    if (scheme.info.casimir.exact) runs.push_back({&scheme, scheme.make(dt), replicated(s.scene.momentum), {}, {}, {}});
+  if (runs.empty()) return;
+  increment_buffer noise(*s.model, chunk_steps, any_needs_areas(s.schemes), {c.generator, noise_quality::fast});
+  double next = 1;
+  for (int chunk = 0; chunk < chunks; ++chunk) {
+    const auto first = static_cast<std::uint64_t>(chunk) * chunk_steps;
+    const auto view =
+        s.model->active_channels() > 0 ? noise.fill(c.seed, 0, first, chunk_steps, dt) : silence(chunk_steps, dt);
+    if (!view.silent()) log.add(0, view);
+    parallel_for(c.threads, static_cast<int>(runs.size()), [&](int k) {
+      auto& r = runs[static_cast<std::size_t>(k)];
+      r.stepper->advance(r.states, view);
+    });
+    if (chunk + 1 >= next) {  // at 1, 2, 4, … chunks
+      for (auto& r : runs) r.measure(*s.model, s.scene.momentum, static_cast<double>(chunk + 1) * chunk_steps);
+      next *= 2;
+    }
+    if (chunk % 50 == 0) c.progress(0.9 * chunk / chunks);
+  }
+  for (auto& r : runs) {
+    if (r.steps.back() < static_cast<double>(chunks) * chunk_steps)
+      r.measure(*s.model, s.scene.momentum, static_cast<double>(chunks) * chunk_steps);
+    report_long_run(r, dt, out);
+  }
+}
+
+}  // namespace polhode

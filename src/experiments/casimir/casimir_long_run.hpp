@@ -1,0 +1,14 @@
+// Schemes that claim to keep the Casimirs, over millions of steps: only rounding may show.
+#pragma once
+
+#include "experiments/common/experiment.hpp"
+#include "experiments/common/noise_verdict.hpp"
+
+namespace polhode {
+
+inline constexpr double rounding_bound = 1e-12;  ///< relative drift allowed after a million steps
+
+/// On one block of paths at the scene's finest dt: the drift over the number of steps, its growth law, the verdict.
+void report_long_runs(const context&, noise_log&, report::results&);
+
+}  // namespace polhode

@@ -1,0 +1,54 @@
+#include "experiments/common/levels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "statistics/orders/level_choice.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double time_scales = 4;
+
+}  // namespace
+
+double fastest_rate(const subject& s) {
+  double square = 0;
+  for (const double p : s.scene.momentum) square += p * p;
+  const double c = std::sqrt(square);
+  const auto [least, greatest] = std::ranges::minmax(s.scene.inertia);
+  double noise = 0;
+  for (const auto& v : s.scene.sigma) noise += v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  return c / least + s.scene.theta * square * (1 / least - 1 / greatest) + noise;
+}
+
+double longest_at_equilibrium(const subject& s) { return time_scales / fastest_rate(s); }
+
+level_grid asymptotic_levels(const subject& s, double resolution) {
+  const double rate = fastest_rate(s);
+  level_grid grid{rate > 0 ? std::min(s.scene.horizon, time_scales / rate) : s.scene.horizon, {}};
+  const double needed = std::max(1.0, resolution * rate * grid.horizon);
+  // Start from the scene's coarsest step where that leaves room for a fit; else from a power of two.
+  const double own = static_cast<double>(s.scene.steps.front()) * grid.horizon / s.scene.horizon;
+  const int enough = 1 << (fitted_levels - 1);
+  int n = own <= needed / enough ? std::max(1, static_cast<int>(std::lround(own))) : 1;
+  while (n * enough < needed && own > needed / enough) n *= 2;
+  for (; grid.steps.empty() || grid.steps.back() < needed || static_cast<int>(grid.steps.size()) < fitted_levels;
+       n *= 2)
+    grid.steps.push_back(n);
+  return grid;
+}
+
+level_grid scene_levels(const subject& s) {
+  constexpr double resolution = 64;
+  constexpr std::size_t fewest_levels = 5;
+  level_grid grid{s.scene.horizon, {s.scene.steps.begin(), s.scene.steps.end()}};
+  const double time_scales = fastest_rate(s) * grid.horizon;
+  auto& steps = grid.steps;
+  while (steps.size() < fewest_levels && steps.front() % 2 == 0 && steps.front() / 2 >= time_scales)
+    steps.insert(steps.begin(), steps.front() / 2);
+  while (steps.size() < fewest_levels || steps.back() < resolution * time_scales) steps.push_back(2 * steps.back());
+  return grid;
+}
+
+}  // namespace polhode

@@ -1,0 +1,103 @@
+#include "experiments/energy/energy_law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ensemble/noise/paths.hpp"
+#include "experiments/common/judge.hpp"
+#include "experiments/energy/floored_errors.hpp"
+#include "problem/vectors.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double rounding = 1e-13;  // of the energy's size: what counts as no rise
+
+struct trajectory {
+  std::vector<double> energy, rate;  // at every step, and -dh/dt there
+  std::vector<double> end;
+};
+
+trajectory follow(const subject& s, const scheme_entry& scheme, double horizon, int steps) {
+  const auto& m = *s.model;
+  const double dt = horizon / steps;
+  const auto stepper = scheme.make(dt);
+  const auto view = silence(1, dt);
+  auto states = replicated(s.scene.momentum);
+  trajectory t;
+  for (int i = 0;; ++i) {
+    t.end = lane_of(states, 0, m.dimension());
+    t.energy.push_back(m.energy(t.end));
+    t.rate.push_back(m.dissipation_rate(t.end));
+    if (i == steps) return t;
+    stepper->advance(states, view);
+  }
+}
+
+/// Largest |h_k - h_0 + integral of the rate|, the integral by Simpson's rule over pairs of steps.
+double law_residual(const trajectory& t, double dt) {
+  double integral = 0, worst = 0;
+  for (std::size_t k = 2; k < t.energy.size(); k += 2) {
+    integral += dt / 3 * (t.rate[k - 2] + 4 * t.rate[k - 1] + t.rate[k]);
+    const double residual = std::fabs(t.energy[k] - t.energy[0] + integral);
+    worst = std::isfinite(residual) ? std::max(worst, residual) : residual;
+  }
+  return worst;
+}
+
+/// Counts the steps in which the energy rises by more than rounding.
+void report_monotony(const std::string& scheme, std::span<const double> energy, double dt, double tolerance,
+                     report::results& out) {
+  int rises = 0;
+  for (std::size_t k = 1; k < energy.size(); ++k)
+    if (!(energy[k] <= energy[k - 1] + tolerance)) ++rises;
+  const double count = rises;
+  out.verdicts.push_back({"energy", scheme, "energy never rises at the finest dt", 0.0, count, count, count,
+                          rises == 0 ? report::verdict_kind::holds : report::verdict_kind::refuted,
+                          fmt::format("{} rises in {} steps of {:.3g}", rises, energy.size() - 1, dt)});
+}
+
+/// The runs of one scheme at every level.
+struct runs_of_levels {
+  level_grid grid;
+  std::vector<double> state_error, residual;
+  trajectory finest;
+
+  void add(const subject& s, const scheme_entry& scheme, int steps, std::span<const double> truth) {
+    finest = follow(s, scheme, grid.horizon, steps);
+    grid.steps.push_back(steps);
+    state_error.push_back(distance(finest.end, truth));
+    residual.push_back(law_residual(finest, grid.horizon / steps));
+  }
+};
+
+/// By width alone: a slope that has settled and is known well enough, or none to be had by halving on.
+bool order_is_clear(const floored_errors& e) {
+  const auto fit = e.fit();
+  return !fit || e.reaches_floor() < e.values.size() || (fit->settled && half_width(*fit) <= tight_order);
+}
+
+}  // namespace
+
+void report_convergence(const subject& s, const scheme_entry& scheme, const level_grid& first, const std::string& what,
+                        const std::string& method, std::span<const double> truth, report::results& out) {
+  constexpr int most_steps = 1 << 17;
+  const std::string name(scheme.info.name);
+  const double order = scheme.info.deterministic_order;
+  const double energy = std::fabs(s.model->energy(s.scene.momentum));
+  runs_of_levels runs{{first.horizon, {}}, {}, {}, {}};
+  const auto path = [&] { return floored_errors(runs.grid, runs.state_error, length(truth)); };
+  const auto law = [&] { return floored_errors(runs.grid, runs.residual, energy); };
+  for (const int n : first.steps) runs.add(s, scheme, n, truth);
+  while (runs.grid.steps.back() <= most_steps / 2 && !(order_is_clear(path()) && order_is_clear(law())))
+    runs.add(s, scheme, 2 * runs.grid.steps.back(), truth);
+  report_order({"energy", name, what + "state_error", "state", "|mu|", method},
+               what.empty() ? "order of the path" : "order of the free path", path(), order, out);
+  report_order({"energy", name, what + "law_residual", "energy", "energy", "deterministic"},
+               what.empty() ? "order of the energy law" : "order of the free energy", law(), order, out);
+  if (s.scene.theta > 0) report_monotony(name, runs.finest.energy, runs.grid.dt().back(), rounding * energy, out);
+}
+
+}  // namespace polhode

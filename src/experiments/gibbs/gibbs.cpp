@@ -1,0 +1,62 @@
+// Does a long run visit the sphere as the Gibbs law exp(-2 theta h / sigma^2) says?
+//
+// Twice: sampled at one small dt (gibbs_sampled.hpp), and exactly over dt (stationary_bias.hpp).
+#include <fmt/format.h>
+
+#include "experiments/common/experiment.hpp"
+#include "experiments/common/progress_counter.hpp"
+#include "experiments/gibbs/gibbs_moments.hpp"
+#include "experiments/gibbs/gibbs_sampled.hpp"
+#include "experiments/laws/stationary_bias.hpp"
+
+namespace polhode {
+namespace {
+
+std::optional<std::string> cannot_say(const subject& s) {
+  const auto& i = s.scene.inertia;
+  if (s.model->noise() == noise_class::none)
+    return "no noise: the law concentrates on the axis of least energy (experiment energy)";
+  if (i[0] == i[1] && i[1] == i[2]) return "equal moments of inertia: h is constant on the sphere";
+  return std::nullopt;
+}
+
+void run(const context& c, report::results& out) {
+  for (const auto& scheme : c.subject.schemes)
+    if (!scheme.info.casimir.exact)
+      out.skipped.push_back(
+          {"gibbs", std::string(scheme.info.name),
+           "leaves the sphere (experiment casimir), so it has no stationary law there and claims none"});
+  report_sampled_law(part_of(c, 0, 0.5), out);
+  report_stationary_bias(part_of(c, 0.5, 1), out);
+}
+
+}  // namespace
+
+experiment gibbs_experiment() {
+  return {
+      {"gibbs",
+       "Does a long run visit the sphere as the Gibbs law exp(-2 theta h / sigma^2) says?",
+       {"Independent paths from a uniform start; means over four times of each path after it has forgotten its "
+        "start, so "
+        "that the interval over paths accounts for autocorrelation.",
+        fmt::format(
+            "Exact law of h: complete elliptic integrals. A mean holds if its 95 % interval lies within {:g} "
+            "standard deviations of the exact one; the law of h if the Kolmogorov-Smirnov distance is below {:g} "
+            "with 95 % confidence (Dvoretzky-Kiefer-Wolfowitz).",
+            moment_margin, ks_bound),
+        "Without dissipation the law is uniform for any noise that reaches every direction.",
+        "Bias of the mean of every observable and distance of the densities (L2) over dt: the law that the scheme's "
+        "transfer operator leaves as it is, nothing sampled (experiment weak). True law: the Gibbs density, or for "
+        "other noise the null vector of the Kolmogorov operator. Where neither is resolved: the difference of the two "
+        "laws on harmonics of one degree, without distance, uncertain by the remainders of both Poisson equations "
+        "against both laws, in absolute values degree by degree (Becker and Rannacher 2001): at least what four "
+        "degrees more change. Judged like the weak errors; the slowest decides on the order, and the limit at dt = 0 "
+        "is asked of all means. Means that vanish by symmetry have no slope.",
+        "Normals: fast ones (right to 1e-6). Areas are drawn from the weak surrogate (independent normals of variance "
+        "dt^2/4)."}},
+      4,
+      cannot_say,
+      run};
+}
+
+}  // namespace polhode

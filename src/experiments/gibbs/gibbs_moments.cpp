@@ -1,0 +1,85 @@
+#include "experiments/gibbs/gibbs_moments.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ensemble/noise/paths.hpp"
+#include "experiments/common/judge.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double uniform_deviation = 0.298;  // of Pi_k^2 / c^2 on the uniform sphere: sqrt(4/45)
+constexpr double tight_share = 1.0 / 3;      // of a margin: the half-width at which sampling stops
+
+void report_moment(const std::string& scheme, const gibbs_moment& what, double dt, const interval_estimate& m,
+                   report::results& out) {
+  out.measurements.push_back(
+      measured({"gibbs", scheme, "mean", what.observable, "", "sampled"}, dt, m.value, m.low, m.high));
+  report::verdict v{"gibbs", scheme, "mean of " + what.observable,       what.exact, {},
+                    {},      {},     report::verdict_kind::inconclusive, ""};
+  if (!std::isfinite(m.value)) {
+    v.reason = "paths were lost: not finite";
+  } else {
+    v.estimate = m.value;
+    v.low = m.low;
+    v.high = m.high;
+    v.kind = judge(what.exact, m.low, m.high, what.margin);
+    v.reason = fmt::format("[{:.6f}, {:.6f}] against {:.6f} +- {:.2g} (a tenth of a standard deviation)", m.low, m.high,
+                           what.exact, what.margin);
+  }
+  out.verdicts.push_back(v);
+}
+
+}  // namespace
+
+void observe(const model& m, std::span<const double> states, int block, path_means& out) {
+  for (int lane = 0; lane < block_lanes; ++lane) {
+    const auto mu = lane_of(states, lane, m.dimension());
+    const auto path = static_cast<std::size_t>(block * block_lanes + lane);
+    const double h = m.energy(mu);
+    out.energy[path] += h / observations;
+    out.energy2[path] += h * h / observations;
+    out.square1[path] += mu[0] * mu[0] / observations;
+    out.square3[path] += mu[2] * mu[2] / observations;
+    out.last_energy[path] = h;
+  }
+}
+
+std::vector<gibbs_moment> moments_of(const gibbs_law& law, double radius) {
+  const double deviation = std::sqrt(law.energy_variance()), mean = law.mean_energy();
+  const double square = uniform_deviation * radius * radius;
+  return {{"energy", &path_means::energy, mean, moment_margin * deviation},
+          {"energy^2", &path_means::energy2, law.energy_variance() + mean * mean, moment_margin * 2 * mean * deviation},
+          {"pi1^2", &path_means::square1, law.mean_square(0), moment_margin * square},
+          {"pi3^2", &path_means::square3, law.mean_square(2), moment_margin * square}};
+}
+
+gibbs_finding find(const gibbs_law& law, const std::vector<gibbs_moment>& moments, const path_means& o, int paths) {
+  const auto first = [&](const std::vector<double>& v) { return std::span(v).first(static_cast<std::size_t>(paths)); };
+  gibbs_finding f;
+  for (const auto& m : moments) f.means.push_back(mean_interval(first(o.*m.values)));
+  f.ks = ks_distance(first(o.last_energy), [&](double h) { return law.energy_cdf(h); });
+  return f;
+}
+
+// The Kolmogorov-Smirnov interval reaches as far above its distance whatever that is.
+bool tight(const std::vector<gibbs_moment>& moments, const gibbs_finding& f) {
+  for (std::size_t i = 0; i < moments.size(); ++i)
+    if (half_width(f.means[i]) > tight_share * moments[i].margin) return false;
+  return f.ks.high - f.ks.value <= tight_share * ks_bound;
+}
+
+void report_finding(const std::vector<gibbs_moment>& moments, const std::string& scheme, double dt,
+                    const gibbs_finding& f, report::results& out) {
+  for (std::size_t i = 0; i < moments.size(); ++i) report_moment(scheme, moments[i], dt, f.means[i], out);
+  out.measurements.push_back(
+      measured({"gibbs", scheme, "ks_distance", "energy", "", "sampled"}, dt, f.ks.value, f.ks.low, f.ks.high));
+  out.verdicts.push_back(
+      judge_distance({"gibbs", scheme, "law of the energy"}, f.ks, ks_bound,
+                     fmt::format("Kolmogorov-Smirnov distance {:.4f} in [{:.4f}, {:.4f}], bound {:g}", f.ks.value,
+                                 f.ks.low, f.ks.high, ks_bound)));
+}
+
+}  // namespace polhode

@@ -1,0 +1,140 @@
+// Does the flow of one common noise spread or collect, and where is the border between the two?
+//
+// lambda_1 of the equation is exact (sphere/lyapunov.hpp), nothing is sampled; where it changes its sign is the
+// border of chaos (chaos_border.hpp). The exponents of each scheme are its own over dt, without sampling
+// (lyapunov_own.hpp), and at one small dt sampled ones (lyapunov_sampled.hpp).
+#include "sphere/lyapunov.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "ensemble/noise/paths.hpp"
+#include "experiments/common/experiment.hpp"
+#include "experiments/common/levels.hpp"
+#include "experiments/common/progress_counter.hpp"
+#include "experiments/common/undecided.hpp"
+#include "experiments/lyapunov/chaos_border.hpp"
+#include "experiments/lyapunov/lyapunov_own.hpp"
+#include "experiments/lyapunov/lyapunov_sampled.hpp"
+#include "transfer/frame_sums.hpp"
+#include "transfer/transfer_refine.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr int affordable_degree = most_frame_degree - 2;  // the next one shows that it is enough
+constexpr double finest_tolerance = 1e-10, tolerance = 1e-7, own_tolerance = 1e-6;
+
+void report_exponents(const lyapunov_exponents& found, report::results& out) {
+  out.measurements.push_back(exact_row("lambda_1", "", found.lambda1, found.uncertainty, "per time", found.reason));
+  out.measurements.push_back(exact_row("lambda_1 + lambda_2", "", found.sum, found.sum_uncertainty, "per time", ""));
+  if (!found.lambda1) return;
+  out.measurements.push_back(exact_row("kaplan_yorke_dimension", "", found.dimension, 0, "", ""));
+  out.measurements.back().low = kaplan_yorke(*found.lambda1 - found.uncertainty, found.sum);
+  out.measurements.back().high = kaplan_yorke(*found.lambda1 + found.uncertainty, found.sum);
+}
+
+/// As exact as is affordable: the errors of the finest schemes are small.
+lyapunov_exponents exact_exponents(const sphere_problem& p) {
+  auto found = lyapunov(p, finest_tolerance);
+  return found.reason.empty() ? found : lyapunov(p, tolerance);
+}
+
+/// Those that have a stationary law on the sphere.
+std::vector<scheme_entry> schemes_on_the_sphere(const subject& s, report::results& out) {
+  std::vector<scheme_entry> kept;
+  for (const auto& scheme : s.schemes) {
+    if (scheme.info.casimir.exact)
+      kept.push_back(scheme);
+    else
+      out.skipped.push_back(
+          {"lyapunov", std::string(scheme.info.name),
+           "leaves the sphere (experiment casimir): it has no stationary law there, hence no exponents"});
+  }
+  return kept;
+}
+
+/// Why the schemes' own exponents are not asked for; empty: they are. Their laws are about as rough as the exact one.
+std::string too_dear(const sphere_problem& p, const lyapunov_exponents& exact) {
+  if (!exact.reason.empty()) return "lambda_1 is " + exact.reason;
+  const int needed = lyapunov(p, own_tolerance).degree;
+  if (needed <= affordable_degree) return "";
+  return fmt::format(
+      "under noise this weak the law of tangent directions needs Wigner functions of degree {}, and {} are affordable",
+      needed, affordable_degree);
+}
+
+/// The exponents of each scheme at the step at which they are compared.
+known_growths own_growths(const context& c, const std::vector<scheme_entry>& schemes, const lyapunov_exponents& exact) {
+  constexpr double share = 0.25;  // of an error: it is held against a margin
+  const Eigen::Vector2d value(*exact.lambda1, exact.sum);
+  const transfer_target target{value, Eigen::Vector2d::Constant(fastest_rate(c.subject)), share};
+  known_growths out(schemes.size());
+  parallel_for(c.threads, static_cast<int>(schemes.size()), [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    const auto found = refine_exponents(c.subject, schemes[k], compared_step(c.subject), target);
+    if (found.error.allFinite()) out[k] = {value + found.error, found.uncertainty};
+  });
+  return out;
+}
+
+void report_schemes(const context& c, const sphere_problem& p, const lyapunov_exponents& exact, report::results& out) {
+  const auto schemes = schemes_on_the_sphere(c.subject, out);
+  if (schemes.empty()) return;
+  const auto reason = too_dear(p, exact);
+  if (!reason.empty()) {
+    report_sampled_exponents(c, schemes, exact, out);
+    leave_open(schemes, "lyapunov", own_order_claim, reason, out);
+    return;
+  }
+  report_sampled_exponents(part_of(c, 0, 0.5), schemes, exact, out, [&] { return own_growths(c, schemes, exact); });
+  report_own_exponents(part_of(c, 0.5, 1), schemes, exact, out);
+}
+
+void run(const context& c, report::results& out) {
+  const auto p = *sphere_problem_of(c.subject);
+  const auto exact = exact_exponents(p);
+  report_exponents(exact, out);
+  report_schemes(part_of(c, 0, 0.5), p, exact, out);
+  report_chaos_border(part_of(c, 0.5, 1), p, out);
+}
+
+std::optional<std::string> cannot_say(const subject& s) {
+  if (!sphere_problem_of(s)) return "the exponents are computed for the rigid body alone";
+  if (s.model->noise() == noise_class::none) return "no noise: there is no random flow";
+  const auto& i = s.scene.inertia;
+  if (i[0] == i[1] && i[1] == i[2]) return "a spherical body turns rigidly: both exponents are 0";
+  return std::nullopt;
+}
+
+}  // namespace
+
+experiment lyapunov_experiment() {
+  return {
+      {"lyapunov",
+       "Does one common noise spread neighbouring bodies or collect them, and where is the border of chaos?",
+       {"lambda_1 is the mean stretching rate under the stationary law of tangent directions, solved for in Wigner "
+        "functions whose degree is raised until it has converged; lambda_1 + lambda_2 is the mean divergence. Nothing "
+        "of this is sampled.",
+        "Dimension: Kaplan and Yorke's 1 + lambda_1/|lambda_2|; 0, a point, for lambda_1 <= 0.",
+        "Border of chaos: the theta at which lambda_1 changes its sign, for noise in the scene's directions of "
+        "strength sigma (sum of squares 3 sigma^2). Map: lambda_1 over both.",
+        "Exponents of a scheme: found if within a thousandth of the scene's fastest rate of the exact ones, at 128 "
+        "steps per fastest time scale. They are its own, not sampled (see below). Paths that have forgotten their "
+        "start "
+        "(eight relaxation times), 256 observed for as long again, are held against them: growth of lengths and areas "
+        "under the derivative of the scheme's own step (dual numbers). Of these means the noise that is known to "
+        "vanish is taken out by least squares (control variates). Where the operator cannot be had, the 95 % interval "
+        "of such paths, five times as long and as many as it takes, decides.",
+        "Order of the exponents: a scheme's own exponents at each dt, not sampled. One step's expectation over the "
+        "noise (Gauss-Hermite) of its map of tangent directions, projected on Wigner functions; the law that this "
+        "operator leaves as it is, and the mean growth under it. Intervals: the change at the last refinement, and "
+        "the exact value's own; a fit uses errors of at least fifty times that. At least the weak order is claimed.",
+        "Normals: fast ones (right to 1e-6). Areas are drawn from the weak surrogate."}},
+      4,
+      cannot_say,
+      run};
+}
+
+}  // namespace polhode

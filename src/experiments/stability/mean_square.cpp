@@ -1,0 +1,196 @@
+#include "experiments/stability/mean_square.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "algebra/decompositions.hpp"
+#include "ensemble/noise/paths.hpp"
+#include "experiments/common/judge.hpp"
+#include "experiments/common/levels.hpp"
+#include "problem/vectors.hpp"
+#include "sphere/closed_forms/linearised_body.hpp"
+#include "transfer/noise_nodes.hpp"
+
+namespace polhode {
+namespace {
+
+using report::verdict_kind;
+
+constexpr int nodes = 24;          // of the noise of a step
+constexpr int levels = 12;         // of the order: dt times the fastest rate from 1/4, halved
+constexpr double neutral = 1e-11;  // rate of growth over the fastest rate: neither stable nor unstable
+constexpr double longest = 8;      // dt times the fastest rate, from where agreement is looked for
+constexpr int per_octave = 8;
+constexpr const char* growth_quantity = "mean_square_growth";
+constexpr const char* claim_text = "growth of mean squares at the equilibria";
+
+double strength_along(const report::scene& s, std::size_t axis) {
+  double square = 0;
+  for (const auto& v : s.sigma) square += v[axis] * v[axis];
+  return std::sqrt(square);
+}
+
+/// One step, every lane with the noise of a node: Jacobians in the plane across the axis.
+struct noisy_jacobians {
+  std::vector<Eigen::Matrix2d> at;
+  std::vector<double> weight;
+};
+
+noisy_jacobians jacobians_of(const subject& s, const scheme_entry& scheme, int axis, double dt) {
+  const auto rule = nodes_of(*s.model, scheme.needs_areas, dt, {nodes, 1});
+  const auto channels = static_cast<std::size_t>(s.model->channels());
+  std::vector<double> dw(channels * block_lanes, 0.0), area(channels * (channels - 1) / 2 * block_lanes, 0.0);
+  for (std::size_t i = 0; i < rule.weight.size(); ++i)
+    for (std::size_t k = 0; k < channels; ++k) dw[k * block_lanes + i] = rule.dw[i * channels + k];
+  auto states = replicated(s.scene.momentum);
+  std::vector<double> tangents(tangent_vectors * states.size(), 0.0);
+  const auto row = [&](int t) { return static_cast<std::size_t>((axis + 1 + t) % 3) * block_lanes; };
+  for (int t = 0; t < 2; ++t)
+    std::fill_n(tangents.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(t) * states.size() + row(t)),
+                block_lanes, 1.0);
+  scheme.tangent(dt)->advance(states, tangents, {dt, 1, dw, area});
+  noisy_jacobians out{{}, rule.weight};
+  for (std::size_t i = 0; i < rule.weight.size(); ++i) {
+    Eigen::Matrix2d j;
+    for (int t = 0; t < 2; ++t)
+      for (int k = 0; k < 2; ++k) j(k, t) = tangents[static_cast<std::size_t>(t) * states.size() + row(k) + i];
+    out.at.push_back(j);
+  }
+  return out;
+}
+
+/// One axis of one scheme.
+struct axis_finding {
+  int axis;
+  double truth;
+  std::optional<order_fit> fit;
+  bool exact;                              ///< every error at rounding
+  double agrees_to = 0, disagrees_at = 0;  ///< dt; 0: never
+};
+
+/// From short steps to long ones, up to the first at which scheme and equation disagree.
+void find_agreement(const subject& s, const scheme_entry& scheme, double rate, axis_finding& out) {
+  if (std::fabs(out.truth) <= neutral * rate) return;
+  for (int i = 5 * per_octave; i >= 0; --i) {
+    const double dt = longest / rate * std::exp2(-static_cast<double>(i) / per_octave);
+    const double own = own_mean_square_growth(s, scheme, out.axis, dt);
+    if (!(own * out.truth > 0)) {
+      out.disagrees_at = dt;
+      return;
+    }
+    out.agrees_to = dt;
+  }
+}
+
+/// What rounding leaves of a rate, the logarithm of a radius known to some 16 units over dt, thirty times: so that it
+/// does not bend a slope.
+double floor_at(double dt) { return 30 * 16 * std::numeric_limits<double>::epsilon() / dt; }
+
+std::string name_of_axis(int axis) { return fmt::format("axis {}", axis + 1); }
+
+double true_growth(const report::scene& s, int axis) {
+  return mean_square_growth(linearised_about(axis, s.inertia, s.theta, length(s.momentum),
+                                             strength_along(s, static_cast<std::size_t>(axis))));
+}
+
+axis_finding find(const subject& s, const scheme_entry& scheme, int axis, report::results& out) {
+  const double rate = fastest_rate(s);
+  const auto observable = name_of_axis(axis);
+  const series growth{"stability", std::string(scheme.info.name), growth_quantity, observable, "1/time", "transfer"};
+  auto error = growth;
+  error.quantity = "mean_square_error";
+  axis_finding found{axis, true_growth(s.scene, axis), {}, true};
+  std::vector<double> dt, errors;
+  std::vector<report::measurement> points;
+  for (int l = 0; l < levels; ++l) {
+    dt.push_back(std::exp2(-2 - l) / rate);
+    const double own = own_mean_square_growth(s, scheme, axis, dt.back());
+    errors.push_back(std::fabs(own - found.truth));
+    out.measurements.push_back(measured(growth, dt.back(), own));
+    points.push_back(measured(error, dt.back(), errors.back()));
+  }
+  for (std::size_t l = 0; l < dt.size(); ++l)
+    if (errors[l] <= floor_at(dt[l]))
+      errors[l] = 0;
+    else
+      found.exact = false;
+  found.fit = fit_order(dt, errors, 0);
+  record_fit(out, error, found.fit, std::move(points));
+  find_agreement(s, scheme, rate, found);
+  if (found.agrees_to > 0)
+    out.measurements.push_back(measured(
+        {growth.experiment, growth.scheme, "mean_square_agreement", observable, "time", "transfer"}, {},
+        found.agrees_to, found.agrees_to, found.disagrees_at > 0 ? std::optional(found.disagrees_at) : std::nullopt));
+  return found;
+}
+
+report::verdict judge_axis(const scheme_entry& scheme, const axis_finding& f) {
+  auto v = judge_order({"stability", std::string(scheme.info.name), claim_text}, scheme.info.weak_order.one_vector,
+                       f.fit, true);
+  if (f.exact) {
+    v.kind = verdict_kind::holds;
+    v.reason = "exact on this scene";
+  }
+  v.reason = fmt::format("axis {}: rate {:.4g}, {}", f.axis + 1, f.truth, v.reason);
+  if (f.agrees_to > 0)
+    v.reason += fmt::format(", {} up to dt = {:.3g}", f.truth < 0 ? "stable" : "unstable", f.agrees_to);
+  return v;
+}
+
+/// The worst of the axes, with what is said of each.
+report::verdict worst_of(std::vector<report::verdict> axes) {
+  const auto badness = [](const report::verdict& v) {
+    return v.kind == verdict_kind::refuted ? 2 : v.kind == verdict_kind::inconclusive ? 1 : 0;
+  };
+  auto worst = *std::ranges::max_element(axes, {}, badness);
+  std::vector<std::string> reasons;
+  for (const auto& v : axes) reasons.push_back(v.reason);
+  worst.reason = fmt::format("{}", fmt::join(reasons, "; "));
+  return worst;
+}
+
+}  // namespace
+
+report::scene beside_axis(const report::scene& s, int axis) {
+  auto out = s;
+  const auto j = static_cast<std::size_t>(axis);
+  out.momentum.assign(3, 0.0);
+  out.momentum[j] = length(s.momentum);
+  out.sigma = {{0, 0, 0}};
+  out.sigma[0][j] = strength_along(s, j);
+  return out;
+}
+
+double own_mean_square_growth(const subject& beside, const scheme_entry& scheme, int axis, double dt) {
+  const auto j = jacobians_of(beside, scheme, axis, dt);
+  Eigen::Matrix4d squares = Eigen::Matrix4d::Zero();
+  for (std::size_t i = 0; i < j.at.size(); ++i)
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b) squares.block<2, 2>(2 * a, 2 * b) += j.weight[i] * j.at[i](a, b) * j.at[i];
+  if (!squares.allFinite()) return std::nan("");
+  return std::log(eigenvalues_of(squares).cwiseAbs().maxCoeff()) / dt;
+}
+
+void report_true_growth(const subject& s, report::results& out) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (strength_along(s.scene, static_cast<std::size_t>(axis)) > 0)
+      out.measurements.push_back(measured({"stability", "", growth_quantity, name_of_axis(axis), "1/time", "exact"}, {},
+                                          true_growth(s.scene, axis)));
+}
+
+void report_mean_square(const context& c, std::string_view name, report::results& out) {
+  std::vector<report::verdict> axes;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(strength_along(c.subject.scene, static_cast<std::size_t>(axis)) > 0)) continue;
+    const auto s = c.subject.with(beside_axis(c.subject.scene, axis));
+    const auto& scheme = *std::ranges::find(s.schemes, name, [](const scheme_entry& e) { return e.info.name; });
+    axes.push_back(judge_axis(scheme, find(s, scheme, axis, out)));
+  }
+  if (!axes.empty()) out.verdicts.push_back(worst_of(std::move(axes)));
+}
+
+}  // namespace polhode

@@ -1,0 +1,130 @@
+// How large may a step be before a scheme breaks, and by what does it break first?
+//
+// The border is found by bisection (stability_border.hpp), for each scheme and each case (stability_case.hpp) by
+// itself; a run is many paths over the horizon, watched for what is called broken (stability_run.hpp).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "ensemble/noise/paths.hpp"
+#include "experiments/common/levels.hpp"
+#include "experiments/stability/mean_square.hpp"
+#include "experiments/stability/stability_escape.hpp"
+#include "experiments/stability/stability_long.hpp"
+#include "experiments/stability/stability_noise.hpp"
+#include "experiments/stability/stability_report.hpp"
+#include "experiments/stability/stability_scale.hpp"
+#include "experiments/stability/stability_search.hpp"
+#include "transfer/transfer.hpp"
+
+namespace polhode {
+namespace {
+
+/// One scheme a piece of work.
+void report_long_runs(const context& c, const std::vector<stability_case>& cases, const stability_findings& all,
+                      heard_noise& noise, report::results& out) {
+  const auto& schemes = cases[0].bound.schemes;
+  std::vector<report::results> parts(schemes.size());
+  parallel_for(c.threads, static_cast<int>(schemes.size()), [&](int task) {
+    const auto k = static_cast<std::size_t>(task);
+    report_rare_breaks(c, cases[0], schemes[k], all.found[k * cases.size()].border, parts[k],
+                       noise.listener(heard_noise::rare_breaks, schemes[k]));
+    report_long_drift(c, schemes[k], parts[k], noise.listener(heard_noise::long_drift, schemes[k]));
+  });
+  for (const auto& part : parts) {
+    out.measurements.insert(out.measurements.end(), part.measurements.begin(), part.measurements.end());
+    out.fits.insert(out.fits.end(), part.fits.begin(), part.fits.end());
+  }
+}
+
+void run(const context& c, report::results& out) {
+  heard_noise noise(c.subject);
+  const auto cases = stability_cases(c, noise.listener(heard_noise::reference));
+  const auto& schemes = c.subject.schemes;
+  const std::size_t n = cases.size();
+  const auto all = search_all(c, cases, noise);
+  report_cases(cases, out);
+  report_true_growth(c.subject, out);
+  if (c.subject.model->noise() == noise_class::none)
+    out.savings.push_back({"stability", "", "the axis of sigma, and more than one block of paths", "no noise", {}});
+  for (std::size_t s = 0; s < schemes.size(); ++s) {
+    const auto of_scheme = std::span(all.found).subspan(s * n, n);
+    report_borders(schemes[s], cases, of_scheme, out);
+    for (std::size_t i = 0; i < n; ++i)
+      out.measurements.insert(out.measurements.end(), all.map[s * n + i].begin(), all.map[s * n + i].end());
+    judge_orbit(schemes[s], cases, of_scheme, out);
+    report_scale(c, schemes[s], out);
+    report_mean_square(c, schemes[s].info.name, out);
+    report_escape(cases[0], schemes[s], out);
+  }
+  if (c.effort == effort::thorough) report_long_runs(c, cases, all, noise, out);
+  noise.report(out);
+}
+
+std::optional<std::string> cannot_say(const subject& s) {
+  if (!sphere_problem_of(s)) return "the cases are those of the rigid body alone";
+  if (const double rate = fastest_rate(s); !std::isfinite(rate) || !(rate > 0))
+    return "the rates of the scene are not numbers that double precision holds";
+  return std::nullopt;
+}
+
+std::vector<std::string> notes() {
+  return {
+      fmt::format(
+          "A path is broken where its numbers are not finite (of an implicit scheme: the equation of a step is "
+          "not solved), |Pi| is off by {:g} %, or h lies outside what the sphere allows by {:g} % of the "
+          "greatest h, looked at every sixteenth step and more often where there are few. A run is broken where "
+          "more than {:g} % of its paths are, or the mean of h at the end is off by {:g} % of the range of h. "
+          "What broke the most paths is said to come first.",
+          100 * casimir_share, 100 * energy_share, 100 * broken_share, 100 * mean_energy_share),
+      fmt::format(
+          "Largest stable dt: from dt = 1/({1:g} rate) by octaves, then by halves of log dt to 5 %, up to dt = "
+          "{0:g}/rate; rate = c/I_min + theta c^2 (1/I_min - 1/I_max) + sum |sigma_i|^2. The interval reaches to "
+          "the shortest dt that broke. Horizon: the scene's, but at least 64 of 1/rate and at most 128, 256 or 1024 by "
+          "effort. Runs of "
+          "different dt have different noise; 512, 2048 or 8192 paths by effort, up to four times as many where the "
+          "mean "
+          "is within two standard errors of its margin. With so many a mean is uncertain by about 0.5, 0.25 or 0.13 % "
+          "of the range: the border by mean energy is no sharper than that.",
+          longest_stable_step, 1 / first_stable_step),
+      "True mean of h: the Kolmogorov operator, or where low degrees do not suffice the driven ordinary differential "
+      "equation at 16 steps to 1/rate. Left out where the range of h is below 0.1 % of h.",
+      "One parameter is moved at a time; inertia ratio keeps the smallest inertia. Separatrix: start near the middle "
+      "axis. Stiff: dissipation 10^4 times as fast as the rest. Denormal: numbers below 1e-308 are taken as zero by "
+      "design, so |Pi| itself is lost there, and no claim is made.",
+      fmt::format(
+          "Map: the share of {} paths that stay whole, over dt and theta; marked where that is all but their mean "
+          "energy is off.",
+          map_paths),
+      "Scale: Pi -> s Pi, theta -> theta/s, sigma -> sqrt(s) sigma, t -> t/s maps solutions onto solutions; with s a "
+      "power of 4 a scheme should do so bit for bit.",
+      "Mean squares: beside each axis, with what of the noise acts along it, the equation is linear. Their rate of "
+      "growth, exact, against that of the scheme: the spectral radius of E[J x J], J the Jacobian of a step at the "
+      "axis "
+      "by dual numbers. Its error falls at the weak order for one noise vector; a steeper slope holds.",
+      "Schemes that leave the sphere: the drift is cubic and the noise normal, so that at every dt some paths run off "
+      "and moments of all paths do not exist. Not sampled, from dt = 1/rate on down: the radius from which a "
+      "step without noise runs off (a millionfold within 32 steps, to 1 %), a bound on the share of paths that leave "
+      "the shell of experiment weak within the horizon, and the first dt at which that is below a millionth.",
+      "At effort thorough: the share of a million paths that breaks at half the largest stable dt (exact binomial "
+      "interval), and the drift of |Pi| over 10^9 steps (implicit: 10^8) of each of 64 paths.",
+      "Noise: moments and correlations of what was drawn, against their law: of one scheme (runs of as many steps have "
+      "the same normals) the border on the scene itself, the first row of the map, the rare breaks and the first "
+      "million steps of the long drift; and of the first mean energy that is sampled.",
+      "Normals: fast ones (right to 1e-6). Areas are drawn from the weak surrogate (independent normals of variance "
+      "dt^2/4)."};
+}
+
+}  // namespace
+
+experiment stability_experiment() {
+  return {{"stability", "How large may a step be before the scheme breaks, and by what does it break first?", notes()},
+          3,
+          cannot_say,
+          run};
+}
+
+}  // namespace polhode

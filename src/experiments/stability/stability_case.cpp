@@ -1,0 +1,192 @@
+#include "experiments/stability/stability_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "ensemble/noise/paths.hpp"
+#include "experiments/common/levels.hpp"
+#include "experiments/stability/stability_run.hpp"
+#include "transfer/transfer.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double least_scales = 64;        // of the horizon
+constexpr double negligible_range = 1e-3;  // of h, relative: then h is nearly the Casimir
+constexpr double greatest_ratio = 1e6;
+constexpr double stiffness = 1e4;  // of the dissipation against everything else
+constexpr double denormal = 1e-310;
+constexpr int low_degree = 20, fine_paths = 4096;
+constexpr double exact_accuracy = 0.02;  // of what a mean energy may be off
+
+using scene = report::scene;
+
+/// Around 1: factor^-k … factor^k, an odd number of them.
+std::vector<double> around(int points, double factor) {
+  std::vector<double> out;
+  for (int i = 0; i < points; ++i) out.push_back(std::pow(factor, i - points / 2));
+  return out;
+}
+int points(effort e) { return by_effort(e, 3, 5, 9); }
+double factor(effort e) { return by_effort(e, 16.0, 8.0, 4.0); }
+
+double radius_of(const scene& s) { return std::hypot(s.momentum[0], s.momentum[1], s.momentum[2]); }
+
+std::array<std::size_t, 3> by_inertia(const scene& s) {
+  std::array<std::size_t, 3> axis{0, 1, 2};
+  std::ranges::sort(axis, {}, [&](std::size_t k) { return s.inertia[k]; });
+  return axis;
+}
+
+/// c (1/I_min - 1/I_max), the rate of the dissipation per theta c.
+double spread(const scene& s) {
+  const auto [least, most] = std::ranges::minmax(s.inertia);
+  return radius_of(s) * (1 / least - 1 / most);
+}
+
+/// The same smallest inertia and, where there is one, the same place of the middle one between the two others.
+scene with_ratio(scene s, double ratio) {
+  const auto axis = by_inertia(s);
+  auto& inertia = s.inertia;
+  const double own = inertia[axis[2]] / inertia[axis[0]];
+  const double place = own > 1 ? std::log(inertia[axis[1]] / inertia[axis[0]]) / std::log(own) : 0.5;
+  inertia[axis[1]] = inertia[axis[0]] * std::pow(ratio, place);
+  inertia[axis[2]] = inertia[axis[0]] * ratio;
+  return s;
+}
+
+/// On the middle axis but for a part `aside` of the length along the others: near the separatrix.
+scene near_middle_axis(scene s, double aside) {
+  const double c = radius_of(s);
+  std::ranges::fill(s.momentum, aside * c);
+  s.momentum[by_inertia(s)[1]] = c;
+  return s;
+}
+
+scene with_noise(scene s, double by) {
+  for (auto& v : s.sigma)
+    for (double& x : v) x *= by;
+  return s;
+}
+scene with_momentum(scene s, double by) {
+  for (double& x : s.momentum) x *= by;
+  return s;
+}
+scene with_theta(scene s, double theta) {
+  s.theta = theta;
+  return s;
+}
+
+/// Below it the squares of small components are lost, and with them digits of |Pi|.
+const double least_radius = std::sqrt(std::numeric_limits<double>::min()) / std::numeric_limits<double>::epsilon();
+
+stability_case bound_case(std::string name, const subject& own, const scene& changed, effort e) {
+  stability_case c{.name = std::move(name), .bound = own.with(changed)};
+  const auto [least, most] = std::ranges::minmax(changed.inertia);
+  c.rate = fastest_rate(c.bound);
+  c.horizon = std::clamp(changed.horizon, least_scales / c.rate, by_effort(e, 128, 256, 1024) / c.rate);
+  c.radius = radius_of(changed);
+  c.least_energy = c.radius * c.radius / (2 * most);
+  c.greatest_energy = c.radius * c.radius / (2 * least);
+  c.normal = c.radius >= least_radius;
+  return c;
+}
+
+void add_axes(const subject& s, effort e, std::vector<stability_case>& out) {
+  const auto& own = s.scene;
+  const auto steps = around(points(e), factor(e));
+  for (const double by : steps)
+    if (by != 1 && s.model->noise() != noise_class::none)
+      out.push_back(bound_case(fmt::format("sigma x {:.4g}", std::sqrt(by)), s, with_noise(own, std::sqrt(by)), e));
+  for (const double theta : stiffness_axis(s, e))
+    out.push_back(bound_case(stiffness_name(theta), s, with_theta(own, theta), e));
+  for (const double by : steps)
+    if (by != 1) out.push_back(bound_case(fmt::format("c={:.4g}", by * radius_of(own)), s, with_momentum(own, by), e));
+  for (int i = 0, n = points(e); i < n; ++i) {
+    const double ratio = std::pow(greatest_ratio, static_cast<double>(i) / (n - 1));
+    out.push_back(bound_case(fmt::format("inertia ratio={:.4g}", ratio), s, with_ratio(own, ratio), e));
+  }
+}
+
+void add_corners(const subject& s, effort e, std::vector<stability_case>& out) {
+  const auto& own = s.scene;
+  out.push_back(bound_case("separatrix", s, near_middle_axis(own, 1e-6), e));
+  out.push_back(bound_case("near-equal inertias", s, with_ratio(own, 1 + 1e-8), e));
+  if (spread(own) > 0) {
+    const double rest = fastest_rate(s) - own.theta * radius_of(own) * spread(own);
+    out.push_back(bound_case("stiff", s, with_theta(own, stiffness * rest / (radius_of(own) * spread(own))), e));
+  }
+  out.push_back(bound_case("denormal components", s, near_middle_axis(own, denormal), e));
+  out.push_back(bound_case("denormal c", s, with_momentum(own, denormal / radius_of(own)), e));
+  out.back().rate = out.front().rate;  // without noise it has no rate of its own
+  out.back().horizon = out.front().horizon;
+}
+
+/// By harmonics of low degree, as higher ones can cost seconds; empty where that is not enough.
+std::optional<double> exact_mean_energy(const stability_case& of, double tolerance) {
+  const auto problem = *sphere_problem_of(of.bound);
+  const auto energy = *named_observable("energy", *sphere_problem_of(of.bound));
+  const Eigen::Map<const Eigen::Vector3d> start(of.bound.scene.momentum.data());
+  const auto found = expectation(problem, energy, start, of.horizon, tolerance, low_degree);
+  return found.converged() ? found.value : std::nullopt;
+}
+
+/// Where h is not nearly the Casimir.
+void find_exact_mean_energy(stability_case& of) {
+  const double range = of.greatest_energy - of.least_energy;
+  if (!of.normal || range <= negligible_range * of.greatest_energy) return;
+  of.mean_energy = exact_mean_energy(of, exact_accuracy * mean_energy_share * range);
+  of.mean_energy_method = of.mean_energy ? "exact" : "reference";
+}
+
+void sample_mean_energy(const context& c, const block_listener& hear, stability_case& of) {
+  of.mean_energy = fine_mean_energy(of, fine_paths, c.seed, c.generator, hear);
+  if (!std::isfinite(*of.mean_energy)) of.mean_energy.reset();
+}
+
+}  // namespace
+
+std::vector<double> stiffness_axis(const subject& s, effort e) {
+  if (spread(s.scene) == 0) return {};
+  const double middle = s.scene.theta > 0 ? s.scene.theta : 1 / radius_of(s.scene);
+  std::vector<double> out = around(points(e), factor(e));
+  for (double& theta : out) theta *= middle;
+  return out;
+}
+
+std::string stiffness_name(double theta) { return fmt::format("theta={:.4g}", theta); }
+
+report::measurement stability_row(std::string_view scheme, std::string quantity, std::string observable,
+                                  std::optional<double> value, std::string unit, std::string method) {
+  report::measurement m;
+  m.experiment = "stability";
+  m.scheme = scheme;
+  m.quantity = std::move(quantity);
+  m.observable = std::move(observable);
+  m.value = value;
+  m.unit = std::move(unit);
+  m.method = std::move(method);
+  return m;
+}
+
+std::vector<stability_case> stability_cases(const context& c, const block_listener& hear) {
+  std::vector<stability_case> out{bound_case("scene", c.subject, c.subject.scene, c.effort)};
+  add_axes(c.subject, c.effort, out);
+  add_corners(c.subject, c.effort, out);
+  std::erase_if(out, [](const stability_case& s) { return !std::isfinite(s.rate * s.horizon) || !(s.rate > 0); });
+  parallel_for(c.threads, static_cast<int>(out.size()),
+               [&](int i) { find_exact_mean_energy(out[static_cast<std::size_t>(i)]); });
+  std::vector<stability_case*> sampled;
+  for (auto& s : out)
+    if (s.mean_energy_method == "reference") sampled.push_back(&s);
+  parallel_for(c.threads, static_cast<int>(sampled.size()), [&](int i) {
+    sample_mean_energy(c, i == 0 ? hear : block_listener{}, *sampled[static_cast<std::size_t>(i)]);
+  });
+  return out;
+}
+
+}  // namespace polhode

@@ -1,0 +1,48 @@
+// The scenes on which a scheme is tried until it breaks: one parameter of the scene moved at a time, and the corners of
+// the equation.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ensemble/kernel.hpp"
+#include "experiments/common/experiment.hpp"
+
+namespace polhode {
+
+/// A scene and what its sphere |Pi| = radius bounds.
+struct stability_case {
+  std::string name;  ///< "scene", "theta=8", "separatrix", …
+  subject bound;
+  double rate = 0;     ///< the fastest of its rates (experiments/common/levels.hpp)
+  double horizon = 0;  ///< T: of the scene, but at least 64 of 1/rate and at most 128 … 1024
+  double radius = 0;
+  double least_energy = 0, greatest_energy = 0;  ///< |Pi|^2 / 2 I at the largest and the smallest I
+  bool normal = true;                            ///< false: |Pi| below the range in which its square keeps all digits
+  std::optional<double> mean_energy = {};        ///< E[h(Pi_T)]; absent where h is nearly the Casimir, or not known
+  std::string mean_energy_method = {};           ///< exact or reference
+
+  double dt(std::int64_t steps) const { return horizon / static_cast<double>(steps); }
+};
+
+/// dt times the fastest rate: the longest that is tried, and that with which the search for the border begins.
+inline constexpr double longest_stable_step = 32, first_stable_step = 1.0 / 8;
+
+/// The values of theta, increasing: the axis of the map; of a body that no dissipation moves none.
+std::vector<double> stiffness_axis(const subject&, effort);
+std::string stiffness_name(double theta);
+
+report::measurement stability_row(std::string_view scheme, std::string quantity, std::string observable,
+                                  std::optional<double> value, std::string unit, std::string method);
+
+/// Is told of the noise of one block after another, each from its step 0 on.
+using block_listener = std::function<void(std::int64_t first_step, const increment_view&)>;
+
+/// The scene first; the references of the mean energy are found in parallel. `hear`: of the first that is sampled.
+std::vector<stability_case> stability_cases(const context&, const block_listener& hear = {});
+
+}  // namespace polhode

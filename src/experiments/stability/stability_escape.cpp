@@ -1,0 +1,72 @@
+#include "experiments/stability/stability_escape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "ensemble/noise/paths.hpp"
+#include "transfer/point_block.hpp"
+#include "transfer/transfer.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr int steps = 32, directions = 6;
+constexpr double growth = 1e6, farthest = 1e6, accuracy = 1.01;
+constexpr double rare = 1e-6;  // of paths, within the horizon
+constexpr int most_halvings = 10;
+constexpr transfer_rule shell_rule{{16, 7, 5}, {5, 2}};
+
+bool runs_off(const kernel& k, const points_in_space& from, double dt) {
+  std::vector<double> states(3 * block_lanes);
+  for (int first = 0; first < from.rows(); first += block_lanes) {
+    load_block(from, first, states.data());
+    k.advance(states, silence(steps, dt));
+    for (int lane = 0; lane < lanes_in_use(from, first); ++lane) {
+      const double* at = states.data() + lane;
+      if (!(std::hypot(at[0], at[block_lanes], at[2 * block_lanes]) <= growth * from.row(first).norm())) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+double escape_radius(const stability_case& in, const scheme_entry& scheme, double dt) {
+  const auto k = scheme.make(dt);
+  const points_in_space unit = in.radius * sphere_quadrature(directions).points;
+  double stays = 1, off = 1;
+  while (!runs_off(*k, off * unit, dt)) {
+    stays = off;
+    if ((off *= 2) > farthest) return std::numeric_limits<double>::infinity();
+  }
+  while (off > accuracy * stays) {
+    const double middle = std::sqrt(off * stays);
+    (runs_off(*k, middle * unit, dt) ? off : stays) = middle;
+  }
+  return off;
+}
+
+void report_escape(const stability_case& in, const scheme_entry& scheme, report::results& out) {
+  if (scheme.info.casimir.exact) return;
+  const auto row = [&](const char* quantity, double dt, double value, const char* unit) {
+    auto m = stability_row(scheme.info.name, quantity, in.name, {}, unit, "exact");
+    if (std::isfinite(value)) m.value = value;
+    m.dt = dt;
+    out.measurements.push_back(m);
+  };
+  double dt = 1 / in.rate;
+  for (int i = 0; i <= most_halvings; ++i, dt /= 2) {
+    const auto n = static_cast<std::int64_t>(std::ceil(in.horizon / dt));
+    row("escape_radius", dt, escape_radius(in, scheme, dt), "|Pi|");
+    if (in.bound.model->noise() == noise_class::none) continue;
+    const double share = taken_back(in.bound, scheme, dt, n, shell_rule);
+    row("share_leaving_shell", dt, share, "paths, at most");
+    if (share > rare) continue;
+    out.measurements.push_back(stability_row(scheme.info.name, "dt_with_rare_escapes", in.name, dt, "time", "exact"));
+    return;
+  }
+}
+
+}  // namespace polhode

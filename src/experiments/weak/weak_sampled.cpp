@@ -1,0 +1,175 @@
+#include "experiments/weak/weak_sampled.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "experiments/common/noise_verdict.hpp"
+#include "experiments/common/path_limit.hpp"
+#include "experiments/common/sequential.hpp"
+#include "problem/vectors.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr int cells = 8;     // of the truth in the finest step
+constexpr double clear = 5;  // standard errors
+constexpr double resolution = 64;
+
+/// Of one scheme: f(X_dt) - f(X), path by path, and its distance from the path X.
+struct sample {
+  std::vector<squared_errors> differences;  ///< [observable], values are not squares here
+  path_record paths;
+};
+
+class coupled_levels {
+ public:
+  coupled_levels(const context& c, const std::vector<scheme_entry>& schemes, const std::vector<sphere_function>& f,
+                 int paths)
+      : context_(c),
+        schemes_(schemes),
+        grid_(asymptotic_levels(c.subject, resolution)),
+        reference_(c.subject.model->reference()),
+        directions_(directions_of(c.subject)),
+        functions_(f),
+        noise_{std::vector<double>(static_cast<std::size_t>(paths))},
+        log_(*c.subject.model, paths / block_lanes, {{"", 0}, {"finest steps", cells}}) {
+    const int levels = static_cast<int>(grid_.steps.size());
+    const squared_errors room{paths, levels, std::vector<double>(static_cast<std::size_t>(paths * levels))};
+    for (const auto& scheme : schemes) {
+      found_.push_back({std::vector<squared_errors>(f.size(), room),
+                        path_record(paths, levels, static_cast<int>(directions_.size()))});
+      kernels_.emplace_back();
+      for (const double dt : grid_.dt()) kernels_.back().push_back(scheme.make(dt));
+    }
+  }
+
+  const level_grid& grid() const { return grid_; }
+  const std::vector<direction>& directions() const { return directions_; }
+  const noise_log& log() const { return log_; }
+  double path_steps() const {
+    double sum = 0;
+    for (const int n : grid_.steps) sum += n;
+    return sum;
+  }
+  sample& of(int scheme) { return found_[static_cast<std::size_t>(scheme)]; }
+
+  path_limit limit(int scheme, int so_far) {
+    auto& p = of(scheme).paths;
+    p.error.paths = p.gap.paths = so_far;
+    return limit_of(context_, schemes_[static_cast<std::size_t>(scheme)].info, grid_.dt(), p, noise_, cells);
+  }
+
+  void run_block(int block, std::span<const int> open) {
+    const int first = block * block_lanes;
+    driven_block truth(context_, grid_, cells, {context_.generator, noise_quality::fast}, *reference_, directions_);
+    const std::vector<std::vector<double>> start(grid_.steps.size(), replicated(context_.subject.scene.momentum));
+    std::vector<std::vector<std::vector<double>>> states(open.size(), start);
+    truth.start(static_cast<std::uint64_t>(first));
+    for (int chunk = 0; chunk < grid_.steps.front(); ++chunk) {
+      truth.advance(chunk);
+      log_.add(block, truth.fine());
+      log_.add(block, truth.increments(start.size() - 1), 1);
+      for (std::size_t i = 0; i < open.size(); ++i)
+        for (std::size_t l = 0; l < start.size(); ++l)
+          kernels_[static_cast<std::size_t>(open[i])][l]->advance(states[i][l], truth.increments(l));
+    }
+    const auto responses = truth.responses();
+    polhode::keep(responses, directions_, first, noise_);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      polhode::keep(states[i], truth, responses, schemes_[static_cast<std::size_t>(open[i])].needs_areas, first,
+                    of(open[i]).paths);
+      keep(states[i], truth, first, of(open[i]).differences);
+    }
+  }
+
+ private:
+  /// The truth on the fine path and its twin at the finest dt, both of weak order one: extrapolated, so that the cells
+  /// are not seen.
+  void keep(const std::vector<std::vector<double>>& states, const driven_block& truth, int first_path,
+            std::vector<squared_errors>& out) const {
+    const std::size_t finest = states.size() - 1;
+    for (int lane = 0; lane < block_lanes; ++lane)
+      for (std::size_t f = 0; f < functions_.size(); ++f) {
+        const double fine = value(f, truth.truth(), lane), coarse = value(f, truth.twin(finest), lane);
+        const double exact = (cells * fine - coarse) / (cells - 1);
+        for (std::size_t l = 0; l < states.size(); ++l)
+          out[f].at(first_path + lane, static_cast<int>(l)) = value(f, states[l], lane) - exact;
+      }
+  }
+  double value(std::size_t f, const std::vector<double>& states, int lane) const {
+    const auto at = lane_of(states, lane, 3);
+    return functions_[f](Eigen::Vector3d(at.data()));
+  }
+
+  const context& context_;
+  const std::vector<scheme_entry>& schemes_;
+  level_grid grid_;
+  std::unique_ptr<kernel> reference_;
+  std::vector<direction> directions_;
+  const std::vector<sphere_function>& functions_;
+  noise_effect noise_;
+  noise_log log_;
+  std::vector<std::vector<std::unique_ptr<kernel>>> kernels_;  // [scheme][level]
+  std::vector<sample> found_;
+};
+
+void report_levels(const series& s, std::span<const double> dt, const squared_errors& d,
+                   const std::optional<order_fit>& found, report::results& out) {
+  std::vector<report::measurement> points;
+  auto variance = s;
+  variance.quantity = "variance of the difference";
+  for (int l = 0; l < d.levels; ++l) {
+    const auto m = level_mean(d, l);
+    const double size = std::fabs(m.mean), step = dt[static_cast<std::size_t>(l)];
+    points.push_back(measured(s, step, size, std::max(0.0, size - 1.96 * m.error), size + 1.96 * m.error));
+    out.measurements.push_back(measured(variance, step, m.error * m.error * d.paths, {}, {}));
+  }
+  record_fit(out, s, found, std::move(points));
+}
+
+}  // namespace
+
+void report_sampled_orders(const context& c, const std::vector<scheme_entry>& schemes, const order_question& q,
+                           const std::vector<sphere_function>& functions, report::results& out) {
+  const sampling_plan plan{1024, by_effort(c.effort, 4096, 16384, 65536)};
+  coupled_levels levels(c, schemes, functions, blocks_of(plan.most) * block_lanes);
+  const auto dt = levels.grid().dt();
+  std::vector<std::vector<std::optional<order_fit>>> fits(schemes.size());
+  std::vector<path_limit> limits(schemes.size());
+  const auto sizes = sample_until_tight(
+      c, plan, static_cast<int>(schemes.size()),
+      [&](int block, std::span<const int> open) { levels.run_block(block, open); },
+      [&](int scheme, int so_far) {
+        auto& found = fits[static_cast<std::size_t>(scheme)];
+        found.clear();
+        for (auto& d : levels.of(scheme).differences) {
+          d.paths = so_far;
+          found.push_back(fit_order_of_clear_means(dt, d, clear, c.seed));
+        }
+        const auto& limit = limits[static_cast<std::size_t>(scheme)] = levels.limit(scheme, so_far);
+        return tight(limit) &&
+               std::ranges::all_of(found, [](const auto& f) { return f && half_width(*f) <= tight_order; });
+      });
+  const double size = length(c.subject.scene.momentum);
+  const auto how = fmt::format("; sampled against paths of the driven equation, at time {:.4g} of {:.4g}",
+                               levels.grid().horizon, c.subject.scene.horizon);
+  for (std::size_t k = 0; k < schemes.size(); ++k) {
+    const std::string name(schemes[k].info.name);
+    for (std::size_t f = 0; f < functions.size(); ++f)
+      report_levels({q.experiment, name, "difference", q.columns[f].observable, "", "sampled"}, dt,
+                    levels.of(static_cast<int>(k)).differences[f], fits[k][f], out);
+    out.measurements.push_back(measured({q.experiment, name, "cost", "", "path-steps", "sampled"}, dt.back(),
+                                        levels.path_steps() * sizes[k].used, {}, {}));
+    auto order = judge_columns(q, q.expected(schemes[k]), name, fits[k]);
+    order.reason += how + ", " + sizes[k].text();
+    out.verdicts.push_back(std::move(order));
+    auto limit = judge_limit({q.experiment, name, "limit of the law is that of the Stratonovich solution"}, limits[k],
+                             levels.directions(), size);
+    limit.reason += how + ", " + sizes[k].text();
+    out.verdicts.push_back(std::move(limit));
+  }
+  levels.log().report(q.experiment, out);
+}
+
+}  // namespace polhode

@@ -1,0 +1,131 @@
+#include "experiments/work_precision/known_law_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "ensemble/noise/paths.hpp"
+#include "experiments/work_precision/combined_law_error.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double tolerance = 0.1;      // of an error
+constexpr double finest_error = 1e-9;  // of an observable's size: what a combination is resolved to
+constexpr double hardly = 1.25;        // falls by less from a step to its half: something may lie between
+
+/// A scheme, or a combination of its averages over step sizes.
+struct priced_average {
+  const scheme_entry* scheme;
+  const extrapolation* combination = nullptr;
+
+  std::string name() const { return std::string(combination ? combination->name : scheme->info.name); }
+};
+
+struct task {
+  priced_average who;
+  double dt;
+};
+
+/// All observables at one step, and the law that it is asked of.
+struct measure {
+  std::function<law_error(const scheme_entry&, double dt, double relative, std::int64_t finer)> error_at;
+  std::function<double(double dt)> possible;  ///< the nearest step that the law can be asked at
+  const law_observables& observables;
+
+  /// The worst of all observables, at every step up to the horizon or at equilibrium.
+  known_error of(const task& t) const {
+    const auto at = [&](double dt, double relative, std::int64_t finer) {
+      return error_at(*t.who.scheme, dt, relative, finer);
+    };
+    const auto found = t.who.combination
+                           ? combined_error(*t.who.combination, t.dt, tolerance, tolerance * finest_error, at)
+                           : at(t.dt, tolerance, 1);
+    known_error out{t.who.name(), t.dt, 0, 0, 0};
+    for (const auto& o : found.worst_in_time(observables))
+      if (o.bound() > out.high || !std::isfinite(o.bound()))
+        out = {t.who.name(), t.dt, o.value, std::max(0.0, o.value - o.uncertainty), o.bound()};
+    return out;
+  }
+};
+
+std::vector<priced_average> averages_of(const scheme_entry& e) {
+  std::vector<priced_average> out{{&e}};
+  if (e.info.name == extrapolated_from)
+    for (const auto& combination : extrapolations) out.push_back({&e, &combination});
+  return out;
+}
+
+/// At the rows of the schemes that keep the sphere, and at longer steps.
+std::vector<task> first_tasks(const context& c, const error_kind& kind, double longest) {
+  std::vector<task> out;
+  for (const auto& s : c.subject.schemes) {
+    if (!s.info.casimir.exact) continue;
+    std::vector<double> steps;
+    for (const auto& e : kind.errors)
+      if (e.scheme == s.info.name) steps.push_back(e.dt);
+    if (steps.empty()) continue;
+    for (double dt = 2 * std::ranges::max(steps); dt <= longest * (1 + 1e-12); dt *= 2) steps.push_back(dt);
+    for (const auto& who : averages_of(s))
+      for (const double dt : steps) out.push_back({who, dt});
+  }
+  return out;
+}
+
+/// Between a step and its half, where the error hardly falls.
+std::vector<task> between(const measure& m, const std::vector<task>& tasks, const std::vector<known_error>& found) {
+  std::map<std::string, std::map<double, std::size_t>> by_name;
+  for (std::size_t i = 0; i < tasks.size(); ++i) by_name[found[i].scheme].emplace(tasks[i].dt, i);
+  std::vector<task> out;
+  for (const auto& [name, steps] : by_name)
+    for (auto fine = steps.begin(), coarse = std::next(fine); coarse != steps.end(); fine = coarse++) {
+      const double coarse_error = found[coarse->second].value;
+      const bool falls = coarse_error < finest_error || found[fine->second].value * hardly < coarse_error;
+      const double dt = m.possible(coarse->first * 2 / 3);
+      if (!falls && dt < coarse->first && dt > fine->first) out.push_back({tasks[coarse->second].who, dt});
+    }
+  return out;
+}
+
+std::vector<known_error> measured_at(const context& c, const measure& m, const std::vector<task>& tasks) {
+  std::vector<known_error> out(tasks.size());
+  parallel_for(c.threads, static_cast<int>(tasks.size()), [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    out[at] = m.of(tasks[at]);
+  });
+  return out;
+}
+
+void replace(const context& c, const measure& m, double longest, error_kind& kind) {
+  const auto tasks = first_tasks(c, kind, longest);
+  auto found = measured_at(c, m, tasks);
+  const auto further = measured_at(c, m, between(m, tasks, found));
+  found.insert(found.end(), further.begin(), further.end());
+  std::erase_if(kind.errors, [&](const known_error& e) {
+    return std::ranges::find(found, e.scheme, &known_error::scheme) != found.end();
+  });
+  std::ranges::copy_if(found, std::back_inserter(kind.errors), [](const known_error& e) {
+    return std::isfinite(e.high);  // a step that fails is no point of a curve
+  });
+}
+
+}  // namespace
+
+void measure_on_the_sphere(const context& c, const weak_law& law, double longest, error_kind& kind) {
+  replace(c,
+          {[&](const scheme_entry& e, double dt, double relative, std::int64_t finer) {
+             return law.error(e, dt, relative, finer);
+           },
+           [&](double dt) { return law.horizon() / std::round(law.horizon() / dt); }, law.observables()},
+          longest, kind);
+}
+
+void measure_on_the_sphere(const context& c, const equilibrium_law& law, double longest, error_kind& kind) {
+  replace(c,
+          {[&](const scheme_entry& e, double dt, double relative, std::int64_t) { return law.error(e, dt, relative); },
+           [](double dt) { return dt; }, law.observables()},
+          longest, kind);
+}
+
+}  // namespace polhode

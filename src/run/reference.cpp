@@ -1,0 +1,177 @@
+#include "run/reference.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gsl/gsl_errno.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "reports/model/errors.hpp"
+#include "run/verify.hpp"
+#include "scene/nearest.hpp"
+#include "scene/text.hpp"
+#include "sphere/closed_forms/gibbs.hpp"
+#include "sphere/lyapunov.hpp"
+#include "sphere/observables.hpp"
+#include "transfer/transfer.hpp"
+
+namespace polhode {
+namespace {
+
+// Of the size of what is asked for: of the observable, of the noise, of the shear.
+constexpr double value_tolerance = 1e-11, rate_tolerance = 1e-9, finest_rate_tolerance = 1e-11,
+                 exponent_tolerance = 1e-7;
+constexpr const char* usual_observable = "energy";
+const std::vector<std::string> quantities{"expectation", "gibbs", "lyapunov", "gap"};
+
+[[noreturn]] void refuse(std::string_view option, std::string_view value, std::string_view fault) {
+  throw input_error(fmt::format("{} '{}': {}", option, one_line(value, 60), fault));
+}
+
+/// An option that would change nothing is a misunderstanding.
+void check_that_it_is_used(const reference_options& o) {
+  const bool timed = o.quantity == "expectation", observed = timed || o.quantity == "gibbs";
+  if (o.time && !timed)
+    refuse("--time", fmt::format("{}", *o.time), o.quantity + " has no time; accepted with --quantity expectation");
+  if (o.observable && !observed)
+    refuse("--observable", *o.observable, o.quantity + " has none; accepted with --quantity expectation or gibbs");
+}
+
+void check(const reference_options& o) {
+  if (o.quantity.empty())
+    throw input_error(fmt::format("--quantity is missing; accepted: {}", fmt::join(quantities, ", ")));
+  if (std::ranges::find(quantities, o.quantity) == quantities.end())
+    refuse("--quantity", o.quantity,
+           fmt::format("not known{}; accepted: {}", did_you_mean(o.quantity, quantities), fmt::join(quantities, ", ")));
+  if (o.degree < 0 || o.degree > most_reference_degree)
+    refuse("--degree", fmt::format("{}", o.degree), fmt::format("accepted: 1 to {}", most_reference_degree));
+  if (o.time && !(*o.time >= 0 && std::isfinite(*o.time)))
+    refuse("--time", fmt::format("{}", *o.time), "accepted: a number of at least 0");
+  check_that_it_is_used(o);
+}
+
+sphere_function observable_of(const scene& s, const std::string& name) {
+  if (const auto f = named_observable(name, *sphere_problem_of(bind_scene(s)))) return *f;
+  std::vector<std::string> known;
+  for (const auto& entry : list_observables()) known.push_back(entry.name);
+  refuse("--observable", name,
+         fmt::format("not known{}; accepted: {}", did_you_mean(name, known), fmt::join(known, ", ")));
+}
+
+/// The root of the mean square of f over the sphere.
+double size_of(const sphere_problem& p, const sphere_function& f) {
+  const auto on_unit = [&](const Eigen::Vector3d& x) { return f(p.radius * x); };
+  return harmonic_coefficients(on_unit, 8).stableNorm() / std::sqrt(4 * std::numbers::pi);
+}
+
+/// The rate at which neighbouring orbits run apart; of a body next to spherical, a millionth of the rotation.
+double shear_of(const sphere_problem& p) {
+  return p.radius * std::max(p.spread(), 1e-6 * p.quadratic.diagonal().cwiseAbs().maxCoeff());
+}
+
+/// Of the Gibbs law, where they have a closed form.
+std::optional<reference_value> closed_form(const sphere_problem& p, const std::string& observable) {
+  if (p.spread() == 0) return std::nullopt;
+  const gibbs_law law(p);
+  const auto certain = [&](double value) {
+    return reference_value{value, law.relative_uncertainty() * std::fabs(value)};
+  };
+  if (observable == "energy") return certain(law.mean_energy());
+  if (observable == "pi1^2") return certain(law.mean_square(0));
+  if (observable == "pi2^2") return certain(law.mean_square(1));
+  if (observable == "pi3^2") return certain(law.mean_square(2));
+  return std::nullopt;
+}
+
+[[noreturn]] void refuse_scene(const scene& s, const reference_answer& out, std::string_view why) {
+  throw input_error(fmt::format("scene {}: {}: {}", s.name, out.quantity, why));
+}
+
+/// scale: the size that the value is measured by, besides its own. Where not one digit is certain, words say more.
+void take(const scene& s, const reference_value& found, reference_answer& out, double scale = 0) {
+  if (!found.value) refuse_scene(s, out, found.reason);
+  if (!std::isfinite(*found.value)) refuse_scene(s, out, "beyond what double precision holds");
+  const double size = std::max(std::fabs(*found.value), scale);
+  if (!found.reason.empty() && found.uncertainty > 0.1 * size)
+    refuse_scene(
+        s, out,
+        fmt::format("{:.2g} +- {:.1g} holds no certain digit; {}", *found.value, found.uncertainty, found.reason));
+  out.value = *found.value;
+  out.uncertainty = found.uncertainty;
+  out.degree = found.degree;
+  out.reason = found.reason;
+}
+
+void answer_expectation(const scene& s, const sphere_problem& p, const reference_options& o, reference_answer& out) {
+  const Eigen::Vector3d start(s.momentum[0], s.momentum[1], s.momentum[2]);
+  out.observable = o.observable.value_or(usual_observable);
+  out.time = o.time.value_or(s.horizon);
+  const auto f = observable_of(s, out.observable);
+  const auto found = expectation(p, f, start, *out.time, value_tolerance * size_of(p, f), o.degree);
+  out.method = p.covariance.isZero(0) ? "no noise: the one path, by Boost.Odeint"
+               : found.forgotten      ? "the stationary law in spherical harmonics: the start is forgotten"
+                                      : "Kolmogorov's backward equation in spherical harmonics";
+  if (found.relaxed) out.method += ", until only the stationary mean is left";
+  take(s, found, out);
+}
+
+void answer_gibbs(const scene& s, const sphere_problem& p, const reference_options& o, reference_answer& out) {
+  out.observable = o.observable.value_or(usual_observable);
+  const auto f = observable_of(s, out.observable);
+  if (!unit_of(p, f)) refuse_scene(s, out, leaves_double_precision);
+  const bool isotropic = bind_scene(s).model->noise() == noise_class::isotropic;
+  if (const auto value = isotropic && o.degree == 0 ? closed_form(p, out.observable) : std::nullopt) {
+    out.method = "the Gibbs law exp(-2 theta h / sigma^2), by Bessel functions and adaptive quadrature";
+    return take(s, *value, out);
+  }
+  out.method = isotropic
+                   ? "the stationary density, here the Gibbs law, in spherical harmonics"
+                   : "the stationary density in spherical harmonics; the noise is not isotropic, so it is no Gibbs law";
+  take(s, stationary_mean(p, f, value_tolerance * size_of(p, f), o.degree), out);
+}
+
+void answer_lyapunov(const scene& s, const sphere_problem& p, const reference_options& o, reference_answer& out) {
+  const auto found = lyapunov(p, exponent_tolerance * shear_of(p), o.degree);
+  out.method = "the stationary law of tangent directions in Wigner functions (Furstenberg-Khasminskii)";
+  take(s, {found.lambda1, found.uncertainty, found.degree, found.reason}, out, std::fabs(found.sum));
+  out.sum = found.sum;
+  out.dimension = found.dimension;
+}
+
+}  // namespace
+
+reference_answer reference(const scene& s, const reference_options& o) {
+  gsl_set_error_handler_off();
+  check(o);
+  const auto problem = sphere_problem_of(bind_scene(s));
+  if (!problem)
+    throw input_error(
+        fmt::format("scene {}: system = \"{}\" has no exact references; accepted: rigid_body", s.name, s.system));
+  const auto& p = *problem;
+  reference_answer out;
+  out.quantity = o.quantity;
+  if (p.covariance.isZero(0) && o.quantity != "expectation") {
+    out.quantity = "expectation";
+    answer_expectation(s, p, {out.quantity, o.observable, {}, 0}, out);
+    out.reason = fmt::format(
+        "asked for {}: no noise, so there is no density, no gap and no random flow; what remains, and is answered, is "
+        "the path's own value at the horizon (--quantity expectation)",
+        o.quantity);
+    return out;
+  }
+  if (o.quantity == "expectation") answer_expectation(s, p, o, out);
+  if (o.quantity == "gibbs") answer_gibbs(s, p, o, out);
+  if (o.quantity == "lyapunov") answer_lyapunov(s, p, o, out);
+  if (o.quantity == "gap") {
+    out.method = "the least decay rate of Kolmogorov's operator in spherical harmonics";
+    const double rate = p.covariance.trace();
+    auto found = spectral_gap(p, finest_rate_tolerance * rate, o.degree);
+    if (found.value && found.uncertainty <= rate_tolerance * rate) found.reason.clear();
+    take(s, found, out);
+  }
+  return out;
+}
+
+}  // namespace polhode

@@ -1,0 +1,164 @@
+#include "run/run_experiment.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <iterator>
+#include <optional>
+#include <set>
+
+#include "platform/work_counters.hpp"
+#include "run/cache_key.hpp"
+#include "run/provenance.hpp"
+
+namespace polhode {
+namespace {
+
+using names = std::vector<std::string>;
+
+bool contains(const names& all, std::string_view name) { return std::ranges::find(all, name) != all.end(); }
+
+/// The scheme whose result a row belongs to.
+const std::string& owner_of(const experiment& e, const std::string& scheme) {
+  const auto found = std::ranges::find(e.derived, scheme, &std::pair<std::string, std::string>::first);
+  return found == e.derived.end() ? scheme : found->second;
+}
+
+/// Appends the rows whose scheme is wanted; savings are of a run and not of a scheme.
+template <class Wanted>
+void append_rows(const report::results& from, Wanted wanted, report::results& to) {
+  const auto append = [&](auto rows) {
+    std::ranges::copy_if(from.*rows, std::back_inserter(to.*rows), [&](const auto& row) { return wanted(row.scheme); });
+  };
+  append(&report::results::measurements);
+  append(&report::results::fits);
+  append(&report::results::verdicts);
+  append(&report::results::skipped);
+  append(&report::results::densities);
+}
+
+/// What the inner loops of this program have done so far.
+report::counters work_done_so_far() {
+  const auto w = work_so_far();
+  return {w.normals, w.path_steps, w.kernels};
+}
+
+report::counters operator-(const report::counters& a, const report::counters& b) {
+  return {a.normals_drawn - b.normals_drawn, a.path_steps - b.path_steps, a.kernels_run - b.kernels_run};
+}
+
+void add(const report::counters& more, report::counters& sum) {
+  sum.normals_drawn += more.normals_drawn;
+  sum.path_steps += more.path_steps;
+  sum.kernels_run += more.kernels_run;
+}
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+report::results compute(const experiment& e, const context& c, const names& schemes) {
+  const auto s = restricted(c.subject, schemes);
+  report::results out;
+  out.provenance = build_provenance();
+  const auto work = work_done_so_far();
+  const double cpu = cpu_seconds();
+  e.run({s, c.effort, c.threads, c.seed, c.generator, c.progress, c.before}, out);
+  out.provenance.cpu_seconds = cpu_seconds() - cpu;
+  out.done.work = work_done_so_far() - work;
+  return out;
+}
+
+/// One scheme's part of a run, as it is kept: its rows, those of no scheme, and an equal share of the work.
+report::results part_of(const experiment& e, const report::results& run, const names& computed,
+                        const std::string& scheme) {
+  report::results part;
+  part.provenance = run.provenance;
+  append_rows(
+      run, [&](const std::string& of) { return owner_of(e, of) == scheme || !contains(computed, owner_of(e, of)); },
+      part);
+  const auto shares = computed.size();
+  part.provenance.cpu_seconds /= static_cast<double>(shares);
+  part.done.work = {run.done.work.normals_drawn / shares, run.done.work.path_steps / shares,
+                    run.done.work.kernels_run / shares};
+  return part;
+}
+
+/// What one scheme's result is kept under, and the result once it is there.
+struct entry {
+  std::string scheme, key;
+  std::optional<report::results> part;
+  bool fresh = false;  ///< computed now
+};
+
+std::vector<entry> ask(const experiment& e, const context& c, report::result_store* store) {
+  std::vector<entry> entries;
+  for (const auto& scheme : c.subject.schemes) {
+    entry one{std::string(scheme.info.name), store ? cache_key(c, e.info.name, scheme.info.name) : "", {}};
+    if (!one.key.empty()) one.part = store->load(one.key);
+    entries.push_back(std::move(one));
+  }
+  return entries;
+}
+
+void compute_missing(const experiment& e, const context& c, report::result_store* store, std::vector<entry>& entries,
+                     report::results& out) {
+  names missing;
+  for (const auto& one : entries)
+    if (!one.part) missing.push_back(one.scheme);
+  if (missing.empty()) return;
+  const auto run = compute(e, c, missing);
+  for (auto& one : entries) {
+    if (one.part) continue;
+    one.part = part_of(e, run, missing, one.scheme);
+    one.fresh = true;
+    if (!one.key.empty()) store->save(one.key, *one.part);
+  }
+  out.savings.insert(out.savings.end(), run.savings.begin(), run.savings.end());
+  add(run.done.work, out.done.work);
+  ++out.done.experiments_run;
+  out.done.results_computed += missing.size();
+}
+
+report::reuse reused(const experiment& e, const entry& one) {
+  const auto& p = *one.part;
+  return {e.info.name, one.scheme, p.provenance.started, {p.done.work, p.provenance.cpu_seconds}};
+}
+
+/// What a run says of itself and not of a scheme, as of its noise: of this run first, then of each that a part is from.
+void append_rows_of_runs(const experiment& e, const std::vector<entry>& entries, report::results& out) {
+  std::set<std::string> said;
+  for (const bool fresh : {true, false})
+    for (const auto& one : entries) {
+      const auto of_its_run = [&](const std::string& scheme) {
+        return !scheme.empty() && owner_of(e, scheme) != one.scheme;
+      };
+      std::string words;
+      for (const auto& v : one.part->verdicts)
+        if (of_its_run(v.scheme)) words += v.reason + '\n';
+      if (one.fresh == fresh && said.insert(words).second) append_rows(*one.part, of_its_run, out);
+    }
+}
+
+}  // namespace
+
+subject restricted(subject s, const names& schemes) {
+  std::erase_if(s.schemes, [&](const scheme_entry& e) { return !contains(schemes, e.info.name); });
+  s.with = [schemes, with = s.with](const report::scene& other) { return restricted(with(other), schemes); };
+  return s;
+}
+
+void run_experiment(const experiment& e, const context& c, report::result_store* store, report::results& out) {
+  if (!e.kept) store = nullptr;
+  auto entries = ask(e, c, store);
+  for (const auto& one : entries)
+    if (one.part) out.reused.push_back(reused(e, one));
+  out.done.results_reused = out.reused.size();
+  compute_missing(e, c, store, entries, out);
+  if (!entries.empty())  // the scene's own rows are the same in every part
+    append_rows(
+        *entries.front().part, [](const std::string& scheme) { return scheme.empty(); }, out);
+  append_rows_of_runs(e, entries, out);
+  for (const auto& one : entries)
+    append_rows(
+        *one.part, [&](const std::string& scheme) { return owner_of(e, scheme) == one.scheme; }, out);
+}
+
+}  // namespace polhode

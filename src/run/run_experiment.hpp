@@ -1,0 +1,20 @@
+// Runs an experiment on a subject's schemes, those apart whose results are known already.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/common/experiment.hpp"
+#include "reports/model/result_store.hpp"
+
+namespace polhode {
+
+/// The subject with these of its schemes only.
+subject restricted(subject, const std::vector<std::string>& schemes);
+
+/// Appends what the experiment says: rows of no scheme first, then scheme by scheme in the subject's order, whether
+/// they are computed now or come from the store. What is computed goes into the store. Relies on an experiment saying
+/// the same of a scheme, and of none, whichever schemes run.
+void run_experiment(const experiment&, const context&, report::result_store*, report::results& out);
+
+}  // namespace polhode

@@ -1,0 +1,189 @@
+#include "run/simulate.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+#include "ensemble/simulation.hpp"
+#include "ensemble/sphere_bins.hpp"
+#include "platform/isa.hpp"
+#include "platform/memory.hpp"
+#include "reports/model/errors.hpp"
+#include "run/machine_options.hpp"
+#include "run/provenance.hpp"
+#include "scene/nearest.hpp"
+#include "scene/text.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double most_steps = 1e9, memory_share = 0.8;
+const std::vector<std::string> noises{"common", "independent", "none"}, starts{"uniform", "momentum"},
+    qualities{"fast", "precise"};
+
+[[noreturn]] void refuse(std::string_view option, std::string_view value, std::string_view fault) {
+  throw input_error(fmt::format("{} '{}': {}", option, one_line(value, 60), fault));
+}
+
+std::size_t choice(std::string_view option, const std::string& value, const std::vector<std::string>& known) {
+  const auto found = std::ranges::find(known, value);
+  if (found == known.end())
+    refuse(option, value, fmt::format("not known{}; accepted: {}", did_you_mean(value, known), fmt::join(known, ", ")));
+  return static_cast<std::size_t>(found - known.begin());
+}
+
+const scheme_entry& chosen_scheme(const subject& s, const std::string& name) {
+  std::vector<std::string> known;
+  for (const auto& e : s.schemes) known.emplace_back(e.info.name);
+  return s.schemes[choice("--scheme", name, known)];
+}
+
+std::int64_t checked_steps(const scene& s, double dt) {
+  const auto value = fmt::format("{}", dt);
+  if (!std::isfinite(dt) || dt <= 0) refuse("--dt", value, "accepted: a number above 0");
+  const double steps = std::max(1.0, std::round(s.horizon / dt));
+  if (steps > most_steps)
+    refuse("--dt", value,
+           fmt::format("{:.3g} steps to horizon = {}; accepted: at most {:g} steps, dt from {:.6g}", steps, s.horizon,
+                       most_steps, s.horizon / most_steps));
+  if (!(std::abs(steps * dt - s.horizon) <= 1e-9 * s.horizon))
+    refuse("--dt", value,
+           fmt::format("horizon = {} is no whole number of steps; accepted: horizon/n, the nearest is {}", s.horizon,
+                       s.horizon / steps));
+  return static_cast<std::int64_t>(steps);
+}
+
+std::vector<std::int64_t> checked_snapshots(const scene& s, const simulate_options& o, std::int64_t steps) {
+  std::vector<std::int64_t> stops;
+  for (const double time : o.snapshots) {
+    if (!(time > 0) || !(time <= s.horizon * (1 + 1e-9)))
+      refuse("--snapshots", fmt::format("{}", time),
+             fmt::format("accepted: times above 0 and up to horizon = {}", s.horizon));
+    stops.push_back(std::clamp<std::int64_t>(std::llround(time / o.dt), 1, steps));
+  }
+  std::ranges::sort(stops);
+  stops.erase(std::ranges::unique(stops).begin(), stops.end());
+  return stops;
+}
+
+void check_memory(const simulation_plan& p, const model& m) {
+  // The files of the final states are made in memory, too.
+  const double needed = simulation_bytes(m, p) + 8.0 * m.dimension() * static_cast<double>(p.bodies);
+  const double available = available_memory();
+  if (needed > memory_share * available)
+    refuse("--bodies", fmt::format("{}", p.bodies),
+           fmt::format("needs {:.1f} MiB of memory ({} steps, {} snapshots); accepted: what fits into {:.1f} MiB, {:g} "
+                       "% of the memory available",
+                       needed / 0x1p20, p.steps, p.snapshots.size(), memory_share * available / 0x1p20,
+                       100 * memory_share));
+}
+
+struct prepared_run {
+  polhode::subject subject;
+  const scheme_entry* scheme;
+  simulation_plan plan;
+};
+
+prepared_run prepare(const scene& s, const simulate_options& o) {
+  apply_isa(o.isa);
+  prepared_run r{bind_scene(s), nullptr, {}};
+  auto& p = r.plan;
+  r.scheme = &chosen_scheme(r.subject, o.scheme);
+  p.noise = static_cast<ensemble_noise>(choice("--noise", o.noise, noises));
+  const bool alike = p.noise == ensemble_noise::independent;
+  p.start = static_cast<ensemble_start>(choice("--start", o.start.empty() ? starts[alike] : o.start, starts));
+  p.momentum = s.momentum;
+  p.dt = o.dt;
+  p.steps = checked_steps(s, o.dt);
+  if (o.bodies < 1) refuse("--bodies", fmt::format("{}", o.bodies), "accepted: a positive integer");
+  p.bodies = o.bodies;
+  p.snapshots = checked_snapshots(s, o, p.steps);
+  p.with_areas = r.scheme->needs_areas;
+  p.seed = o.seed;
+  p.source = {generator_named(o.generator),
+              choice("--normals", o.normals, qualities) == 0 ? noise_quality::fast : noise_quality::precise};
+  p.threads = o.threads;
+  const bool sphere = r.subject.model->dimension() == 3;
+  if (!sphere && p.start == ensemble_start::uniform) refuse("--start", "uniform", "accepted for this system: momentum");
+  if (!sphere && !p.snapshots.empty()) refuse("--snapshots", "", "accepted for systems on a sphere only");
+  check_memory(p, *r.subject.model);
+  return r;
+}
+
+report::ensemble_state described(const ensemble_moments& m, std::int64_t step, double dt) {
+  const auto both = [](const running_moments& x) { return report::mean_and_deviation{x.mean, x.deviation()}; };
+  report::ensemble_state out{static_cast<double>(step) * dt, step, m.lost, both(m.energy), {}, m.casimir_change};
+  for (const auto& c : m.components) out.components.push_back(both(c));
+  return out;
+}
+
+std::vector<std::string> remarks_on(const scene& s, const prepared_run& r) {
+  std::vector<std::string> out;
+  const auto& m = *r.subject.model;
+  if (m.active_channels() == 0 || r.plan.noise == ensemble_noise::none)
+    out.emplace_back(s.theta > 0 ? "without noise the attractor is the set of equilibria, and no number is drawn"
+                                 : "without noise and dissipation every body stays on its orbit; no number is drawn");
+  if (r.plan.with_areas && m.active_channels() > 1 && r.plan.noise != ensemble_noise::none)
+    out.emplace_back("areas are drawn from the weak surrogate: right in law to weak order two, not path by path");
+  return out;
+}
+
+void take_over(simulated&& run, const prepared_run& r, report::simulation& out) {
+  const auto& p = r.plan;
+  out.numbers_drawn = run.drawn;
+  out.states = std::move(run.states);
+  out.final = described(run.final, p.steps, p.dt);
+  for (std::size_t i = 0; i < p.snapshots.size(); ++i) {
+    auto& s = run.snapshots[i];
+    out.snapshots.push_back({described(s.moments, p.snapshots[i], p.dt), std::move(s.counts), longitude_bins::heights,
+                             longitude_bins::longitudes, std::move(s.picture), hemisphere_bins::side});
+  }
+}
+
+report::simulation frame_of(const scene& s, const simulate_options& o, const prepared_run& r) {
+  const auto& p = r.plan;
+  report::simulation out;
+  out.provenance = build_provenance();
+  out.provenance.seed = p.seed;
+  out.provenance.generator = o.generator;
+  out.normals = o.normals;
+  out.provenance.threads = p.threads;
+  out.provenance.isa = name_of(active_isa());
+  out.scene = s;
+  const auto all = list_schemes();
+  out.scheme = *std::ranges::find(all, std::string(r.scheme->info.name), &report::scheme::name);
+  out.dt = p.dt;
+  out.steps = p.steps;
+  out.bodies = p.bodies;
+  out.noise = noises[static_cast<std::size_t>(p.noise)];
+  out.start = starts[static_cast<std::size_t>(p.start)];
+  out.path_steps = static_cast<double>(p.bodies) * static_cast<double>(p.steps);
+  out.remarks = remarks_on(s, r);
+  return out;
+}
+
+}  // namespace
+
+void check_simulation(const scene& s, const simulate_options& o) { prepare(s, o); }
+
+report::simulation simulate(const scene& s, const simulate_options& o, const progress_sink& progress) {
+  const auto r = prepare(s, o);
+  auto out = frame_of(s, o, r);
+  const auto tell = [&](double share) {
+    if (progress) progress(share, o.scheme);
+  };
+  const auto begun = std::chrono::steady_clock::now();
+  const auto cpu_begun = std::clock();
+  take_over(simulate_ensemble(*r.subject.model, *r.scheme->make(o.dt), r.plan, tell), r, out);
+  out.provenance.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  out.provenance.cpu_seconds = static_cast<double>(std::clock() - cpu_begun) / CLOCKS_PER_SEC;
+  out.ns_per_path_step = 1e9 * out.provenance.wall_seconds / out.path_steps;
+  return out;
+}
+
+}  // namespace polhode

@@ -1,0 +1,231 @@
+#include "run/verify.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_errno.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <optional>
+
+#include "platform/cpu_profile.hpp"
+#include "platform/isa.hpp"
+#include "reports/model/errors.hpp"
+#include "run/machine_options.hpp"
+#include "run/provenance.hpp"
+#include "run/run_experiment.hpp"
+#include "scene/nearest.hpp"
+#include "systems/systems.hpp"
+
+namespace polhode {
+namespace {
+
+/// Adding an experiment: its source, and its name here.
+std::vector<experiment> all_experiments() {
+  return {casimir_experiment(),   strong_experiment(),        energy_experiment(),   gibbs_experiment(),
+          weak_experiment(),      attractor_experiment(),     lyapunov_experiment(), modified_experiment(),
+          stability_experiment(), work_precision_experiment()};
+}
+
+report::scheme described(const scheme_entry& entry) {
+  const auto& i = entry.info;
+  report::scheme s;
+  s.name = i.name;
+  s.title = i.title;
+  s.source = i.source;
+  s.calculus = i.calculus == calculus::ito ? "ito" : "stratonovich";
+  s.implicit = i.implicit;
+  s.areas = entry.needs_areas;
+  s.strong_commuting = i.strong_order.commuting;
+  s.strong_general = i.strong_order.general;
+  s.weak_one_vector = i.weak_order.one_vector;
+  s.weak_isotropic = i.weak_order.isotropic;
+  s.weak_general = i.weak_order.general;
+  s.deterministic_order = i.deterministic_order;
+  s.casimir_exact = i.casimir.exact;
+  s.casimir_order = i.casimir.noisy_order;
+  return s;
+}
+
+/// Keeps the wanted ones in the list's own order; throws on a name that is not there.
+template <class T, class Name>
+void keep_wanted(std::vector<T>& all, const std::vector<std::string>& wanted, const char* what, Name name) {
+  if (wanted.empty()) return;
+  std::vector<std::string> known;
+  for (const T& t : all) known.emplace_back(name(t));
+  for (const auto& w : wanted)
+    if (std::ranges::find(known, w) == known.end()) {
+      const auto near = nearest_name(w, known);
+      throw input_error(fmt::format("--{}s: \"{}\" is not a known {}{}; known: {}", what, w, what,
+                                    near.empty() ? "" : fmt::format(", did you mean \"{}\"?", near),
+                                    fmt::join(known, ", ")));
+    }
+  std::erase_if(all, [&](const T& t) { return std::ranges::find(wanted, name(t)) == wanted.end(); });
+}
+
+std::string effort_name(effort e) { return by_effort<std::string>(e, "quick", "standard", "thorough"); }
+
+/// What was skipped appears among the verdicts too, so that the board has no silent holes.
+void add_skipped_verdicts(report::results& out) {
+  for (const auto& skip : out.skipped)
+    for (const auto& scheme : out.schemes)
+      if (skip.scheme.empty() || skip.scheme == scheme.name)
+        out.verdicts.push_back(
+            {skip.experiment, scheme.name, "", {}, {}, {}, {}, report::verdict_kind::skipped, skip.reason});
+}
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Of one experiment after the other, if it is asked for.
+class experiment_profile {
+ public:
+  explicit experiment_profile(bool wanted) {
+    if (wanted) profile_.emplace();
+  }
+  void begin() {
+    if (!profile_) return;
+    working_on("");
+    profile_->take();
+    cpu_start_ = cpu_seconds();
+  }
+  /// What no thread had a name for is what is left of the whole.
+  void end(const std::string& experiment, std::vector<report::profile_row>& out) {
+    if (!profile_) return;
+    double rest = cpu_seconds() - cpu_start_;
+    for (const auto& [what, seconds] : profile_->take()) {
+      if (what.empty()) continue;
+      out.push_back({experiment, what, seconds});
+      rest -= seconds;
+    }
+    out.push_back({experiment, "", std::max(0.0, rest)});
+  }
+
+ private:
+  std::optional<cpu_profile> profile_;
+  double cpu_start_ = 0;
+};
+
+/// Of this run, up to now.
+class stopwatch {
+ public:
+  void read(report::provenance& p) const {
+    p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    p.cpu_seconds = cpu_seconds() - cpu_start_;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double cpu_start_ = cpu_seconds();
+};
+
+report::results finished(report::results out, const stopwatch& watch) {
+  add_skipped_verdicts(out);
+  watch.read(out.provenance);
+  return out;
+}
+
+void run_experiments(const subject& s, const std::vector<experiment>& experiments, const verify_options& options,
+                     const progress_sink& progress, const stopwatch& watch, report::results& out) {
+  double total = 0, before = 0;
+  for (const auto& e : experiments) {
+    total += e.weight;
+    out.to_come.push_back(e.info.name);
+  }
+  experiment_profile profile(options.profile);
+  for (const auto& e : experiments) {
+    profile.begin();
+    const auto tell = [&](double share) {
+      if (progress) progress((before + e.weight * share) / total, e.info.name);
+    };
+    tell(0);
+    out.experiments.push_back(e.info);
+    if (const auto reason = e.cannot_say(s))
+      out.skipped.push_back({e.info.name, "", *reason});
+    else
+      run_experiment(e,
+                     {s, options.effort, options.threads, options.seed, generator_named(options.generator), tell, &out},
+                     options.store, out);
+    profile.end(e.info.name, out.profile);
+    before += e.weight;
+    out.to_come.erase(out.to_come.begin());
+    if (options.so_far && !out.to_come.empty()) options.so_far(finished(out, watch));
+  }
+  if (progress) progress(1, "done");
+}
+
+}  // namespace
+
+subject bind_scene(const scene& s) {
+  for (const auto& system : systems())
+    if (system.name == s.system) return system.bind(s);
+  throw input_error(fmt::format("scene {}: system = \"{}\" is not known", s.name, s.system));
+}
+
+void check_options(const scene& s, const verify_options& options) {
+  apply_isa(options.isa);
+  generator_named(options.generator);
+  auto subject = bind_scene(s);
+  auto experiments = all_experiments();
+  keep_wanted(subject.schemes, options.schemes, "scheme", [](const scheme_entry& e) { return e.info.name; });
+  keep_wanted(experiments, options.experiments, "experiment", [](const experiment& e) { return e.info.name; });
+}
+
+report::results verify_subject(subject s, const verify_options& options, const progress_sink& progress) {
+  gsl_set_error_handler_off();  // GSL's failures come back as values here, not as abort()
+  auto experiments = all_experiments();
+  keep_wanted(s.schemes, options.schemes, "scheme", [](const scheme_entry& e) { return e.info.name; });
+  if (!options.schemes.empty()) s = restricted(std::move(s), options.schemes);
+  keep_wanted(experiments, options.experiments, "experiment", [](const experiment& e) { return e.info.name; });
+
+  report::results out;
+  out.scene = s.scene;
+  out.skipped = s.inapplicable;
+  for (const auto& e : s.schemes) out.schemes.push_back(described(e));
+  out.provenance = build_provenance();
+  out.provenance.seed = options.seed;
+  out.provenance.generator = options.generator;
+  out.provenance.effort = effort_name(options.effort);
+  out.provenance.threads = options.threads;
+  out.provenance.isa = name_of(active_isa());
+  const stopwatch watch;
+  run_experiments(s, experiments, options, progress, watch, out);
+  return finished(std::move(out), watch);
+}
+
+report::results verify(const scene& s, const verify_options& options, const progress_sink& progress) {
+  apply_isa(options.isa);
+  generator_named(options.generator);
+  return verify_subject(bind_scene(s), options, progress);
+}
+
+std::vector<report::scheme> list_schemes() {
+  std::vector<report::scheme> out;
+  for (const auto& entry : bind_scene(load_scene("paper")).schemes) out.push_back(described(entry));
+  return out;
+}
+
+std::vector<report::experiment> list_experiments() {
+  std::vector<report::experiment> out;
+  for (const auto& e : all_experiments()) out.push_back(e.info);
+  return out;
+}
+
+std::vector<catalog_entry> list_observables() {
+  return {{"energy", "h = 1/2 Pi . Omega"},
+          {"pi1", "Pi_1"},
+          {"pi2", "Pi_2"},
+          {"pi3", "Pi_3"},
+          {"pi1^2", "Pi_1^2"},
+          {"pi2^2", "Pi_2^2"},
+          {"pi3^2", "Pi_3^2"},
+          {"exp(pi3)", "exp(Pi_3)"},
+          {"casimir", "1/2 |Pi|^2"}};
+}
+
+std::vector<catalog_entry> list_systems() {
+  std::vector<catalog_entry> out;
+  for (const auto& s : systems()) out.push_back({std::string(s.name), std::string(s.title)});
+  return out;
+}
+
+}  // namespace polhode

@@ -1,0 +1,56 @@
+// The main job: every scheme x every experiment that applies to a scene.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/common/experiment.hpp"
+#include "reports/model/result_store.hpp"
+#include "reports/model/results.hpp"
+#include "scene/scene.hpp"
+
+namespace polhode {
+
+struct verify_options {
+  std::vector<std::string> schemes;      ///< empty: all
+  std::vector<std::string> experiments;  ///< empty: all
+  polhode::effort effort = effort::standard;
+  int threads = 1;
+  std::uint64_t seed = 1;
+  std::string generator = "philox";  ///< of random bits: philox, or ars where the processor has AES
+  std::string isa = "auto";          ///< instruction set of the inner loops; auto: the widest that this machine has
+  /// Called after every experiment but the last with what there is by then, the rest named in `to_come`.
+  std::function<void(const report::results&)> so_far = {};
+  bool profile = false;                   ///< say where the processor time went
+  report::result_store* store = nullptr;  ///< keeps results from run to run; for schemes of the registry only
+};
+
+/// The scene's system with every scheme that applies to it. Throws input_error on an unknown system.
+subject bind_scene(const scene&);
+
+/// Called from the working threads, never concurrently: the share done in [0, 1] and what is being worked on.
+using progress_sink = std::function<void(double share, std::string_view what)>;
+
+/// Runs the experiments. `provenance` of the result holds what is known here (seed, effort, threads, times).
+/// Throws input_error on an unknown scheme or experiment (names the nearest one).
+report::results verify(const scene&, const verify_options&, const progress_sink& = {});
+
+/// Throws what verify() would throw of these options, before any work.
+void check_options(const scene&, const verify_options&);
+
+/// The same on a subject that is bound already: how tests bring a planted defect or a system of their own.
+report::results verify_subject(subject, const verify_options&, const progress_sink& = {});
+
+/// What `polhode list` prints.
+struct catalog_entry {
+  std::string name, title;
+};
+std::vector<report::scheme> list_schemes();
+std::vector<report::experiment> list_experiments();
+std::vector<catalog_entry> list_observables();
+std::vector<catalog_entry> list_systems();
+
+}  // namespace polhode

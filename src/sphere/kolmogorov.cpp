@@ -1,0 +1,218 @@
+#include "sphere/kolmogorov.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "algebra/decompositions.hpp"
+#include "algebra/exponential_action.hpp"
+#include "algebra/sparse_blocks.hpp"
+#include "sphere/angular_velocity.hpp"
+#include "sphere/deterministic.hpp"
+#include "sphere/observables.hpp"
+#include "sphere/poisson.hpp"
+#include "sphere/raise_degree.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64, 96, 128};
+constexpr std::array stationary_degrees{8, 12, 16, 24, 32, 48, 64, 96};
+constexpr double affordable = 1e10;                           // multiplications
+constexpr double in_hope = 0.05;                              // of that, where it ends only if the start is forgotten
+constexpr double rounding = 1e-14;                            // of what is added up
+constexpr double long_ago = 60;                               // relaxation times: exp(-60) hides any constant before it
+constexpr int most_sparse = 5000;                             // unknowns in a block: seconds
+const double unit_of_mean = std::sqrt(4 * std::numbers::pi);  // a coefficient's share in a mean over the sphere
+
+// Coefficients of a smooth function that are rounding only would tie together blocks that do not talk to each other.
+Eigen::VectorXd observable_coefficients(const sphere_problem& problem, const sphere_function& f, int degree) {
+  Eigen::VectorXd c = harmonic_coefficients([&](const Eigen::Vector3d& x) { return f(problem.radius * x); }, degree);
+  const double least = rounding * c.norm();
+  return c.unaryExpr([&](double x) { return std::fabs(x) < least ? 0 : x; });
+}
+
+/// The generator from the functions of that degree to those two degrees higher: exact.
+sparse_matrix tall_operator(const sphere_problem& problem, int degree) {
+  return backward_operator(problem, degree + 2).leftCols(harmonic_count(degree));
+}
+
+/// Per time, over the sphere: of the greatest size where it depends on the state.
+double noise_rate(const sphere_problem& p) {
+  double rate = p.covariance.trace();
+  for (const auto& sigma : p.varying) rate += std::pow(sigma.constant.norm() + p.radius * sigma.slope.norm(), 2);
+  return rate;
+}
+
+struct cut_function {
+  Eigen::VectorXd coefficients;
+  double cut_off;  ///< about the supremum of what the degree cuts off: its next two degrees
+};
+
+cut_function cut_to(const sphere_problem& problem, const sphere_function& f, int degree) {
+  const Eigen::VectorXd more = observable_coefficients(problem, f, degree + 2);
+  const int count = harmonic_count(degree);
+  return {more.head(count), harmonic_supremum(more.tail(more.size() - count), degree + 1)};
+}
+
+/// The stationary mean, where by then every other mode has died; the rate of noise bounds the cost of asking.
+std::optional<reference_value> expectation_long_after(const sphere_problem& problem, const sphere_function& f,
+                                                      double time, double tolerance, int wanted) {
+  if (time * noise_rate(problem) < long_ago) return std::nullopt;
+  const auto gap = spectral_gap(problem, unbounded);
+  if (!gap.converged() || (*gap.value - gap.uncertainty) * time < long_ago) return std::nullopt;
+  auto late = stationary_mean(problem, f, tolerance, wanted);
+  if (!late.converged()) return std::nullopt;
+  late.forgotten = true;
+  return late;
+}
+
+struct propagated_value {
+  projected_value found;
+  bool relaxed;  ///< before the time was over
+};
+
+/// exp(time A) f at y. The remainder (A - A_L) g of the Galerkin solution g, summed over the time, bounds its error.
+/// Once g is a constant but for rounding it stays one, as the semigroup is a contraction: there it ends.
+std::optional<propagated_value> propagated(const sparse_matrix& tall, const cut_function& cut, const Eigen::VectorXd& y,
+                                           double time, int degree) {
+  const Eigen::VectorXd& f = cut.coefficients;
+  const sparse_matrix whole = tall.topRows(tall.cols());
+  const index_set block = blocks_of(whole, f);
+  const sparse_matrix part = submatrix(whole, block);
+  const double cost = exponential_action_products(part, time) * static_cast<double>(part.nonZeros());
+  const double hoped = cost > affordable ? time * in_hope * affordable / cost : time;  // it may relax by then
+  const sparse_matrix beyond = columns_of(tall, block).bottomRows(tall.rows() - tall.cols());
+  const auto remainder = [&](const Eigen::VectorXd& g) { return harmonic_supremum(beyond * g, degree + 1); };
+  Eigen::VectorXd varying = Eigen::VectorXd::Zero(f.size());
+  const double least = rounding * f.norm() / unit_of_mean;
+  const Eigen::VectorXd start = f(block);
+  double before = remainder(start), bound = 0, steps = 0, passed = 0, apart = unbounded;
+  const auto g = exponential_action(part, time, start, [&](const Eigen::VectorXd& now, double dt) {
+    const double after = remainder(now);
+    bound += dt * std::max(std::exchange(before, after), after);
+    passed += dt;
+    ++steps;
+    varying(block) = now;
+    varying[0] = 0;
+    apart = harmonic_supremum(varying);
+    return apart > least && passed <= hoped;
+  });
+  const bool relaxed = apart <= least && passed < (1 - 1e-9) * time;
+  if (!relaxed && cost > affordable) return {};
+  const double floor = least * std::max(1.0, std::sqrt(steps) / 10);
+  return propagated_value{{y(block).dot(g), floor, bound + cut.cut_off + 2 * (relaxed ? apart : 0) + floor}, relaxed};
+}
+
+reference_value expectation_of(const sphere_problem& problem, const sphere_function& f, const Eigen::Vector3d& start,
+                               double time, accuracy asked, int wanted) {
+  bool relaxed = false;
+  const auto value_at = [&](int degree) -> std::optional<projected_value> {
+    const auto at = propagated(tall_operator(problem, degree), cut_to(problem, f, degree),
+                               harmonics_at(start.normalized(), degree), time, degree);
+    if (!at) return {};
+    relaxed = at->relaxed;
+    return at->found;
+  };
+  // Where three degrees can tell they may: the proved bound grows with time, the error need not.
+  const double needed = needed_degree(problem);
+  const bool comparable = degrees.back() >= needed_share * needed;
+  if (comparable) asked.size = observable_coefficients(problem, f, degrees.front()).norm() / unit_of_mean;
+  const std::vector<int> chosen{wanted};
+  auto found = raise_degree(wanted > 0 ? std::span<const int>(chosen) : degrees, asked, needed, value_at, wanted);
+  found.relaxed = relaxed;
+  if (found.converged()) return found;
+  const auto late = expectation_long_after(problem, f, time, asked.absolute, wanted);
+  return late ? *late : found;
+}
+
+reference_value stationary_mean_of(const sphere_problem& problem, const sphere_function& f, accuracy asked,
+                                   int wanted) {
+  const auto value_at = [&](int degree) {
+    const auto [c, cut_off] = cut_to(problem, f, degree);
+    const projected_value uniform{c[0], 0, 0};
+    auto found = has_uniform_law(problem) ? std::optional(uniform)
+                                          : poisson_mean(tall_operator(problem, degree), c, most_sparse,
+                                                         [](const Eigen::VectorXd& r) { return harmonic_supremum(r); });
+    if (found) {
+      found->value /= unit_of_mean;
+      found->floor = std::max(found->floor, rounding * c.norm() / unit_of_mean);
+      found->bound += cut_off + found->floor;
+    }
+    return found;
+  };
+  asked.size = observable_coefficients(problem, f, stationary_degrees[0]).norm() / unit_of_mean;
+  const double needed = has_uniform_law(problem) ? 0 : needed_degree(problem);
+  return raise_degree(degrees_to_try(stationary_degrees, wanted), asked, needed, value_at, wanted);
+}
+
+}  // namespace
+
+sparse_matrix backward_operator(const sphere_problem& problem, int degree) {
+  const int inside = degree + 1;  // so that products of two coordinates are exact up to the degree
+  const auto x = coordinates(inside);
+  const auto turn = rotation_generators(inside);
+  sparse_matrix generator(harmonic_count(inside), harmonic_count(inside));
+  const double c = problem.radius;
+  const auto velocity = angular_velocity_of(problem);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const sparse_matrix omega = multiplying_by(rate_polynomial(velocity, int(i)), x),
+                        across = multiplying_by(cross_polynomial(velocity, int(i)), x);
+    generator -= sparse_matrix(sparse_matrix(omega + problem.damping * c * across) * turn[i]);
+    for (std::size_t l = 0; l < 3; ++l) {
+      const double q = problem.covariance(long(i), long(l));
+      if (q != 0) generator += 0.5 * q * sparse_matrix(turn[i] * turn[l]);
+    }
+  }
+  for (const auto& sigma : problem.varying) {
+    sparse_matrix along(generator.rows(), generator.cols());
+    for (std::size_t i = 0; i < 3; ++i) {
+      const polynomial p{.constant = sigma.constant[long(i)], .linear = c * sigma.slope.row(long(i))};
+      along += multiplying_by(p, x) * turn[i];
+    }
+    generator += 0.5 * sparse_matrix(along * along);
+  }
+  sparse_matrix corner = generator.block(0, 0, harmonic_count(degree), harmonic_count(degree));
+  corner.prune(corner.coeffs().cwiseAbs().maxCoeff(), 1e-15);  // what cancelled
+  return corner;
+}
+
+double needed_degree(const sphere_problem& problem) {
+  const double c = problem.radius, turning = c * problem.spread();
+  const double damping = problem.damping * c * (turning + problem.field.norm());
+  const double shear = std::hypot(turning, damping), trace = noise_rate(problem);
+  const Eigen::Vector3d noise = symmetric_eigenpairs_of(problem.covariance).values;
+  const double across = std::max(noise[0], 0.0) + std::max(noise[1], 0.0) + shear * shear / trace;
+  return 10 * std::sqrt(3 * std::max(shear / trace, std::min(shear, damping) / std::max(across, 1e-300)));
+}
+
+reference_value expectation(const sphere_problem& problem, const sphere_function& f, const Eigen::Vector3d& start,
+                            double time, double tolerance, int wanted) {
+  if (!problem.has_noise()) return on_the_path(problem, f, start, time);
+  return in_its_unit(problem, f, [&](const sphere_function& g, double unit) {
+    return expectation_of(problem, g, start, time, {.absolute = tolerance / unit, .unit = unit}, wanted);
+  });
+}
+
+reference_value stationary_mean(const sphere_problem& problem, const sphere_function& f, double tolerance, int wanted) {
+  if (const auto reason = no_unique_law(problem); !reason.empty()) return {.reason = reason};
+  return in_its_unit(problem, f, [&](const sphere_function& g, double unit) {
+    return stationary_mean_of(problem, g, {.absolute = tolerance / unit, .unit = unit}, wanted);
+  });
+}
+
+reference_value mean(const sphere_problem& problem, const stationary_law& law, const sphere_function& f) {
+  if (!law.density) return {.degree = law.degree, .reason = law.reason};
+  const Eigen::VectorXd c = observable_coefficients(problem, f, law.degree);
+  const double changed = law.change.norm(), beyond = law.uncertainty > changed ? law.uncertainty / changed : 1;
+  return {.value = c.dot(*law.density),
+          .uncertainty = std::max(std::fabs(c.dot(law.change)) * beyond, rounding * c.norm()),
+          .degree = law.degree,
+          .reason = law.reason};
+}
+
+}  // namespace polhode

@@ -1,0 +1,118 @@
+// Binds a concrete system and concrete schemes into a subject: for the sources of the registry, and for tests that
+// bring a system of their own or a planted defect.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "ensemble/kernel_of.hpp"
+#include "ensemble/tangent_kernel_of.hpp"
+#include "platform/flatten.hpp"
+#include "problem/subject.hpp"
+#include "references/driven_ode.hpp"
+#include "systems/schemes.hpp"
+
+namespace polhode {
+
+template <lie_poisson_system System>
+class model_of final : public model {
+ public:
+  static constexpr int n = System::dimension, m = System::channels;
+  explicit model_of(System system) : system_(std::move(system)) {}
+
+  int dimension() const override { return n; }
+  int channels() const override { return m; }
+  int active_channels() const override { return system_.active_channels(); }
+  noise_class noise() const override { return system_.classify(); }
+  double energy(std::span<const double> mu) const override { return system_.energy(state(mu)); }
+  double dissipation_rate(std::span<const double> mu) const override { return system_.dissipation_rate(state(mu)); }
+  std::vector<double> casimirs(std::span<const double> mu) const override {
+    const auto c = System::algebra::casimirs(state(mu));
+    return {c.c.begin(), c.c.end()};
+  }
+  POLHODE_FLATTEN void conserved(std::span<const double> states, std::span<double> energies,
+                                 std::span<double> casimirs) const override {
+    for (int lane = 0; lane < block_lanes; lane += static_cast<int>(pack::size())) {
+      const auto mu = load_lanes<pack, n>(states.data() + lane);
+      pack(system_.energy(mu)).copy_to(energies.data() + lane, stdx::element_aligned);
+      store_lanes(System::algebra::casimirs(mu), casimirs.data() + lane);
+    }
+  }
+  void drift(std::span<const double> mu, std::span<double> out) const override {
+    const auto x = state(mu);
+    std::ranges::copy(System::algebra::coad(system_.generator(x), x).c, out.begin());
+  }
+  void coadjoint(std::span<const double> xi, std::span<const double> mu, std::span<double> out) const override {
+    std::ranges::copy(System::algebra::coad(state(xi), state(mu)).c, out.begin());
+  }
+  POLHODE_FLATTEN void coarsen(const increment_view& fine, int factor, std::span<double> dw,
+                               std::span<double> area) const override {
+    constexpr int pairs = pairs_of<m>;
+    const auto at = [&](int i, int lane) {
+      wiener_levy<pack, m> w;
+      w.dw = load_increment<pack, m>(fine, i * m * block_lanes + lane);
+      if (!fine.area.empty()) w.area = load_lanes<pack, pairs>(fine.area.data() + i * pairs * block_lanes + lane);
+      return w;
+    };
+    for (int k = 0; k < fine.steps / factor; ++k)
+      for (int lane = 0; lane < block_lanes; lane += static_cast<int>(pack::size())) {
+        auto sum = at(k * factor, lane);
+        for (int i = 1; i < factor; ++i) sum = chen(sum, at(k * factor + i, lane));
+        store_lanes(sum.dw, dw.data() + k * m * block_lanes + lane);
+        store_lanes(sum.area, area.data() + k * pairs * block_lanes + lane);
+      }
+  }
+  std::unique_ptr<kernel> reference() const override {
+    return std::make_unique<kernel_of<driven_ode, plain_forms<System>, pack>>(plain_forms(system_));
+  }
+
+ private:
+  static vec<double, n> state(std::span<const double> mu) {
+    vec<double, n> x;
+    std::copy_n(mu.begin(), n, x.c.begin());
+    return x;
+  }
+  System system_;
+};
+
+template <class Scheme>
+struct scheme_tag {};
+
+/// The kernel of a scheme on a system at one step size, for states on the orbit of the momentum. A system with kernels
+/// of its own overloads this.
+template <class Scheme, class System>
+std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const System& system, const std::vector<double>&, double dt) {
+  return std::make_unique<kernel_of<Scheme, plain_forms<System>, pack>>(plain_forms(prepared<Scheme>(system, dt)));
+}
+
+template <class Scheme, class System>
+std::unique_ptr<tangent_kernel> tangent_kernel_for(const System& system, double dt) {
+  auto stepped = prepared<Scheme>(system, dt);
+  return std::make_unique<tangent_kernel_of<Scheme, decltype(stepped)>>(std::move(stepped));
+}
+
+template <class Scheme, class System>
+void add_scheme(subject& out, const System& system) {
+  if constexpr (requires { requires scheme_on<Scheme, System>; }) {
+    out.schemes.push_back({Scheme::info, needs_areas_on<Scheme, System>,
+                           [system, momentum = out.scene.momentum](double dt) -> std::unique_ptr<kernel> {
+                             return kernel_for(scheme_tag<Scheme>{}, system, momentum, dt);
+                           },
+                           [system](double dt) { return tangent_kernel_for<Scheme>(system, dt); }});
+  } else {
+    out.inapplicable.push_back({"", std::string(Scheme::info.name), "the system does not split into exact flows"});
+  }
+}
+
+/// make_system: report::scene -> System.
+template <class MakeSystem, class... Schemes>
+subject bind(const report::scene& s, MakeSystem make_system, scheme_list<Schemes...> schemes) {
+  const auto system = make_system(s);
+  subject out{s, std::make_shared<model_of<std::remove_const_t<decltype(system)>>>(system), {}, {}, {}};
+  (add_scheme<Schemes>(out, system), ...);
+  out.with = [make_system, schemes](const report::scene& other) { return bind(other, make_system, schemes); };
+  return out;
+}
+
+}  // namespace polhode

@@ -1,0 +1,122 @@
+// Any h of degree two on the sphere: fields, products of components, noise that depends on the state.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "sphere/kolmogorov.hpp"
+#include "sphere/lyapunov.hpp"
+
+namespace polhode::test {
+namespace {
+
+using matrix = Eigen::Matrix3d;
+using vector = Eigen::Vector3d;
+const matrix one = matrix::Identity();
+const vector start(0.6, 0.48, 0.64);
+
+sphere_problem spin() {
+  matrix quadratic;
+  quadratic << 1, 0.3, -0.2, 0.3, -0.5, 0.1, -0.2, 0.1, 0.2;
+  matrix root;
+  root << 0.5, 0.1, 0, 0.2, 0.6, 0.1, 0, -0.2, 0.4;
+  return {quadratic, 0.4, 1.3, root * root.transpose(), {0.3, -0.2, 0.5}};
+}
+
+sphere_problem turned(const sphere_problem& p, const matrix& r) {
+  return {r * p.quadratic * r.transpose(), p.damping, p.radius, r * p.covariance * r.transpose(), r * p.field};
+}
+
+TEST(SphereProblem, NoAxesArePreferred) {
+  const matrix r = Eigen::AngleAxisd(0.8, vector(1, 2, -1).normalized()).toRotationMatrix();
+  const auto p = spin(), other = turned(p, r);
+  const vector from = p.radius * start;
+  const auto f = [](const vector& pi) { return std::exp(pi[2]) + pi[0] * pi[1]; };
+  const auto turned_f = [&](const vector& pi) { return f(r.transpose() * pi); };
+  EXPECT_NEAR(*expectation(p, f, from, 0.9, 1e-9).value, *expectation(other, turned_f, r * from, 0.9, 1e-9).value,
+              2e-9);
+  EXPECT_NEAR(*stationary_mean(p, f, 1e-9).value, *stationary_mean(other, turned_f, 1e-9).value, 2e-9);
+  EXPECT_NEAR(*spectral_gap(p, 1e-8).value, *spectral_gap(other, 1e-8).value, 2e-8);
+  const auto a = lyapunov(p, 1e-6), b = lyapunov(other, 1e-6);
+  EXPECT_NEAR(*a.lambda1, *b.lambda1, 2e-6);
+  EXPECT_NEAR(a.sum, b.sum, 2e-6);
+}
+
+// A multiple of the Casimir in h moves nothing, whatever its sign.
+TEST(SphereProblem, AMultipleOfTheCasimirChangesNothing) {
+  auto p = spin(), other = p;
+  other.quadratic -= 3 * one;
+  const auto f = [](const vector& pi) { return pi[0] + pi[1] * pi[2]; };
+  EXPECT_NEAR(*stationary_mean(p, f, 1e-9).value, *stationary_mean(other, f, 1e-9).value, 2e-9);
+  EXPECT_NEAR(*lyapunov(p, 1e-6).lambda1, *lyapunov(other, 1e-6).lambda1, 2e-6);
+  EXPECT_NEAR(p.spread(), other.spread(), 1e-14);
+}
+
+// Isotropic noise keeps exp(-2 damping h / sigma^2): a uniaxial spin, exp(chi x_3^2).
+TEST(SphereProblem, AUniaxialSpinHasItsGibbsLaw) {
+  const double chi = 4.867276891849686, sigma2 = 0.5, damping = 0.25;
+  const sphere_problem p{vector(0, 0, -chi * sigma2 / damping).asDiagonal(), damping, 1, sigma2 * one};
+  const auto found = stationary_mean(p, *named_observable("pi3^2", p), 1e-10);
+  ASSERT_TRUE(found.converged()) << found.reason;
+  EXPECT_NEAR(*found.value, 0.757367637896, 1e-10);
+}
+
+// Without dissipation and anisotropy: precession in the field, while noise shrinks the mean.
+TEST(SphereProblem, ASpinInAFieldPrecesses) {
+  const vector b(0.3, -0.7, 0.4);
+  const sphere_problem p{matrix::Zero(), 0, 1, 0.3 * one, b};
+  const double t = 2;
+  const vector truth = std::exp(-0.3 * t) * (Eigen::AngleAxisd(-b.norm() * t, b.normalized()) * start);
+  for (int k = 0; k < 3; ++k) {
+    const auto found = expectation(
+        p, [k](const vector& pi) { return pi[k]; }, start, t, 1e-11);
+    EXPECT_NEAR(*found.value, truth[k], 1e-10);
+  }
+}
+
+// The gradient flow of a linear function is conformal: both exponents are half their sum, and the law of b.x is known.
+TEST(SphereProblem, AFieldAloneStretchesAllDirectionsAlike) {
+  const double b = 0.8, damping = 0.5, sigma2 = 0.4, c = 1.5, x = 2 * damping * b * c / sigma2;
+  const sphere_problem p{matrix::Zero(), damping, c, sigma2 * one, b * vector(2, -1, 2) / 3};
+  const double mean = -c * b * (1 / std::tanh(x) - 1 / x);  // E[b.Pi], Langevin
+  const auto found = lyapunov(p, 1e-9);
+  EXPECT_NEAR(found.sum, 2 * damping * mean, 1e-9);
+  EXPECT_NEAR(*found.lambda1, damping * mean, 1e-9);
+}
+
+// sigma_i(Pi) = sigma (e_i + alpha Pi x e_i / |Pi|): the generator is that of constant noise of strength
+// sigma sqrt(1 + alpha^2).
+TEST(SphereProblem, NoiseInsideTheDampingIsStrongerConstantNoise) {
+  const double sigma = 0.4, alpha = 0.7;
+  for (const double c : {1.0, 2.0}) {
+    auto p = spin();
+    p.radius = c;
+    auto constant = p;
+    constant.covariance = sigma * sigma * (1 + alpha * alpha) * one;
+    p.covariance.setZero();
+    for (int i = 0; i < 3; ++i) {
+      const vector e = vector::Unit(i);
+      matrix slope;  // Pi -> Pi x e
+      slope << 0, e[2], -e[1], -e[2], 0, e[0], e[1], -e[0], 0;
+      p.varying.push_back({sigma * e, sigma * alpha / c * slope});
+    }
+    const Eigen::MatrixXd varying = backward_operator(p, 8), truth = backward_operator(constant, 8);
+    EXPECT_LT((varying - truth).cwiseAbs().maxCoeff(), 3e-13 * truth.cwiseAbs().maxCoeff());
+    EXPECT_FALSE(lyapunov(p, 1e-6).lambda1);
+  }
+}
+
+TEST(SphereProblem, WhereNoLawIsUnique) {
+  const vector n = vector(1, 2, 2) / 3;
+  const matrix figure = n * n.transpose();
+  EXPECT_TRUE(conserves_a_component({one + 2 * figure, 0, 1, figure, 0.3 * n}));
+  EXPECT_FALSE(conserves_a_component({one + 2 * figure, 0.1, 1, figure, 0.3 * n}));    // damped
+  EXPECT_FALSE(conserves_a_component({one + 2 * figure, 0, 1, figure, {0.1, 0, 0}}));  // field across
+  EXPECT_FALSE(conserves_a_component({vector(1, 2, 3).asDiagonal(), 0, 1, figure}));   // no body of revolution
+  EXPECT_NE(no_unique_law({one + 2 * figure, 0.1, 1, figure, 0.3 * n}).find("equilibrium"), std::string::npos);
+  EXPECT_EQ(no_unique_law({one + 2 * figure, 0.1, 1, figure, {0.1, 0, 0}}), "");
+  EXPECT_EQ(no_unique_law(spin()), "");
+}
+
+}  // namespace
+}  // namespace polhode::test
