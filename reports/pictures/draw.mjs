@@ -8,7 +8,7 @@ const browser = await chromium.launch({
   executablePath: process.argv[2] ?? process.env.POLHODE_CHROMIUM ?? '/usr/bin/chromium',
   args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
 });
-const page = await (await browser.newContext({ viewport: { width: 1240, height: 1000 } })).newPage();
+const page = await (await browser.newContext({ viewport: { width: 1440, height: 1000 } })).newPage();
 await page.goto(new URL('../baseline/paper/report.html', import.meta.url).href);
 await page.waitForSelector('main');
 
@@ -20,7 +20,7 @@ async function shown(id) {
 }
 
 /** The rectangle on the page that holds these figures, without what stands below the key of a plot. */
-async function around(ids, bottom = '.key') {
+async function around(ids, bottom = '.legend') {
   for (const id of ids) await shown(id);
   const boxes = await page.evaluate(
     ([all, last]) =>
@@ -34,10 +34,11 @@ async function around(ids, bottom = '.key') {
   );
   const side = (k, most) => most(...boxes.map((b) => b[k]));
   const [left, top, right, end] = [side(0, Math.min), side(1, Math.min), side(2, Math.max), side(3, Math.max)];
-  return { x: left - 8, y: top - 8, width: right - left + 16, height: end - top + 16 };
+  return { x: left - 8, y: top - 8, width: right - left + 16, height: end - top + 10 };
 }
 
 await save('first_screen');
+await page.addStyleTag({ content: '.bar { display: none }' }); // it sticks to the screen
 await save('strong', await around(['strong.error.state']));
 await save('weak', await around(['weak.error.energy', 'weak.error.pi1', 'weak.error.pi2', 'weak.error.pi3']));
 await save('exponents', await around(['lyapunov.error.lambda-1', 'lyapunov.error.lambda-1-lambda-2']));
