@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "reports/model/scene.hpp"
+
 namespace polhode::report {
 
 inline constexpr int schema_version = 1;
@@ -40,18 +42,6 @@ struct provenance {
   std::string effort;
   std::string started;  ///< UTC, ISO 8601
   double wall_seconds = 0, cpu_seconds = 0;
-};
-
-/// The problem on which the schemes are tried.
-struct scene {
-  std::string name;
-  std::string system = "rigid_body";
-  std::array<double, 3> inertia{};
-  double theta = 0;                          ///< dissipation, >= 0
-  std::vector<std::array<double, 3>> sigma;  ///< the noise vectors sigma_i as given; empty or all zero: no noise
-  std::vector<double> momentum;              ///< initial momentum Pi_0
-  double horizon = 0;                        ///< end time T > 0
-  std::vector<std::int64_t> steps;           ///< numbers of steps to the horizon, strictly increasing
 };
 
 /// A scheme and what it claims.

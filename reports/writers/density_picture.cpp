@@ -1,6 +1,7 @@
 #include "reports/writers/density_picture.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -84,15 +85,20 @@ void mark_axes(raster& out) {
   mark_axis(out, lower_left + disc / 2, disc_top + disc / 2, "-e3");
 }
 
+std::string in_short(const parameter& p) {
+  if (p.shape == shape::number) return fmt::format("{:.6g}", p.rows[0][0]);
+  if (p.shape == shape::vector) return fmt::format("({:.6g})", fmt::join(p.rows[0], ", "));
+  std::string out;
+  for (const auto& row : p.rows) out += fmt::format("{}({:.4g})", out.empty() ? "" : " ", fmt::join(row, ", "));
+  return out.empty() ? "0" : out;
+}
+
 void draw_titles(raster& out, const simulation& s, const ensemble_snapshot& shown) {
   const auto first = fmt::format("{}: {}, dt = {:.6g}, t = {:.6g}", one_line(s.scene.name).substr(0, 40), s.scheme.name,
                                  s.dt, shown.state.time);
-  std::string sigma;
-  for (const auto& v : s.scene.sigma)
-    sigma += fmt::format("{}({:.4g}, {:.4g}, {:.4g})", sigma.empty() ? "" : " ", v[0], v[1], v[2]);
-  const auto& i = s.scene.inertia;
-  const auto second = fmt::format("I = ({:.6g}, {:.6g}, {:.6g})   theta = {:.6g}   sigma = {}", i[0], i[1], i[2],
-                                  s.scene.theta, sigma.empty() ? "0" : sigma);
+  std::string second;
+  for (const auto& p : s.scene.parameters)
+    second += fmt::format("{}{} = {}", second.empty() ? "" : "   ", p.name, in_short(p));
   const auto third = fmt::format("{} bodies ({} lost)   {} noise   {} start   seed {}", s.bodies, shown.state.lost,
                                  s.noise, s.start, s.provenance.seed);
   out.text(map_left, 14, first, 3, ink);

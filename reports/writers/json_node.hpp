@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -77,12 +76,6 @@ struct node {
     for (std::size_t i = 0; i < value.size(); ++i)
       rows.push_back(read(node{value[i], fmt::format("{}[{}]", where, i)}));
     return rows;
-  }
-
-  std::array<double, 3> triple() const {
-    if (!value.is_array() || value.size() != 3) refuse(where, "three numbers");
-    const auto all = list([](const node& n) { return n.number(); });
-    return {all[0], all[1], all[2]};
   }
 };
 

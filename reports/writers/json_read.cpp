@@ -1,6 +1,11 @@
 // Reading back what json.cpp wrote: every complaint names the place in the document.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
 #include "reports/model/errors.hpp"
 #include "reports/writers/json.hpp"
 #include "reports/writers/json_node.hpp"
@@ -32,13 +37,22 @@ provenance provenance_from(const node& n) {
           n["cpu_seconds"].number()};
 }
 
+/// Whatever a system calls its parameters: the keys that not every scene has.
+parameter parameter_from(std::string name, const node& n) {
+  const auto numbers_of = [](const node& one) { return one.list([](const node& x) { return x.number(); }); };
+  if (!n.value.is_array()) return {std::move(name), shape::number, {{n.number()}}};
+  if (!n.value.empty() && !n.value[0].is_array()) return {std::move(name), shape::vector, {numbers_of(n)}};
+  return {std::move(name), shape::vectors, n.list(numbers_of)};
+}
+
 scene scene_from(const node& n) {
+  constexpr std::array<std::string_view, 5> of_every_scene{"name", "system", "momentum", "horizon", "steps"};
   scene s;
   s.name = n["name"].text();
   s.system = n["system"].text();
-  s.inertia = n["inertia"].triple();
-  s.theta = n["theta"].number();
-  s.sigma = n["sigma"].list([](const node& one) { return one.triple(); });
+  for (const auto& [key, value] : n.value.items())
+    if (std::ranges::find(of_every_scene, key) == of_every_scene.end())
+      s.parameters.push_back(parameter_from(key, {value, n.where + "." + key}));
   s.momentum = n["momentum"].list([](const node& one) { return one.number(); });
   s.horizon = n["horizon"].number();
   s.steps = n["steps"].list([](const node& one) { return one.integer<std::int64_t>(); });

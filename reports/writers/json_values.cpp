@@ -34,17 +34,21 @@ json to_value(const provenance& p) {
           {"cpu_seconds", number(p.cpu_seconds)}};
 }
 
+json to_value(const parameter& p) {
+  if (p.shape == shape::number) return number(p.rows[0][0]);
+  if (p.shape == shape::vector) return numbers(p.rows[0]);
+  json all = json::array();
+  for (const auto& row : p.rows) all.push_back(numbers(row));
+  return all;
+}
+
 json to_value(const scene& s) {
-  json sigma = json::array();
-  for (const auto& vector : s.sigma) sigma.push_back(numbers(vector));
-  return {{"name", s.name},
-          {"system", s.system},
-          {"inertia", numbers(s.inertia)},
-          {"theta", number(s.theta)},
-          {"sigma", sigma},
-          {"momentum", numbers(s.momentum)},
-          {"horizon", number(s.horizon)},
-          {"steps", s.steps}};
+  json out{{"name", s.name}, {"system", s.system}};
+  for (const auto& p : s.parameters) out[p.name] = to_value(p);
+  out["momentum"] = numbers(s.momentum);
+  out["horizon"] = number(s.horizon);
+  out["steps"] = s.steps;
+  return out;
 }
 
 json to_value(const scheme& s) {

@@ -148,9 +148,10 @@ void append_scene(std::string& out, const scene& s) {
   append_head(out, {"key", "value"});
   append_row(out, {"name", safe(s.name)});
   append_row(out, {"system", safe(s.system)});
-  append_row(out, {"inertia", fmt::format("{}", fmt::join(s.inertia, ", "))});
-  append_row(out, {"theta", fmt::format("{}", s.theta)});
-  append_row(out, {"sigma", shortened(fmt::format("{}", fmt::join(s.sigma, ", ")), longest_text)});
+  for (const auto& p : s.parameters)
+    append_row(out, {safe(p.name), shortened(p.shape == shape::vectors ? fmt::format("{}", fmt::join(p.rows, ", "))
+                                                                       : fmt::format("{}", fmt::join(p.rows[0], ", ")),
+                                             longest_text)});
   append_row(out, {"momentum", fmt::format("{}", fmt::join(s.momentum, ", "))});
   append_row(out, {"horizon", fmt::format("{}", s.horizon)});
   append_row(out, {"steps", shortened(fmt::format("{}", fmt::join(s.steps, ", ")), longest_text)});

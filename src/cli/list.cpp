@@ -12,6 +12,7 @@
 #include "reports/writers/json.hpp"
 #include "run/verify.hpp"
 #include "scene/builtin.hpp"
+#include "systems/systems.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -63,6 +64,44 @@ listing catalog(const Catalog& all) {
   return out;
 }
 
+std::string_view name_of(report::shape s) {
+  switch (s) {
+    case report::shape::number: return "number";
+    case report::shape::vector: return "numbers";
+    case report::shape::vectors: return "list of vectors";
+  }
+  return "";
+}
+
+/// Null where a scene has to say it.
+json default_of(const parameter_rule& p) {
+  if (!p.fallback) return nullptr;
+  if (p.shape == report::shape::number) return (*p.fallback)[0][0];
+  return p.shape == report::shape::vector ? json((*p.fallback)[0]) : json(*p.fallback);
+}
+
+listing list_of_systems() {
+  listing out;
+  for (const auto& s : systems()) {
+    std::string text{s.title};
+    auto parameters = json::array();
+    auto all = s.parameters;
+    all.push_back(momentum_rule(s));
+    for (const auto& p : all) {
+      text += fmt::format("\n{}: {} ({}{}{})", p.name, p.meaning, p.accepts, p.unit.empty() ? "" : "; unit ", p.unit);
+      parameters.push_back({{"name", p.name},
+                            {"shape", name_of(p.shape)},
+                            {"unit", p.unit},
+                            {"default", default_of(p)},
+                            {"accepts", p.accepts},
+                            {"meaning", p.meaning}});
+    }
+    out.text.push_back({std::string(s.name), text});
+    out.objects.push_back({{"name", s.name}, {"title", s.title}, {"parameters", parameters}});
+  }
+  return out;
+}
+
 struct subject {
   std::string name;
   listing (*list)();
@@ -72,7 +111,7 @@ const std::vector<subject>& subjects() {
                                         {"experiments", experiments},
                                         {"scenes", [] { return catalog(builtin_scene_table()); }},
                                         {"observables", [] { return catalog(list_observables()); }},
-                                        {"systems", [] { return catalog(list_systems()); }}};
+                                        {"systems", list_of_systems}};
   return all;
 }
 

@@ -25,7 +25,7 @@ std::string to_come_of(const results& r) {
 void compare_settings(const results& before, const results& after, comparison& out) {
   const auto& a = before.provenance;
   const auto& b = after.provenance;
-  const auto note = [&](const char* what, const auto& x, const auto& y) {
+  const auto note = [&](std::string_view what, const auto& x, const auto& y) {
     if (x != y) out.settings.push_back(fmt::format("{}: {}, now {}", what, x, y));
   };
   note("version", a.version, b.version);
@@ -46,16 +46,19 @@ void compare_settings(const results& before, const results& after, comparison& o
 }  // namespace
 
 void check_same_scene(const report::scene& a, const report::scene& b) {
-  const auto differ = [&](const char* key) {
+  const auto differ = [&](std::string_view key) {
     throw input_error(
         fmt::format("the two results are of different scenes ({} differs: '{}' and '{}'); accepted: two "
                     "results of one scene",
                     key, a.name, b.name));
   };
   if (a.system != b.system) differ("system");
-  if (a.inertia != b.inertia) differ("inertia");
-  if (a.theta != b.theta) differ("theta");
-  if (a.sigma != b.sigma) differ("sigma");
+  for (const auto& p : a.parameters) {
+    const auto other = std::ranges::find(b.parameters, p.name, &report::parameter::name);
+    if (other == b.parameters.end() || !(*other == p)) differ(p.name);
+  }
+  for (const auto& p : b.parameters)
+    if (std::ranges::find(a.parameters, p.name, &report::parameter::name) == a.parameters.end()) differ(p.name);
   if (a.momentum != b.momentum) differ("momentum");
   if (a.horizon != b.horizon) differ("horizon");
 }

@@ -9,7 +9,7 @@ namespace polhode {
 
 inline Eigen::Matrix3d noise_covariance(const report::scene& s) {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (const auto& v : s.sigma) {
+  for (const auto& v : s.vectors("sigma")) {
     const Eigen::Map<const Eigen::Vector3d> e(v.data());
     covariance += e * e.transpose();
   }

@@ -38,7 +38,7 @@ struct subject {
 
   subject without_noise() const {
     auto still = scene;
-    still.sigma.clear();
+    still.vectors("sigma").clear();
     return with(still);
   }
 };

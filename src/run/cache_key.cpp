@@ -45,8 +45,10 @@ const std::string& build_identity() {
 
 /// Numbers as the shortest text that reads back as the same number.
 std::string text_of(const report::scene& s) {
-  return fmt::format("system {}\ninertia {}\ntheta {}\nsigma {}\nmomentum {}\nhorizon {}\nsteps {}\n", s.system,
-                     s.inertia, s.theta, s.sigma, s.momentum, s.horizon, s.steps);
+  std::string parameters;
+  for (const auto& p : s.parameters) parameters += fmt::format("{} {}\n", p.name, p.rows);
+  return fmt::format("system {}\n{}momentum {}\nhorizon {}\nsteps {}\n", s.system, parameters, s.momentum, s.horizon,
+                     s.steps);
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ std::vector<std::string> remarks_on(const scene& s, const prepared_run& r) {
   std::vector<std::string> out;
   const auto& m = *r.subject.model;
   if (m.active_channels() == 0 || r.plan.noise == ensemble_noise::none)
-    out.emplace_back(s.theta > 0 ? "without noise the attractor is the set of equilibria, and no number is drawn"
+    out.emplace_back(s.number("theta") > 0 ? "without noise the attractor is the set of equilibria, and no number is drawn"
                                  : "without noise and dissipation every body stays on its orbit; no number is drawn");
   if (r.plan.with_areas && m.active_channels() > 1 && r.plan.noise != ensemble_noise::none)
     out.emplace_back("areas are drawn from the weak surrogate: right in law to weak order two, not path by path");

@@ -156,8 +156,7 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
 }  // namespace
 
 subject bind_scene(const scene& s) {
-  for (const auto& system : systems())
-    if (system.name == s.system) return system.bind(s);
+  if (const auto* system = find_system(s.system)) return system->bind(s);
   throw input_error(fmt::format("scene {}: system = \"{}\" is not known", s.name, s.system));
 }
 
@@ -220,12 +219,6 @@ std::vector<catalog_entry> list_observables() {
           {"pi3^2", "Pi_3^2"},
           {"exp(pi3)", "exp(Pi_3)"},
           {"casimir", "1/2 |Pi|^2"}};
-}
-
-std::vector<catalog_entry> list_systems() {
-  std::vector<catalog_entry> out;
-  for (const auto& s : systems()) out.push_back({std::string(s.name), std::string(s.title)});
-  return out;
 }
 
 }  // namespace polhode

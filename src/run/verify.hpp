@@ -51,6 +51,5 @@ struct catalog_entry {
 std::vector<report::scheme> list_schemes();
 std::vector<report::experiment> list_experiments();
 std::vector<catalog_entry> list_observables();
-std::vector<catalog_entry> list_systems();
 
 }  // namespace polhode

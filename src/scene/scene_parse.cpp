@@ -17,13 +17,12 @@
 namespace polhode {
 namespace {
 
-using triple = std::array<double, 3>;
 constexpr std::size_t longest_name = 100, most_levels = 64;
 constexpr std::int64_t most_steps = 1'000'000'000;
 
 std::vector<std::string> system_names() {
   std::vector<std::string> names;
-  for (const auto& system : systems()) names.emplace_back(system.name);
+  for (const auto& one : systems()) names.emplace_back(one.name);
   return names;
 }
 
@@ -31,23 +30,19 @@ std::vector<std::string> system_names() {
 struct key_rule {
   std::string key, accepted;
 };
-const std::vector<key_rule>& rules() {
-  static const std::vector<key_rule> all{
-      {"name", fmt::format("text of 1 to {} bytes without control characters", longest_name)},
-      {"system", fmt::format("{}", fmt::join(system_names(), ", "))},
-      {"inertia", "three finite numbers > 0"},
-      {"theta", "a finite number >= 0"},
-      {"sigma", "a finite number, three of them, or a list of vectors of three"},
-      {"momentum", "three finite numbers, not all zero"},
-      {"horizon", "a finite number > 0"},
-      {"steps", fmt::format("1 to {} strictly increasing integers from 1 to {}", most_levels, most_steps)}};
-  return all;
-}
 
-std::vector<std::string> keys() {
-  std::vector<std::string> names;
-  for (const auto& rule : rules()) names.push_back(rule.key);
-  return names;
+/// Of any scene, and in their place those of its system; of every system where it names none.
+std::vector<key_rule> rules_for(const system_entry* system) {
+  std::vector<key_rule> all{{"name", fmt::format("text of 1 to {} bytes without control characters", longest_name)},
+                            {"system", fmt::format("{}", fmt::join(system_names(), ", "))}};
+  for (const auto& one : systems())
+    if (system == nullptr || system == &one)
+      for (const auto& p : one.parameters)
+        if (std::ranges::find(all, p.name, &key_rule::key) == all.end()) all.push_back({p.name, p.accepts});
+  all.push_back({"momentum", momentum_rule(system != nullptr ? *system : systems().front()).accepts});
+  all.push_back({"horizon", "a finite number > 0"});
+  all.push_back({"steps", fmt::format("1 to {} strictly increasing integers from 1 to {}", most_levels, most_steps)});
+  return all;
 }
 
 std::optional<double> number(const toml::node& node) {
@@ -57,40 +52,31 @@ std::optional<double> number(const toml::node& node) {
   return std::isfinite(value) ? std::optional{value} : std::nullopt;
 }
 
-std::optional<triple> vector_of_three(const toml::node& node) {
-  const auto* array = node.as_array();
-  if (array == nullptr || array->size() != 3) return {};
-  triple out{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto entry = number((*array)[i]);
-    if (!entry) return {};
-    out[i] = *entry;
-  }
-  return out;
-}
-
-bool is_zero(const triple& v) { return v == triple{}; }
-using noise_vectors = std::vector<triple>;
-noise_vectors along_axes(const triple& s) { return {{s[0], 0, 0}, {0, s[1], 0}, {0, 0, s[2]}}; }
-
-std::optional<noise_vectors> noise_as_given(const toml::node& node) {
-  if (const auto s = number(node)) return along_axes({*s, *s, *s});
-  if (const auto s = vector_of_three(node)) return along_axes(*s);
+std::optional<std::vector<double>> vector_of_numbers(const toml::node& node) {
   const auto* array = node.as_array();
   if (array == nullptr) return {};
-  noise_vectors out;
+  std::vector<double> out;
   for (const auto& entry : *array) {
-    const auto vector = vector_of_three(entry);
-    if (!vector) return {};
-    out.push_back(*vector);
+    const auto one = number(entry);
+    if (!one) return {};
+    out.push_back(*one);
   }
   return out;
 }
 
-std::optional<noise_vectors> noise(const toml::node& node) {
-  auto vectors = noise_as_given(node);
-  if (vectors) std::erase_if(*vectors, is_zero);
-  return vectors;
+/// In the shape that it has; an empty list is one of vectors.
+std::optional<report::parameter> as_given(const toml::node& node) {
+  if (const auto x = number(node)) return report::parameter{"", report::shape::number, {{*x}}};
+  const auto* array = node.as_array();
+  if (array == nullptr) return {};
+  if (auto v = vector_of_numbers(node); v && !v->empty()) return report::parameter{"", report::shape::vector, {*v}};
+  report::parameter out{"", report::shape::vectors, {}};
+  for (const auto& entry : *array) {
+    auto one = vector_of_numbers(entry);
+    if (!one) return {};
+    out.rows.push_back(*std::move(one));
+  }
+  return out;
 }
 
 std::optional<std::vector<std::int64_t>> step_counts(const toml::node& node) {
@@ -123,10 +109,12 @@ std::string shown(const toml::node& node) {
 /// One table, read key by key; each fault is refused by file, line, key and value.
 class reader {
  public:
-  reader(std::string_view source, const toml::table& table) : source_{source}, table_{table} {
+  reader(std::string_view source, const toml::table& table)
+      : source_{source}, table_{table}, rules_{rules_for(find_system(table["system"].value_or(std::string_view{})))} {
+    std::vector<std::string> known;
+    for (const auto& rule : rules_) known.push_back(rule.key);
     if (table.empty())
-      throw input_error(fmt::format("{}: holds no keys; accepted: {}", source_, fmt::join(keys(), ", ")));
-    const auto known = keys();
+      throw input_error(fmt::format("{}: holds no keys; accepted: {}", source_, fmt::join(known, ", ")));
     for (const auto& [key, node] : table) {
       if (std::ranges::find(known, key.str()) != known.end()) continue;
       throw input_error(fmt::format("{}:{}: {} = {}: unknown key{}; accepted: {}", source_, key.source().begin.line,
@@ -139,7 +127,7 @@ class reader {
 
   template <class Parse>
   auto read(std::string_view key, Parse parse, const std::vector<std::string>& known = {}) const {
-    const auto& accepted = std::ranges::find(rules(), key, &key_rule::key)->accepted;
+    const auto& accepted = std::ranges::find(rules_, key, &key_rule::key)->accepted;
     const auto* node = table_.get(key);
     if (node == nullptr) throw input_error(fmt::format("{}: {} is missing; accepted: {}", source_, key, accepted));
     if (auto value = parse(*node)) return *std::move(value);
@@ -151,7 +139,16 @@ class reader {
  private:
   std::string_view source_;
   const toml::table& table_;
+  std::vector<key_rule> rules_;
 };
+
+report::parameter read_parameter(const reader& keys, const parameter_rule& rule) {
+  if (rule.fallback && !keys.has(rule.name)) return {rule.name, rule.shape, *rule.fallback};
+  return {rule.name, rule.shape, keys.read(rule.name, [&](auto& node) -> std::optional<report::number_rows> {
+            const auto given = as_given(node);
+            return given ? rule.read(given->rows, given->shape) : std::nullopt;
+          })};
+}
 
 std::optional<std::string> text(const toml::node& node) { return node.value_exact<std::string>(); }
 
@@ -172,22 +169,17 @@ scene parse_scene(std::string_view source_text, std::string_view source, std::st
   const auto systems = system_names();
   const auto positive = [](double x) { return x > 0; };
   const auto is_system = [&](const std::string& name) { return std::ranges::find(systems, name) != systems.end(); };
-  const auto all_positive = [&](const triple& v) { return std::ranges::all_of(v, positive); };
-  const auto not_zero = [](const triple& v) { return !is_zero(v); };
-
   scene out;
   out.name = default_name;
   if (keys_of.has("name")) out.name = keys_of.read("name", [](auto& n) { return only_if(text(n), is_name); });
   if (!is_name(out.name))
     throw input_error(fmt::format("{}: name is missing and the file's own does not do; accepted: {}", source,
-                                  rules().front().accepted));
+                                  rules_for(nullptr).front().accepted));
   out.system = keys_of.read(
       "system", [&](auto& n) { return only_if(text(n), is_system); }, systems);
-  out.inertia = keys_of.read("inertia", [&](auto& n) { return only_if(vector_of_three(n), all_positive); });
-  out.theta = keys_of.read("theta", [](auto& n) { return only_if(number(n), [](double x) { return x >= 0; }); });
-  out.sigma = keys_of.read("sigma", noise);
-  const auto momentum = keys_of.read("momentum", [&](auto& n) { return only_if(vector_of_three(n), not_zero); });
-  out.momentum.assign(momentum.begin(), momentum.end());
+  const auto& of = *find_system(out.system);
+  for (const auto& rule : of.parameters) out.parameters.push_back(read_parameter(keys_of, rule));
+  out.momentum = read_parameter(keys_of, momentum_rule(of)).rows.front();
   out.horizon = keys_of.read("horizon", [&](auto& n) { return only_if(number(n), positive); });
   out.steps = {4, 8, 16, 32, 64};
   if (keys_of.has("steps")) out.steps = keys_of.read("steps", step_counts);

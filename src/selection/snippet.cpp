@@ -11,8 +11,9 @@ namespace {
 
 std::string body_of(const report::scene& s) {
   std::vector<std::string> vectors;
-  for (const auto& v : s.sigma) vectors.push_back(fmt::format("{{{{{}}}}}", fmt::join(v, ", ")));
-  const std::string head = fmt::format("  const rigid_body body({{{}}}, {}, ", fmt::join(s.inertia, ", "), s.theta);
+  for (const auto& v : s.vectors("sigma")) vectors.push_back(fmt::format("{{{{{}}}}}", fmt::join(v, ", ")));
+  const std::string head =
+      fmt::format("  const rigid_body body({{{}}}, {}, ", fmt::join(s.vector("inertia"), ", "), s.number("theta"));
   if (vectors.empty()) return head + "rigid_body::isotropic(0));\n";
   return fmt::format("  const vec<double, 3> sigma[] = {{{}}};\n{}rigid_body::from_vectors(sigma));\n",
                      fmt::join(vectors, ", "), head);

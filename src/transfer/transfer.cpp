@@ -89,7 +89,9 @@ Eigen::MatrixXd law_after_steps(Eigen::MatrixXd law, Eigen::MatrixXd power, std:
 
 std::optional<sphere_problem> sphere_problem_of(const subject& s) {
   if (s.scene.system != "rigid_body" || s.model->dimension() != 3) return std::nullopt;
-  return body_on_sphere(s.scene.inertia, s.scene.theta, length(s.scene.momentum), noise_covariance(s.scene));
+  const auto& i = s.scene.vector("inertia");
+  return body_on_sphere({i[0], i[1], i[2]}, s.scene.number("theta"), length(s.scene.momentum),
+                        noise_covariance(s.scene));
 }
 
 sphere_problem with_more_noise(sphere_problem p, double share) {

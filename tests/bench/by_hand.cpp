@@ -16,8 +16,9 @@ loop peak_loop(isa level) {
 
 std::vector<double> heun_by_hand(isa level, const report::scene& scene, int steps, double dt) {
   choose_isa(level);
-  const double a = 1 / scene.inertia[0], b = 1 / scene.inertia[1], c = 1 / scene.inertia[2];
-  const heun_constants constants{dt * (a - b), scene.theta * dt * (a - c), dt * (c - b), scene.theta};
+  const auto& inertia = scene.vector("inertia");
+  const double a = 1 / inertia[0], b = 1 / inertia[1], c = 1 / inertia[2], theta = scene.number("theta");
+  const heun_constants constants{dt * (a - b), theta * dt * (a - c), dt * (c - b), theta};
   std::vector<double> states;
   for (const double x : scene.momentum) states.insert(states.end(), paths_by_hand, x);
   by_isa(POLHODE_ENTRIES(polhode_bench_heun_))(states.data(), paths_by_hand, steps, &constants);

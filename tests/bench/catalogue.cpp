@@ -80,13 +80,13 @@ void add_threads() {
 std::vector<scene_feature> scene_features() {
   std::vector<scene_feature> features(5, {"paper", paper()});
   features[1].name = "theta_zero";
-  features[1].scene.theta = 0;
+  features[1].scene.number("theta") = 0;
   features[2].name = "two_equal";
-  features[2].scene.inertia = {1, 1, 3};
+  features[2].scene.vector("inertia") = {1, 1, 3};
   features[3].name = "three_equal";
-  features[3].scene.inertia = {1, 1, 1};
+  features[3].scene.vector("inertia") = {1, 1, 1};
   features[4].name = "general_sigma";
-  features[4].scene.sigma = {{0.5, 0.1, 0}, {0, 0.4, 0.2}, {0.1, 0, 0.3}};
+  features[4].scene.vectors("sigma") = {{0.5, 0.1, 0}, {0, 0.4, 0.2}, {0.1, 0, 0.3}};
   return features;
 }
 

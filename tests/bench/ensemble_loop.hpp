@@ -32,7 +32,7 @@ class ensemble_block {
   /// No noise: the scene without its noise vectors.
   ensemble_block(isa level, report::scene scene, std::string_view scheme, ensemble_noise noise)
       : level_(level), noise_(noise) {
-    if (noise == ensemble_noise::none) scene.sigma.clear();
+    if (noise == ensemble_noise::none) scene.vectors("sigma").clear();
     choose_isa(level);
     bound_ = bind_rigid_body(scene);
     const auto entry = std::ranges::find(bound_.schemes, scheme, [](const auto& e) { return e.info.name; });

@@ -121,6 +121,11 @@ class Streams(Case):
             text = self.run_it('list', what)[1]
             for e in entries: self.assertIn(e['name'], text)
         self.assertEqual(json.loads(self.run_it('list', 'scenes', '--format', 'json')[1])[0]['name'], 'paper')
+        for system in json.loads(self.run_it('list', 'systems', '--format', 'json')[1]):
+            table = system['parameters']
+            for p in table: self.assertEqual(set(p), {'name', 'shape', 'unit', 'default', 'accepts', 'meaning'})
+            self.assertEqual(table[-1]['name'], 'momentum')
+            if system['name'] == 'rigid_body': self.assertEqual([p['name'] for p in table], ['inertia', 'theta', 'sigma', 'momentum'])
 
     def test_narrow(self):
         for args in (('list', 'scenes'), ('list', 'schemes'), ('list', 'experiments'), ('verify', *FAST)):

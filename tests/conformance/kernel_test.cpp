@@ -45,8 +45,8 @@ TYPED_TEST(Kernel, AgreesWithTheScalarStepOverAThousandSteps) {
         auto mu = paper_momentum;
         for (int i = 0; i < steps; ++i) mu = TypeParam::step(system, mu, w.at(i, lane));
         EXPECT_LE(distance(mu, state_at(states, lane)), 1e-13)
-            << TypeParam::info.name << " on " << name_of(level) << ", inertia " << scene.inertia[0] << scene.inertia[1]
-            << scene.inertia[2] << ", theta " << scene.theta << ", " << scene.sigma.size() << " vectors";
+            << TypeParam::info.name << " on " << name_of(level) << ", inertia " << scene.vector("inertia")[0] << scene.vector("inertia")[1]
+            << scene.vector("inertia")[2] << ", theta " << scene.number("theta") << ", " << scene.vectors("sigma").size() << " vectors";
       }
     }
   }

@@ -71,7 +71,7 @@ TYPED_TEST(Tangents, IsTheDerivativeOfTheOrdinaryKernel) {
     choose_isa(level);
     for (const auto& scene : every_part()) {
       const auto name = std::string(TypeParam::info.name) + " on " + std::string(name_of(level)) + ", inertia " +
-                        std::to_string(scene.inertia[1]) + ", theta " + std::to_string(scene.theta);
+                        std::to_string(scene.vector("inertia")[1]) + ", theta " + std::to_string(scene.number("theta"));
       const auto s = only(bind_rigid_body(scene), TypeParam::info.name);
       expect_derivative(s, 200, 0.01, name);
       expect_derivative(s, 6, 0.3, name);

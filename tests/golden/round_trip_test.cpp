@@ -52,8 +52,16 @@ class maker {
     report::results r;
     r.provenance = {text(), text(),    text(), text(), text(),   text(),  text(),
                     3,      random_(), text(), text(), number(), number()};
-    r.scene = {text(),   text(),        {number(), number(), number()}, number(), {{number(), 0, 1}}, {number()},
-               number(), {1, 1LL << 60}};
+    using report::shape;
+    r.scene = {text(),
+               text(),
+               {{"i", shape::vector, {{number(), number(), number()}}},
+                {"theta", shape::number, {{number()}}},
+                {text(), shape::vectors, {{number(), 0, 1}, {}}},
+                {"none", shape::vectors, {}}},
+               {number()},
+               number(),
+               {1, 1LL << 60}};
     for (int i = 0; i < 5; ++i) {
       r.schemes.push_back({text(), text(), text(), text(), i % 2 == 0, i > 2, number(), number(), i, i > 1, number()});
       r.experiments.push_back({text(), text(), {text(), text()}});
@@ -164,7 +172,8 @@ TEST(round_trip, foreign_text_is_refused) {
   expect_refused(changed("\"threads\":2", "\"threads\":-2.5"));
   expect_refused(changed("\"threads\":2", "\"threads\":4294967296"));
   expect_refused(changed("\"verdict\":\"refuted\"", "\"verdict\":\"fine\""));
-  expect_refused(changed("\"inertia\":[1.0,2.0,3.0]", "\"inertia\":[1.0,2.0]"));
+  expect_refused(changed("\"inertia\":[1.0,2.0,3.0]", "\"inertia\":[1.0,[2.0]]"));
+  expect_refused(changed("\"theta\":0.5", "\"theta\":\"a lot\""));
   expect_refused(changed("\"fitted\":false", "\"fitted\":0"));
   expect_refused(changed("\"results_reused\":3", "\"results_reused\":-3"));
   auto with_density = sample();

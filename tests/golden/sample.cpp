@@ -137,9 +137,9 @@ results sample() {
                   0.1};
   r.scene.name = hostile;
   r.scene.system = "rigid_body";
-  r.scene.inertia = {1, 2, 3};
-  r.scene.theta = 0.5;
-  r.scene.sigma = {{0.5, 0, 0}, {0, 0.1, 0}, {0, 0, 1e-7}};
+  r.scene.vector("inertia") = {1, 2, 3};
+  r.scene.number("theta") = 0.5;
+  r.scene.vectors("sigma") = {{0.5, 0, 0}, {0, 0.1, 0}, {0, 0, 1e-7}};
   r.scene.momentum = {0.6, 0.48, 0.64};
   r.scene.horizon = 2;
   r.scene.steps = {4, 8, 16, 32, 64};

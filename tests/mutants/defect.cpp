@@ -73,12 +73,12 @@ bool is_of_kernel(kind k) { return k >= kind::sub_flow && k <= kind::ito_drift; 
 bool is_of_step(kind k) { return k >= kind::dissipation_sign && k <= kind::flip; }
 
 report::scene changed(report::scene s, const defect& d) {
-  const auto vectors = d.kind == kind::noise ? s.sigma.size() : d.kind == kind::channel_1 ? 1 : 0;
-  for (std::size_t i = 0; i < std::min(vectors, s.sigma.size()); ++i)
-    for (double& x : s.sigma[i]) x *= 1 + d.size;
-  if (d.kind == kind::theta) s.theta *= 1 + d.size;
+  const auto vectors = d.kind == kind::noise ? s.vectors("sigma").size() : d.kind == kind::channel_1 ? 1 : 0;
+  for (std::size_t i = 0; i < std::min(vectors, s.vectors("sigma").size()); ++i)
+    for (double& x : s.vectors("sigma")[i]) x *= 1 + d.size;
+  if (d.kind == kind::theta) s.number("theta") *= 1 + d.size;
   if (d.kind >= kind::inertia_1 && d.kind <= kind::inertia_3)
-    s.inertia[static_cast<std::size_t>(d.kind) - static_cast<std::size_t>(kind::inertia_1)] *= 1 + d.size;
+    s.vector("inertia")[static_cast<std::size_t>(d.kind) - static_cast<std::size_t>(kind::inertia_1)] *= 1 + d.size;
   return s;
 }
 

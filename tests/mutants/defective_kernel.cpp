@@ -35,7 +35,7 @@ void redraw_areas(std::vector<double>& area, std::span<const double> dw, double 
 /// The state after a step of every lane, [component][lane].
 class state_defect {
  public:
-  state_defect(const defect& d, const report::scene& scene) : defect_(d), sigma_(scene.sigma) {}
+  state_defect(const defect& d, const report::scene& scene) : defect_(d), sigma_(scene.vectors("sigma")) {}
 
   void apply(std::span<const double> before, std::span<double> states, double dt) const {
     for (std::size_t lane = 0; lane < block_lanes; ++lane) {
@@ -76,7 +76,7 @@ class state_defect {
   }
 
   defect defect_;
-  std::vector<std::array<double, 3>> sigma_;
+  report::number_rows sigma_;
 };
 
 class defective_kernel final : public kernel {

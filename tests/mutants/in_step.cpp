@@ -92,7 +92,7 @@ scheme_entry bound(const report::scene& scene, double flaw) {
 /// Lie-Heun with the dissipation of the sign that the paper prints: scenes themselves refuse a negative theta.
 scheme_entry with_printed_sign(const report::scene& scene) {
   const auto make = [](report::scene s) {
-    s.theta = -s.theta;
+    s.number("theta") *= -1;
     return flawed_body(make_rigid_body(s), 0);
   };
   return bind(scene, make, scheme_list<uneven_weights>{}).schemes.front();

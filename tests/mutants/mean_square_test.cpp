@@ -52,7 +52,7 @@ TEST(MeanSquare, AnOrderTooMuchIsRefuted) {
 
 TEST(MeanSquare, WithoutNoiseNothingIsSaid) {
   auto s = load_scene("paper");
-  s.sigma.clear();
+  s.vectors("sigma").clear();
   const auto bound = planted(s, "strang", {});
   const context c{bound, effort::quick, 1, 1};
   report::results out;

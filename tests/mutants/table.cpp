@@ -137,7 +137,7 @@ std::vector<row> rows_of(const std::vector<block>& blocks) {
 report::scene with_noise(double sigma, std::string name) {
   auto s = load_scene("paper");
   s.name = std::move(name);
-  for (std::size_t i = 0; i < 3; ++i) s.sigma[i][i] = sigma;
+  for (std::size_t i = 0; i < 3; ++i) s.vectors("sigma")[i][i] = sigma;
   return s;
 }
 
@@ -147,7 +147,7 @@ report::scene hard() {
   auto s = load_scene("anisotropic");
   s.name = "hard";
   s.momentum = {3, 2.4, 3.2};
-  s.sigma = {{1.0, 0, 0}, {0, 1.5, 0}, {0.5, 0, 2.0}};
+  s.vectors("sigma") = {{1.0, 0, 0}, {0, 1.5, 0}, {0.5, 0, 2.0}};
   return s;
 }
 

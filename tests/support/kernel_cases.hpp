@@ -10,13 +10,13 @@
 
 namespace polhode::test {
 
-using triple = std::array<double, 3>;
+using triple = std::vector<double>;
 
 inline report::scene with_parts(triple inertia, double theta, std::vector<triple> sigma) {
   auto scene = load_scene("paper");
-  scene.inertia = inertia;
-  scene.theta = theta;
-  scene.sigma = std::move(sigma);
+  scene.vector("inertia") = inertia;
+  scene.number("theta") = theta;
+  scene.vectors("sigma") = std::move(sigma);
   return scene;
 }
 

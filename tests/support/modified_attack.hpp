@@ -21,23 +21,23 @@ inline report::scene drawn_body(std::mt19937_64& random) {
   const auto between = [&](double low, double high) { return low * std::pow(high / low, unit(random)); };
   auto scene = load_scene("paper");
   scene.name = "drawn";
-  for (auto& i : scene.inertia) i = between(0.5, 4);
-  if (unit(random) < 0.2) scene.inertia[1] = scene.inertia[0];
-  scene.theta = unit(random) < 0.2 ? 0 : between(0.05, 2);
+  for (auto& i : scene.vector("inertia")) i = between(0.5, 4);
+  if (unit(random) < 0.2) scene.vector("inertia")[1] = scene.vector("inertia")[0];
+  scene.number("theta") = unit(random) < 0.2 ? 0 : between(0.05, 2);
   const double radius = between(0.3, 3), strength = between(0.1, 1);
   Eigen::Vector3d at(normal(random), normal(random), normal(random));
   at *= radius / at.norm();
   scene.momentum = {at[0], at[1], at[2]};
-  scene.sigma.clear();
+  scene.vectors("sigma").clear();
   const int kind = static_cast<int>(5 * unit(random));  // none, one vector, isotropic, along the axes, any
   const int vectors = kind == 0 ? 0 : kind == 1 ? 1 : 3;
   for (int k = 0; k < vectors; ++k) {
-    std::array<double, 3> v{};
+    std::vector<double> v(3);
     for (int i = 0; i < 3; ++i) {
       const double size = kind == 2 ? 1 : normal(random);
       v[static_cast<std::size_t>(i)] = kind == 2 || kind == 3 ? (i == k ? strength * size : 0) : strength * size;
     }
-    scene.sigma.push_back(v);
+    scene.vectors("sigma").push_back(v);
   }
   return scene;
 }
@@ -45,8 +45,8 @@ inline report::scene drawn_body(std::mt19937_64& random) {
 /// All of it, to be drawn again.
 inline std::string words(const report::scene& scene) {
   std::string text = fmt::format("inertia = [{:.17g}]\ntheta = {:.17g}\nmomentum = [{:.17g}]\nsigma = [",
-                                 fmt::join(scene.inertia, ", "), scene.theta, fmt::join(scene.momentum, ", "));
-  for (const auto& v : scene.sigma) text += fmt::format("[{:.17g}], ", fmt::join(v, ", "));
+                                 fmt::join(scene.vector("inertia"), ", "), scene.number("theta"), fmt::join(scene.momentum, ", "));
+  for (const auto& v : scene.vectors("sigma")) text += fmt::format("[{:.17g}], ", fmt::join(v, ", "));
   return text + "]";
 }
 

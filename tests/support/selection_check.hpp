@@ -25,10 +25,10 @@ inline scene random_scene(std::mt19937_64& random, int number) {
   const auto between = [&](double a, double b) { return std::uniform_real_distribution(a, b)(random); };
   auto s = load_scene("paper");
   s.name = "random" + std::to_string(number);
-  s.inertia = {between(0.7, 1.5), between(1.5, 2.5), between(2.5, 4)};
-  s.theta = between(0.1, 1);
+  s.vector("inertia") = {between(0.7, 1.5), between(1.5, 2.5), between(2.5, 4)};
+  s.number("theta") = between(0.1, 1);
   const double sigma = between(0.3, 0.8), c = between(0.7, 1.5);
-  s.sigma = {{sigma, 0, 0}, {0, sigma, 0}, {0, 0, sigma}};
+  s.vectors("sigma") = {{sigma, 0, 0}, {0, sigma, 0}, {0, 0, sigma}};
   for (double& p : s.momentum) p *= c;
   s.horizon = between(1, 3);
   return s;

@@ -90,7 +90,7 @@ TEST_F(Cache, KernelsAreMadeForWhatIsNewOnly) {
   EXPECT_EQ(made(), names{});
   options.schemes = {"heun", "magnus", "strang"};
   EXPECT_EQ(made(), names{"magnus"});
-  scene.sigma[0][0] = 0.25;
+  scene.vectors("sigma")[0][0] = 0.25;
   EXPECT_EQ(made(), options.schemes);
 }
 
@@ -109,10 +109,10 @@ TEST_F(Cache, EveryInputCounts) {
     options = options_before;
     EXPECT_EQ(counted(), reused) << "back from " << what;
   };
-  changed("sigma", [&] { scene.sigma[1][1] = 0.5000000000000001; });
-  changed("no sigma", [&] { scene.sigma.clear(); });
-  changed("theta", [&] { scene.theta = 0.25; });
-  changed("inertia", [&] { scene.inertia[2] = 3.5; });
+  changed("sigma", [&] { scene.vectors("sigma")[1][1] = 0.5000000000000001; });
+  changed("no sigma", [&] { scene.vectors("sigma").clear(); });
+  changed("theta", [&] { scene.number("theta") = 0.25; });
+  changed("inertia", [&] { scene.vector("inertia")[2] = 3.5; });
   changed("momentum", [&] { scene.momentum[0] = 0.61; });
   changed("horizon", [&] { scene.horizon = 1; });
   changed("steps", [&] { scene.steps.push_back(128); });
@@ -135,7 +135,7 @@ TEST_F(Cache, AKeySaysFromWhatItWasMade) {
   const auto subject = bind_scene(scene);
   const auto key = cache_key({subject}, "energy", "heun");
   for (const auto* part : {"experiment energy\n", "scheme heun\n", "effort standard\n", "seed 1\n", "isa ",
-                           "inertia [1, 2, 3]\n", "theta 0.5\n", "momentum [0.6, 0.48, 0.64]\n", "version ", "commit ",
+                           "inertia [[1, 2, 3]]\n", "theta [[0.5]]\n", "momentum [0.6, 0.48, 0.64]\n", "version ", "commit ",
                            "flags ", "CRC-64 ", "libraries ", "cpu "})
     EXPECT_NE(key.find(part), key.npos) << part << "in\n" << key;
   EXPECT_EQ(key.find(scene.name), key.npos);

@@ -22,7 +22,10 @@ report::measurement number(double value, double half, const std::string& method,
 
 report::results with(std::vector<report::measurement> numbers, std::vector<report::verdict> verdicts = {}) {
   report::results r;
-  r.scene = {"s", "rigid_body", {1, 2, 3}, 0.5, {{0.5, 0, 0}}, {1, 0, 0}, 2, {4}};
+  r.scene = {"s", "rigid_body", {}, {1, 0, 0}, 2, {4}};
+  r.scene.vector("inertia") = {1, 2, 3};
+  r.scene.number("theta") = 0.5;
+  r.scene.vectors("sigma") = {{0.5, 0, 0}};
   r.schemes.resize(1);
   r.schemes[0].name = "heun";
   r.experiments = {{"strong", "?", {}}};
@@ -301,7 +304,7 @@ TEST(Compare, IndependentRunsAgree) {
 
 TEST(Compare, OtherScenesAreRefusedByTheKeyThatDiffers) {
   auto after = with({});
-  after.scene.theta = 0.25;
+  after.scene.number("theta") = 0.25;
   try {
     compare(with({}), after);
     FAIL();

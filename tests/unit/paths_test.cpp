@@ -60,7 +60,7 @@ TEST(Increments, UnusedChannelsAreZero) {
   EXPECT_EQ(view.dw[0], normals<1>({1, noise_kind::increment, 0, 0})[0]);
   for (int k = block_lanes; k < 3 * block_lanes; ++k) EXPECT_EQ(view.dw[static_cast<std::size_t>(k)], 0.0);
   for (const double area : view.area) EXPECT_EQ(area, 0.0);
-  scene.sigma.clear();
+  scene.vectors("sigma").clear();
   EXPECT_EQ(bind_rigid_body(scene).model->active_channels(), 0);
 }
 

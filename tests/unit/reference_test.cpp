@@ -17,14 +17,14 @@
 namespace polhode::test {
 namespace {
 
-using three = std::array<double, 3>;
+using three = std::vector<double>;
 
 scene scene_of(three inertia, double theta, std::vector<three> sigma, double c = 1) {
   auto s = load_scene("paper");
   s.name = "given";
-  s.inertia = inertia;
-  s.theta = theta;
-  s.sigma = std::move(sigma);
+  s.vector("inertia") = inertia;
+  s.number("theta") = theta;
+  s.vectors("sigma") = std::move(sigma);
   s.momentum = {0.6 * c, 0.48 * c, 0.64 * c};
   return s;
 }
@@ -68,8 +68,8 @@ void refuses(const scene& s, const reference_options& o, const std::vector<std::
 /// The scene with axis i called i + 1, and what belongs to it.
 scene relabelled(scene s) {
   const auto turn = [](three& v) { v = {v[2], v[0], v[1]}; };
-  turn(s.inertia);
-  for (auto& v : s.sigma) turn(v);
+  turn(s.vector("inertia"));
+  for (auto& v : s.vectors("sigma")) turn(v);
   s.momentum = {s.momentum[2], s.momentum[0], s.momentum[1]};
   return s;
 }
@@ -148,17 +148,17 @@ TEST(Reference, ABodyOfRevolutionKeepsOrLosesItsFigureAxisByTheNoiseAlone) {
 TEST(Reference, IsotropicNoiseLeavesTheGibbsLaw) {
   const auto rule = sphere_quadrature(160);
   for (const auto& s : {kinds[0], kinds[2], kinds[6], scene_of({0.5, 4, 0.6}, 0.2, half, 2)}) {
-    const double c = std::hypot(s.momentum[0], s.momentum[1], s.momentum[2]), sigma = s.sigma[0][0];
-    const Eigen::Array3d i(s.inertia.data());
+    const double c = std::hypot(s.momentum[0], s.momentum[1], s.momentum[2]), sigma = s.vectors("sigma")[0][0];
+    const Eigen::Array3d i(s.vector("inertia").data());
     const Eigen::ArrayXd h = 0.5 * c * c * (rule.points.array().square().matrix() * i.inverse().matrix()).array();
-    const Eigen::ArrayXd weight = rule.weights.array() * (-2 * s.theta / (sigma * sigma) * (h - h.minCoeff())).exp();
+    const Eigen::ArrayXd weight = rule.weights.array() * (-2 * s.number("theta") / (sigma * sigma) * (h - h.minCoeff())).exp();
     const double mean = (weight * h).sum() / weight.sum();
     const double second = (weight * rule.points.col(1).array().square()).sum() / weight.sum() * c * c;
     EXPECT_NEAR(stationary_mean(s, "energy"), mean, 1e-10);
     EXPECT_NEAR(stationary_mean(s, "pi2^2"), second, 1e-9);
     EXPECT_NEAR(stationary_mean(s, "energy", 40), mean, 1e-9);
     const auto a = exponents(s);
-    EXPECT_NEAR(*a.sum, -s.theta * (c * c * i.inverse().sum() - 6 * mean), 1e-8);
+    EXPECT_NEAR(*a.sum, -s.number("theta") * (c * c * i.inverse().sum() - 6 * mean), 1e-8);
   }
 }
 
@@ -193,7 +193,7 @@ TEST(Reference, ScalesWithTheMomentum) {
   const double c = 3;
   const auto large = scene_of({1, 2, 3}, 0.2, axes(0.2, 0.5, 0.9), c);
   auto unit = scene_of({1, 2, 3}, 0.2 * c, axes(0.2, 0.5, 0.9));
-  for (auto& v : unit.sigma)
+  for (auto& v : unit.vectors("sigma"))
     for (double& x : v) x /= std::sqrt(c);
   EXPECT_NEAR(expected(large, "energy", 0.8), c * c * expected(unit, "energy", 0.8 * c), 1e-9);
   EXPECT_NEAR(expected(large, "pi2", 0.8), c * expected(unit, "pi2", 0.8 * c), 1e-9);

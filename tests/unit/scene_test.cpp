@@ -13,15 +13,16 @@ namespace {
 
 using polhode::load_scene;
 using polhode::testing::scene_files;
-using vectors = std::vector<std::array<double, 3>>;
+using row = std::vector<double>;
+using vectors = std::vector<row>;
 
 TEST_F(scene_files, a_full_scene_is_read) {
   const auto s = load({});
   EXPECT_EQ(s.name, "given");
   EXPECT_EQ(s.system, "rigid_body");
-  EXPECT_EQ(s.inertia, (std::array<double, 3>{1, 2, 3}));
-  EXPECT_EQ(s.theta, 0.5);
-  EXPECT_EQ(s.sigma, (vectors{{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}));
+  EXPECT_EQ(s.vector("inertia"), (row{1, 2, 3}));
+  EXPECT_EQ(s.number("theta"), 0.5);
+  EXPECT_EQ(s.vectors("sigma"), (vectors{{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}));
   EXPECT_EQ(s.momentum, (std::vector<double>{0.6, 0.48, 0.64}));
   EXPECT_EQ(s.horizon, 2);
   EXPECT_EQ(s.steps, (std::vector<std::int64_t>{4, 8, 16}));
@@ -30,8 +31,8 @@ TEST_F(scene_files, a_full_scene_is_read) {
 TEST_F(scene_files, integers_do_for_numbers) {
   const auto s =
       load({{"inertia", "[1, 2, 3]"}, {"theta", "0"}, {"sigma", "1"}, {"momentum", "[0, 0, 1]"}, {"horizon", "2"}});
-  EXPECT_EQ(s.inertia, (std::array<double, 3>{1, 2, 3}));
-  EXPECT_EQ(s.sigma, (vectors{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+  EXPECT_EQ(s.vector("inertia"), (row{1, 2, 3}));
+  EXPECT_EQ(s.vectors("sigma"), (vectors{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
   EXPECT_EQ(s.horizon, 2);
 }
 
@@ -47,7 +48,7 @@ TEST_F(scene_files, noise_in_all_its_forms) {
       {"[]", {}},
       {"[[1, 2, 3]]", {{1, 2, 3}}},
       {"[[0, 0, 0], [1, -2, 3.5], [1, 0, 0], [0, 1, 0], [0, 0, 1]]", {{1, -2, 3.5}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
-  for (const auto& c : cases) EXPECT_EQ(load({{"sigma", c.given}}).sigma, c.wanted) << c.given;
+  for (const auto& c : cases) EXPECT_EQ(load({{"sigma", c.given}}).vectors("sigma"), c.wanted) << c.given;
 }
 
 TEST_F(scene_files, name_and_steps_have_defaults) {
@@ -59,7 +60,7 @@ TEST_F(scene_files, name_and_steps_have_defaults) {
 TEST_F(scene_files, odd_but_good) {
   EXPECT_EQ(load({{"name", "'</script> & θ'"}}).name, "</script> & θ");
   EXPECT_EQ(load({{"steps", "[5000]"}}).steps.size(), 1U);
-  EXPECT_EQ(load({{"inertia", "[1e-300, 1e300, 1]"}}).inertia[1], 1e300);
+  EXPECT_EQ(load({{"inertia", "[1e-300, 1e300, 1]"}}).vector("inertia")[1], 1e300);
   EXPECT_EQ(load_scene(write("\xef\xbb\xbf" + with({}))).name, "given");
 }
 
@@ -73,22 +74,22 @@ TEST(builtin_scenes, are_good_and_named_like_their_files) {
 
 TEST(builtin_scenes, paper_is_the_scene_of_the_known_answers) {
   const auto s = load_scene("paper");
-  EXPECT_EQ(s.inertia, (std::array<double, 3>{1, 2, 3}));
-  EXPECT_EQ(s.theta, 0.5);
-  EXPECT_EQ(s.sigma, (vectors{{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}));
+  EXPECT_EQ(s.vector("inertia"), (row{1, 2, 3}));
+  EXPECT_EQ(s.number("theta"), 0.5);
+  EXPECT_EQ(s.vectors("sigma"), (vectors{{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}));
   EXPECT_EQ(s.momentum, (std::vector<double>{0.6, 0.48, 0.64}));
   EXPECT_EQ(s.horizon, 2);
   EXPECT_EQ(s.steps, (std::vector<std::int64_t>{4, 8, 16, 32, 64}));
 }
 
 TEST(builtin_scenes, cover_what_a_scene_may_lack) {
-  EXPECT_TRUE(load_scene("free").sigma.empty());
-  EXPECT_EQ(load_scene("free").theta, 0);
-  EXPECT_TRUE(load_scene("dissipative").sigma.empty());
-  EXPECT_EQ(load_scene("undamped").theta, 0);
-  EXPECT_EQ(load_scene("single").sigma.size(), 1U);
-  EXPECT_EQ(load_scene("anisotropic").sigma, (vectors{{0.2, 0, 0}, {0, 0.5, 0}, {0, 0, 0.9}}));
-  EXPECT_EQ(load_scene("symmetric").inertia, (std::array<double, 3>{1, 1, 2.5}));
+  EXPECT_TRUE(load_scene("free").vectors("sigma").empty());
+  EXPECT_EQ(load_scene("free").number("theta"), 0);
+  EXPECT_TRUE(load_scene("dissipative").vectors("sigma").empty());
+  EXPECT_EQ(load_scene("undamped").number("theta"), 0);
+  EXPECT_EQ(load_scene("single").vectors("sigma").size(), 1U);
+  EXPECT_EQ(load_scene("anisotropic").vectors("sigma"), (vectors{{0.2, 0, 0}, {0, 0.5, 0}, {0, 0, 0.9}}));
+  EXPECT_EQ(load_scene("symmetric").vector("inertia"), (row{1, 1, 2.5}));
 }
 
 }  // namespace

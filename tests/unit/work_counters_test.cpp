@@ -33,9 +33,9 @@ counted run(const subject& s, std::string_view scheme, ensemble_noise noise, int
           std::move(result)};
 }
 
-subject paper_with(std::vector<std::array<double, 3>> sigma) {
+subject paper_with(report::number_rows sigma) {
   auto scene = load_scene("paper");
-  scene.sigma = std::move(sigma);
+  scene.vectors("sigma") = std::move(sigma);
   return bind_scene(scene);
 }
 

@@ -36,7 +36,7 @@ const report::results& on_paper() {
 
 scene damped() {
   auto s = load_scene("paper");
-  s.theta = 1;
+  s.number("theta") = 1;
   return s;
 }
 
@@ -209,9 +209,9 @@ TEST(Attractor, ThreadsChangeNothing) {
 
 TEST(Attractor, IsSkippedWithAReasonWhereItSaysNothing) {
   auto ball = load_scene("paper"), undamped = ball, silent = ball;
-  ball.inertia = {2, 2, 2};
-  undamped.theta = 0;
-  silent.sigma.clear();
+  ball.vector("inertia") = {2, 2, 2};
+  undamped.number("theta") = 0;
+  silent.vectors("sigma").clear();
   for (const auto& s : {ball, undamped, silent}) {
     const auto r = quick(s, {"strang"});
     ASSERT_FALSE(r.skipped.empty());

@@ -98,9 +98,9 @@ report::verdict verdict_on(const char* scheme, double noise, double dissipation)
   auto scene = single;
   scene.steps = {16, 32, 64, 128, 256};
   auto stepped = scene;
-  for (auto& v : stepped.sigma)
+  for (auto& v : stepped.vectors("sigma"))
     for (double& x : v) x *= noise;
-  stepped.theta *= dissipation;
+  stepped.number("theta") *= dissipation;
   auto s = restricted(bind_scene(scene), {scheme});
   s.schemes = restricted(bind_scene(stepped), {scheme}).schemes;
   report::results out;

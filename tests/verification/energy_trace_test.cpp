@@ -17,10 +17,10 @@ namespace {
 
 using report::verdict_kind;
 
-report::scene scene_of(const std::array<double, 3>& inertia, double noise = 1) {
+report::scene scene_of(const std::vector<double>& inertia, double noise = 1) {
   auto scene = load_scene("paper");
-  scene.inertia = inertia;
-  for (auto& v : scene.sigma)
+  scene.vector("inertia") = inertia;
+  for (auto& v : scene.vectors("sigma"))
     for (double& x : v) x *= noise;
   return scene;
 }
@@ -105,7 +105,7 @@ TEST(EnergyTrace, TheErrorAtAnyTimeIsBounded) {
   auto scene = load_scene("paper");
   const auto s = restricted(bind_scene(scene), {"lie_heun"});
   const auto r = trace_of(s);
-  scene.theta = 0;
+  scene.number("theta") = 0;
   const auto free = restricted(bind_scene(scene), {"lie_heun"});
   const auto problem = *sphere_problem_of(free);
   const Eigen::Vector3d start(scene.momentum.data());
@@ -137,7 +137,7 @@ TEST(EnergyTrace, DefectsAndOverclaimsAreRefuted) {
   spoilt.with = [&](const report::scene& other) {
     auto out = restricted(bind_scene(other), schemes);
     auto louder = other;
-    for (auto& v : louder.sigma)
+    for (auto& v : louder.vectors("sigma"))
       for (double& x : v) x *= 1.001;
     out.schemes = restricted(bind_scene(louder), schemes).schemes;
     return out;

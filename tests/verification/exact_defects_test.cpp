@@ -28,15 +28,15 @@ subject planted(const report::scene& scene, const report::scene& stepped, const 
 }
 
 report::scene scaled(report::scene scene, double noise, double dissipation) {
-  for (auto& v : scene.sigma)
+  for (auto& v : scene.vectors("sigma"))
     for (double& x : v) x *= noise;
-  scene.theta *= dissipation;
+  scene.number("theta") *= dissipation;
   return scene;
 }
 
 report::scene weak_noise(double sigma) {
   auto scene = load_scene("paper");
-  scene.sigma = {{sigma, 0, 0}, {0, sigma, 0}, {0, 0, sigma}};
+  scene.vectors("sigma") = {{sigma, 0, 0}, {0, sigma, 0}, {0, 0, sigma}};
   return scene;
 }
 

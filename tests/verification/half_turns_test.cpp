@@ -68,7 +68,7 @@ TEST(HalfTurns, SplitTheOperatorOfEveryScheme) {
 
 TEST(HalfTurns, AreNotTakenForGrantedUnderOtherNoise) {
   auto scene = load_scene("paper");
-  scene.sigma = {{0.3, 0.1, 0}, {-0.2, 0.4, 0.1}, {0, 0.3, 0.2}};
+  scene.vectors("sigma") = {{0.3, 0.1, 0}, {-0.2, 0.4, 0.1}, {0, 0.3, 0.2}};
   const auto s = bind_scene(scene);
   EXPECT_EQ(make_transfer(s, scheme_of(s, "strang"), 0.1, 1, {{6, 1, 0}, {3, 2}}).blocks.size(), 1u);
   const auto one = bind_scene(load_scene("single"));

@@ -57,9 +57,9 @@ template <class Scheme>
 subject so4() {
   report::scene scene;
   scene.name = "so4";
-  scene.inertia = {1, 2, 3};
-  scene.theta = 0.4;
-  scene.sigma = {{0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}};
+  scene.vector("inertia") = {1, 2, 3};
+  scene.number("theta") = 0.4;
+  scene.vectors("sigma") = {{0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}};
   scene.momentum = {0.6, 0.48, 0.64, -0.3, 0.8, 0.5};
   scene.horizon = 0.5;
   scene.steps = {2, 4, 8, 16};

@@ -43,7 +43,7 @@ subject with_schemes(const report::scene& scene, const std::vector<std::string>&
 
 report::scene paper_with(double theta) {
   auto scene = load_scene("paper");
-  scene.theta = theta;
+  scene.number("theta") = theta;
   return scene;
 }
 
@@ -124,7 +124,7 @@ TEST(SampledExponents, AWrongTangentIsRefuted) {
 // (With isotropic noise that drift is radial, and the projection takes it out.)
 report::scene paper_with_unequal_noise() {
   auto scene = load_scene("paper");
-  scene.sigma = {{0.3, 0, 0}, {0, 0.5, 0}, {0, 0, 0.7}};
+  scene.vectors("sigma") = {{0.3, 0, 0}, {0, 0.5, 0}, {0, 0, 0.7}};
   return scene;
 }
 
@@ -246,7 +246,7 @@ sampled_pair mean_of(const Eigen::VectorXd& x) {
 // Schemes of every kind at a step where their exponents are far from those of the equation; noise of any kind.
 TEST(OwnExponents, AreWhatSampledPathsDo) {
   auto scene = load_scene("paper");
-  scene.sigma = {{0.3, 0.1, 0}, {-0.2, 0.4, 0.1}, {0, 0.3, 0.2}};
+  scene.vectors("sigma") = {{0.3, 0.1, 0}, {-0.2, 0.4, 0.1}, {0, 0.3, 0.2}};
   const auto s = with_schemes(scene, {"lie_euler", "implicit_midpoint", "strang", "magnus", "heun_projected"});
   const context c{s, effort::quick, 1};
   constexpr double dt = 0.25;
@@ -285,8 +285,8 @@ TEST(FrameTransfer, OfNoiseAloneIsAMultipleOfTheIdentityInEachDegree) {
   constexpr double sigma = 0.5, dt = 0.25;
   constexpr int degree = 6;
   auto scene = load_scene("undamped");
-  scene.inertia = {1e13, 1e13, 1e13};
-  ASSERT_EQ(scene.sigma[0][0], sigma);
+  scene.vector("inertia") = {1e13, 1e13, 1e13};
+  ASSERT_EQ(scene.vectors("sigma")[0][0], sigma);
   const auto expected = means_over_rotations(sigma, dt, degree);
   for (const isa level : usable_isas()) {
     choose_isa(level);

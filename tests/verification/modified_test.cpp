@@ -126,7 +126,7 @@ subject planted(const report::scene& scene, std::string_view scheme, change wron
 
 template <int Percent>
 void stronger_noise(report::scene& s) {
-  for (auto& v : s.sigma)
+  for (auto& v : s.vectors("sigma"))
     for (auto& x : v) x *= 1 + Percent / 1000.0;
 }
 
@@ -144,11 +144,11 @@ TEST_P(ModifiedDefects, AreRefuted) {
 }
 
 constexpr change noise_strong = stronger_noise<1>, noise_weak = stronger_noise<-1>,
-                 theta_large = [](report::scene&s) { s.theta *= 1.001; },
-                 inertia_one = [](report::scene&s) { s.inertia[0] *= 1.01; },
-                 inertia_two = [](report::scene&s) { s.inertia[1] *= 0.999; },
-                 inertia_three = [](report::scene&s) { s.inertia[2] *= 1.001; }, turned_noise = [](report::scene&s) {
-                   s.sigma[0] = {0.5, 0.0005, 0};
+                 theta_large = [](report::scene&s) { s.number("theta") *= 1.001; },
+                 inertia_one = [](report::scene&s) { s.vector("inertia")[0] *= 1.01; },
+                 inertia_two = [](report::scene&s) { s.vector("inertia")[1] *= 0.999; },
+                 inertia_three = [](report::scene&s) { s.vector("inertia")[2] *= 1.001; }, turned_noise = [](report::scene&s) {
+                   s.vectors("sigma")[0] = {0.5, 0.0005, 0};
                  };
 
 INSTANTIATE_TEST_SUITE_P(Planted, ModifiedDefects,
@@ -171,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(Planted, ModifiedDefects,
 TEST(Modified, WeakOrderTwoOverclaimedIsRefutedUnderWeakNoise) {
   for (const double sigma : {0.1, 0.05}) {
     auto scene = load_scene("paper");
-    scene.sigma = {{sigma, 0, 0}, {0, sigma, 0}, {0, 0, sigma}};
+    scene.vectors("sigma") = {{sigma, 0, 0}, {0, sigma, 0}, {0, 0, sigma}};
     auto s = bind_scene(scene);
     const auto healthy = scheme_of(s, "strang_weak2");
     auto poser = scheme_of(s, "strang");
@@ -224,10 +224,10 @@ TEST(LeadingConstants, DriversThatMiscountAreRefuted) {
 /// Strong noise about one axis: by all levels the error of Pi_1 does not vanish with dt, by a sixth of its certainty.
 TEST(LeadingConstants, WhatOneRuleOfTwoFindsIsNoRefutation) {
   auto scene = load_scene("paper");
-  scene.inertia = {3.2258025755885602, 0.65497060247249972, 0.78447667770932794};
-  scene.theta = 0.31399547462472188;
+  scene.vector("inertia") = {3.2258025755885602, 0.65497060247249972, 0.78447667770932794};
+  scene.number("theta") = 0.31399547462472188;
   scene.momentum = {0.61723509863248949, 0.47148945507866363, 0.066032148277920241};
-  scene.sigma = {{-1.8052490067401659, 0, 0}, {0, 0.41100541459169243, 0}, {0, 0, 0.48681560896093712}};
+  scene.vectors("sigma") = {{-1.8052490067401659, 0, 0}, {0, 0.41100541459169243, 0}, {0, 0, 0.48681560896093712}};
   for (const auto& v : quick(restricted(bind_scene(scene), {"strang_weak2"})).verdicts)
     EXPECT_NE(v.kind, report::verdict_kind::refuted) << v.claim << ": " << v.reason;
 }
@@ -237,8 +237,8 @@ TEST(LeadingConstants, WhatOneRuleOfTwoFindsIsNoRefutation) {
 // -sigma^4 dt/12.
 TEST(LeadingConstants, OfASphericalBodyAreKnown) {
   auto scene = load_scene("paper");
-  scene.inertia = {1, 1, 1};
-  scene.theta = 0;
+  scene.vector("inertia") = {1, 1, 1};
+  scene.number("theta") = 0;
   const auto s = bind_scene(scene);
   const auto averages = averages_on(s);
   const double rate = fastest_rate(s), sigma2 = 0.25;
@@ -256,8 +256,8 @@ TEST(LeadingConstants, OfASphericalBodyAreKnown) {
 // of a spherical body strang does nothing else.
 TEST(ErgodicVariance, OfASphericalBodyIsKnown) {
   auto scene = load_scene("paper");
-  scene.inertia = {1, 1, 1};
-  scene.theta = 0;
+  scene.vector("inertia") = {1, 1, 1};
+  scene.number("theta") = 0;
   const auto s = bind_scene(scene);
   const double sigma2 = 0.25, dt = 0.125, share = sigma2 * dt;
   exact_averages one{{"pi1"}, {*named_observable("pi1", *sphere_problem_of(s))}, {}, {}, {}};
@@ -275,9 +275,9 @@ TEST(ErgodicVariance, ASlowClockIsRefuted) {
   auto s = bind_scene(load_scene("paper"));
   auto scheme = scheme_of(s, "lie_heun");
   auto scene = s.scene;
-  for (auto& v : scene.sigma)
+  for (auto& v : scene.vectors("sigma"))
     for (auto& x : v) x *= std::sqrt(0.99);
-  for (auto& x : scene.inertia) x /= 0.99;
+  for (auto& x : scene.vector("inertia")) x /= 0.99;
   const auto slow = bind_scene(scene);  // theta k by 0.99, too: the same law
   s.schemes = {scheme_of(slow, "lie_heun")};
   const auto r = quick(s);

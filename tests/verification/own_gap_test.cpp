@@ -28,7 +28,7 @@ const report::verdict& gap_verdict(const report::results& r) {
 
 subject louder(const report::scene& scene, double noise, const std::string& scheme) {
   auto changed = scene;
-  for (auto& v : changed.sigma)
+  for (auto& v : changed.vectors("sigma"))
     for (double& x : v) x *= noise;
   auto s = restricted(bind_scene(scene), {scheme});
   s.schemes = restricted(bind_scene(changed), {scheme}).schemes;
@@ -39,8 +39,8 @@ subject louder(const report::scene& scene, double noise, const std::string& sche
 // of degree one to (1 + 2 (1 - s) exp(-s/2))/3, s = sigma^2 dt.
 TEST(OwnGap, OfNoiseAloneIsKnown) {
   auto scene = load_scene("paper");
-  scene.inertia = {1, 1, 1};
-  scene.theta = 0;
+  scene.vector("inertia") = {1, 1, 1};
+  scene.number("theta") = 0;
   const auto s = restricted(bind_scene(scene), {"strang"});
   EXPECT_NEAR(true_gap(s).gap.value[0], 0.25, 1e-12);
   for (const double dt : {0.5, 0.125}) {
@@ -85,9 +85,9 @@ TEST(OwnGap, ADefectOfTheNoiseAndAnOverclaimAreRefuted) {
 
 TEST(OwnGap, WhereThereIsNoneItIsSkipped) {
   auto scene = load_scene("paper");
-  scene.inertia = {1, 1, 1};
-  scene.theta = 0;
-  scene.sigma = {{0.5, 0, 0}};
+  scene.vector("inertia") = {1, 1, 1};
+  scene.number("theta") = 0;
+  scene.vectors("sigma") = {{0.5, 0, 0}};
   const auto gap = true_gap(bind_scene(scene));
   EXPECT_EQ(gap.gap.count(), 0);
   EXPECT_FALSE(gap.undecided);

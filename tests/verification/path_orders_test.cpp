@@ -182,8 +182,8 @@ const report::measurement& reference_row(const report::results& r, const std::st
 // half of that.
 TEST(PathOrders, TheReferenceIsAsFarAsTheAreasOfItsCells) {
   auto scene = load_scene("paper");
-  scene.inertia = {1, 1, 1};
-  scene.theta = 0;
+  scene.vector("inertia") = {1, 1, 1};
+  scene.number("theta") = 0;
   const auto s = restricted(bind_scene(scene), {"lie_heun"});
   const auto r = quick_on(s);
   const auto grid = asymptotic_levels(s, 256);
@@ -205,7 +205,7 @@ TEST(PathOrders, TheReferenceIsAsFarAsTheAreasOfItsCells) {
 
 TEST(PathOrders, TheReferenceIsOfOrderOneUnderOneVector) {
   auto scene = load_scene("paper");
-  scene.sigma = {{0.5, 0, 0}};
+  scene.vectors("sigma") = {{0.5, 0, 0}};
   const auto r = quick_on(restricted(bind_scene(scene), {"lie_heun"}));
   const auto& v = of(r, "noise", "reference tends to the Stratonovich solution");
   EXPECT_EQ(*v.expected, 1);

@@ -171,7 +171,7 @@ TEST(Select, RequirementsAreKept) {
 
 TEST(Select, NoiseThatIsNotIsotropicHasNoGibbsLaw) {
   auto s = load_scene("paper");
-  s.sigma = {{0.4, 0, 0}, {0, 0.6, 0}, {0, 0, 0.8}};
+  s.vectors("sigma") = {{0.4, 0, 0}, {0, 0.6, 0}, {0, 0, 0.8}};
   auto o = asking("stationary", 1e-3);
   o.require = on_the_sphere;
   const auto found = select(s, o);
@@ -212,7 +212,7 @@ TEST(Select, WhatCannotBeAskedIsRefusedByName) {
   o.observable = "energy";
   expect(paper, o, "weak and stationary");
   auto still = paper;
-  still.sigma.clear();
+  still.vectors("sigma").clear();
   expect(still, asking("weak", 1e-3), "--goal energy");
   EXPECT_TRUE(select(still, asking("energy", 1e-5)).winner);
 }

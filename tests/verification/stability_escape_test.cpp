@@ -24,12 +24,12 @@ stability_case case_of(const report::scene& scene) {
 // step, that runs off from nowhere.
 TEST(Escape, ScalesAsTheEquationDoes) {
   auto scene = load_scene("paper");
-  scene.theta = 0;
-  scene.sigma.clear();
+  scene.number("theta") = 0;
+  scene.vectors("sigma").clear();
   const auto free = case_of(scene);
   scene = load_scene("paper");
-  scene.theta = 0;
-  scene.inertia = {1, 1, 1};
+  scene.number("theta") = 0;
+  scene.vector("inertia") = {1, 1, 1};
   const auto linear = case_of(scene);
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& name = free.bound.schemes[k].info.name;

@@ -41,11 +41,11 @@ double row(const report::results& r, const std::string& quantity, const std::str
   throw std::out_of_range(quantity + " " + in);
 }
 
-scene spherical(std::vector<std::array<double, 3>> sigma) {
+scene spherical(report::number_rows sigma) {
   auto s = load_scene("paper");
-  s.inertia = {1, 1, 1};
-  s.theta = 0;
-  s.sigma = std::move(sigma);
+  s.vector("inertia") = {1, 1, 1};
+  s.number("theta") = 0;
+  s.vectors("sigma") = std::move(sigma);
   return s;
 }
 
@@ -100,7 +100,7 @@ double first_dt(double horizon, const std::function<double(double dt)>& growth_p
 // 1/I_3) and grows by (1 + w^2 dt^2)^(1/2) a step, Pi_3 stays. h leaves its range by 10 % where |Pi|^2 has grown so.
 TEST(Stability, ExplicitEulerBreaksWhereItsClosedFormDoes) {
   auto s = load_scene("free");
-  s.inertia = {1, 1, 2};
+  s.vector("inertia") = {1, 1, 2};
   s.momentum = {0.8, 0, 0.6};
   const auto r = quick(s, {"euler_maruyama"});
   const double across = 0.64, along = 0.36, w = 0.6 * 0.5;

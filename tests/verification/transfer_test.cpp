@@ -182,7 +182,7 @@ TEST(Transfer, IsWhatSampledPathsDo) {
   constexpr int steps = 8;
   constexpr double dt = 0.125;
   auto scene = load_scene("paper");
-  scene.sigma = {{0.3, 0.1, 0}, {-0.2, 0.4, 0.1}, {0, 0.3, 0.2}};
+  scene.vectors("sigma") = {{0.3, 0.1, 0}, {-0.2, 0.4, 0.1}, {0, 0.3, 0.2}};
   const auto s = bind_scene(scene);
   for (const auto* name : {"lie_euler", "implicit_midpoint", "strang", "magnus", "heun", "milstein"}) {
     const auto& e = scheme_of(s, name);

@@ -129,9 +129,9 @@ TEST(Paper, AnotherSeedGivesOtherNumbersAndTheSameVerdicts) {
 TEST(So4, ClaimsHoldThere) {
   report::scene scene;
   scene.name = "so4";
-  scene.inertia = {1, 2, 3};
-  scene.theta = 0.4;
-  scene.sigma = {{0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}};
+  scene.vector("inertia") = {1, 2, 3};
+  scene.number("theta") = 0.4;
+  scene.vectors("sigma") = {{0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}};
   scene.momentum = {0.6, 0.48, 0.64, -0.3, 0.8, 0.5};
   scene.horizon = 0.5;
   scene.steps = {2, 4, 8, 16};
@@ -141,7 +141,7 @@ TEST(So4, ClaimsHoldThere) {
   options.threads = 2;
   const auto make = [](const report::scene& s) {
     test::so4_body body;
-    body.theta = s.theta;
+    body.theta = s.number("theta");
     return body;
   };
   expect_no_failure(verify_subject(bind(scene, make, scheme_list<magnus, lie_heun>{}), options));

@@ -18,8 +18,8 @@ constexpr double horizon = 8;
 /// Noise alone, so long that errors have passed their maximum.
 report::scene noise_alone() {
   auto scene = load_scene("paper");
-  scene.inertia = {1, 1, 1};
-  scene.theta = 0;
+  scene.vector("inertia") = {1, 1, 1};
+  scene.number("theta") = 0;
   scene.horizon = horizon;
   scene.steps = {16, 32, 64, 128, 256};
   return scene;

@@ -84,7 +84,7 @@ TEST(StepCost, CountsTheNormalsOfAStep) {
   };
   EXPECT_EQ(normals("heun"), 3);
   EXPECT_EQ(normals("milstein"), 6);
-  scene.sigma.clear();
+  scene.vectors("sigma").clear();
   EXPECT_EQ(normals("heun"), 0);
   EXPECT_EQ(normals("milstein"), 0);
 }

@@ -20,9 +20,9 @@ constexpr double exponent_accuracy = 1e-6, gap_accuracy = 1e-4;
 std::optional<std::string> cannot_say(const subject& s) {
   if (!sphere_problem_of(s)) return "the exact laws and exponents are those of the rigid body alone";
   if (s.model->noise() == noise_class::none) return "no noise: the attractor is the set of equilibria";
-  const auto& i = s.scene.inertia;
+  const auto& i = s.scene.vector("inertia");
   if (i[0] == i[1] && i[1] == i[2]) return "a spherical body turns rigidly: what is uniform stays so";
-  if (s.scene.theta == 0) return "no dissipation: area is kept, so what is uniform stays so";
+  if (s.scene.number("theta") == 0) return "no dissipation: area is kept, so what is uniform stays so";
   return std::nullopt;
 }
 

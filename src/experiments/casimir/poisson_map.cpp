@@ -69,8 +69,8 @@ Eigen::MatrixXd bracket_at(const model& m, const std::vector<double>& mu) {
 
 subject conservative(const subject& s) {
   auto scene = s.scene;
-  scene.sigma.clear();
-  scene.theta = 0;
+  scene.vectors("sigma").clear();
+  scene.number("theta") = 0;
   return s.with(scene);
 }
 

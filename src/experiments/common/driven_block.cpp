@@ -16,9 +16,9 @@ std::vector<direction> directions_of(const subject& s) {
   const int channels = s.model->active_channels();
   for (int k = 0; k < channels; ++k)
     out.push_back({channels == 1 ? "noise" : fmt::format("noise {}", k + 1), k, false, s.model->reference()});
-  if (s.scene.theta > 0) {
+  if (s.scene.number("theta") > 0) {
     auto scene = s.scene;
-    scene.theta *= 1 + more;
+    scene.number("theta") *= 1 + more;
     out.push_back({"dissipation", -1, false, s.with(scene).model->reference()});
   }
   out.push_back({"time", -1, true, s.model->reference()});

@@ -25,7 +25,7 @@ bool at_rest(const subject& s) {
 
 subject without_dissipation(const subject& s) {
   auto scene = s.scene;
-  scene.theta = 0;
+  scene.number("theta") = 0;
   return s.with(scene);
 }
 
@@ -45,9 +45,10 @@ void run(const context& c, report::results& out) {
   const auto free = without_dissipation(damped);
   const auto grid = asymptotic_levels(over_time_scales(damped), by_effort(c.effort, 256.0, 256.0, 1024.0));
   const auto damped_end = true_end(damped, grid.horizon);
-  const auto free_end = free_rotation(
-      free.scene.inertia, {free.scene.momentum[0], free.scene.momentum[1], free.scene.momentum[2]}, grid.horizon);
-  const bool dissipates = damped.scene.theta > 0;
+  const auto &inertia = free.scene.vector("inertia"), &start = free.scene.momentum;
+  const auto free_end =
+      free_rotation({inertia[0], inertia[1], inertia[2]}, {start[0], start[1], start[2]}, grid.horizon);
+  const bool dissipates = damped.scene.number("theta") > 0;
   if (!dissipates)
     out.skipped.push_back(
         {"energy", "", "decay and end point: theta = 0, nothing dissipates; the free rotation is measured"});

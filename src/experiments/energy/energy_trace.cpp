@@ -89,7 +89,7 @@ void report_bound(const trace_frame& frame, const error_table& t, report::result
 
 subject undamped(const subject& s) {
   auto scene = s.scene;
-  scene.theta = 0;
+  scene.number("theta") = 0;
   return s.with(scene);
 }
 

@@ -22,14 +22,14 @@ constexpr const char* end_claim = "ends on the axis of least energy";
 }  // namespace
 
 void report_end(const subject& s, const scheme_entry& scheme, report::results& out) {
-  const auto [least, greatest] = std::ranges::minmax(s.scene.inertia);
+  const auto [least, greatest] = std::ranges::minmax(s.scene.vector("inertia"));
   const double c = length(s.scene.momentum), range = 0.5 * c * c * (1 / least - 1 / greatest);
   const double rate = fastest_rate(s);
   // The slowest decay: between the two axes of greatest inertia, at rate theta c^2 times their difference of 1/I.
-  auto inertia = s.scene.inertia;
+  auto inertia = s.scene.vector("inertia");
   std::ranges::sort(inertia);
   const double gap = inertia[2] > inertia[1] ? 1 / inertia[1] - 1 / inertia[2] : 1 / inertia[0] - 1 / inertia[2];
-  const double time = least_axis_time_scales / (s.scene.theta * c * c * gap), dt = 0.05 / rate;
+  const double time = least_axis_time_scales / (s.scene.number("theta") * c * c * gap), dt = 0.05 / rate;
   const std::string name(scheme.info.name);
   if (time / dt > most_end_steps) {
     leave_open(

@@ -13,7 +13,7 @@ namespace polhode {
 namespace {
 
 std::optional<std::string> cannot_say(const subject& s) {
-  const auto& i = s.scene.inertia;
+  const auto& i = s.scene.vector("inertia");
   if (s.model->noise() == noise_class::none)
     return "no noise: the law concentrates on the axis of least energy (experiment energy)";
   if (i[0] == i[1] && i[1] == i[2]) return "equal moments of inertia: h is constant on the sphere";

@@ -15,6 +15,7 @@
 #include "experiments/gibbs/gibbs_moments.hpp"
 #include "problem/noise_covariance.hpp"
 #include "problem/vectors.hpp"
+#include "transfer/transfer.hpp"
 
 namespace polhode {
 namespace {
@@ -29,11 +30,11 @@ double noise_strength(const report::scene& s) {
 /// Time to forget the start: relaxation on the sphere (rate sigma^2), slowed by the barrier between the wells of h.
 /// Damping and rotation only help; the factor five is a choice.
 double burn_in(const report::scene& s) {
-  auto inertia = s.inertia;
+  auto inertia = s.vector("inertia");
   std::ranges::sort(inertia);
   const double c = length(s.momentum), sigma2 = noise_strength(s);
   const double barrier = 0.5 * c * c * (1 / inertia[1] - 1 / inertia[2]);
-  return 5 / sigma2 * std::exp(2 * s.theta / sigma2 * barrier);
+  return 5 / sigma2 * std::exp(2 * s.number("theta") / sigma2 * barrier);
 }
 
 double step_size(const subject& s) { return 0.04 / fastest_rate(s); }
@@ -79,7 +80,7 @@ void run_block(const context& c, const design& d, std::span<const scheme_entry> 
 void report_samples(const context& c, const std::vector<scheme_entry>& schemes, report::results& out) {
   const auto& s = c.subject;
   const double radius = length(s.scene.momentum);
-  const gibbs_law law(s.scene.inertia, radius, 2 * s.scene.theta / noise_strength(s.scene));
+  const gibbs_law law(*sphere_problem_of(s));
   const auto d = plan(c);
   std::vector<std::unique_ptr<kernel>> kernels;
   for (const auto& scheme : schemes) kernels.push_back(scheme.make(d.dt));
@@ -107,7 +108,7 @@ void report_samples(const context& c, const std::vector<scheme_entry>& schemes, 
 
 /// Why no law is claimed that could be sampled; empty: one is.
 std::optional<std::string> no_law(const subject& s) {
-  if (s.model->noise() != noise_class::isotropic && s.scene.theta > 0)
+  if (s.model->noise() != noise_class::isotropic && s.scene.number("theta") > 0)
     return "the noise is not isotropic: no Gibbs law is claimed for it";
   if (noise_strength(s.scene) <= 1e-12 * fastest_rate(s)) return "the noise does not reach every direction by itself";
   return std::nullopt;

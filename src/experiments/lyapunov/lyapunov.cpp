@@ -103,7 +103,7 @@ void run(const context& c, report::results& out) {
 std::optional<std::string> cannot_say(const subject& s) {
   if (!sphere_problem_of(s)) return "the exponents are computed for the rigid body alone";
   if (s.model->noise() == noise_class::none) return "no noise: there is no random flow";
-  const auto& i = s.scene.inertia;
+  const auto& i = s.scene.vector("inertia");
   if (i[0] == i[1] && i[1] == i[2]) return "a spherical body turns rigidly: both exponents are 0";
   return std::nullopt;
 }

@@ -152,7 +152,7 @@ void run(const context& c, report::results& out) {
 
 std::optional<std::string> cannot_say(const subject& s) {
   if (!sphere_problem_of(s)) return "the family of equations is that of the rigid body";
-  const auto& i = s.scene.inertia;
+  const auto& i = s.scene.vector("inertia");
   if (s.model->noise() == noise_class::none && i[0] == i[1] && i[1] == i[2])
     return "a spherical body without noise turns uniformly about a fixed axis: nothing that a function could see";
   return std::nullopt;

@@ -30,7 +30,7 @@ constexpr const char* claim_text = "growth of mean squares at the equilibria";
 
 double strength_along(const report::scene& s, std::size_t axis) {
   double square = 0;
-  for (const auto& v : s.sigma) square += v[axis] * v[axis];
+  for (const auto& v : s.vectors("sigma")) square += v[axis] * v[axis];
   return std::sqrt(square);
 }
 
@@ -93,7 +93,8 @@ double floor_at(double dt) { return 30 * 16 * std::numeric_limits<double>::epsil
 std::string name_of_axis(int axis) { return fmt::format("axis {}", axis + 1); }
 
 double true_growth(const report::scene& s, int axis) {
-  return mean_square_growth(linearised_about(axis, s.inertia, s.theta, length(s.momentum),
+  const auto& i = s.vector("inertia");
+  return mean_square_growth(linearised_about(axis, {i[0], i[1], i[2]}, s.number("theta"), length(s.momentum),
                                              strength_along(s, static_cast<std::size_t>(axis))));
 }
 
@@ -160,8 +161,8 @@ report::scene beside_axis(const report::scene& s, int axis) {
   const auto j = static_cast<std::size_t>(axis);
   out.momentum.assign(3, 0.0);
   out.momentum[j] = length(s.momentum);
-  out.sigma = {{0, 0, 0}};
-  out.sigma[0][j] = strength_along(s, j);
+  out.vectors("sigma") = {{0, 0, 0}};
+  out.vectors("sigma")[0][j] = strength_along(s, j);
   return out;
 }
 

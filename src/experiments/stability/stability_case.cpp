@@ -38,20 +38,20 @@ double radius_of(const scene& s) { return std::hypot(s.momentum[0], s.momentum[1
 
 std::array<std::size_t, 3> by_inertia(const scene& s) {
   std::array<std::size_t, 3> axis{0, 1, 2};
-  std::ranges::sort(axis, {}, [&](std::size_t k) { return s.inertia[k]; });
+  std::ranges::sort(axis, {}, [&](std::size_t k) { return s.vector("inertia")[k]; });
   return axis;
 }
 
 /// c (1/I_min - 1/I_max), the rate of the dissipation per theta c.
 double spread(const scene& s) {
-  const auto [least, most] = std::ranges::minmax(s.inertia);
+  const auto [least, most] = std::ranges::minmax(s.vector("inertia"));
   return radius_of(s) * (1 / least - 1 / most);
 }
 
 /// The same smallest inertia and, where there is one, the same place of the middle one between the two others.
 scene with_ratio(scene s, double ratio) {
   const auto axis = by_inertia(s);
-  auto& inertia = s.inertia;
+  auto& inertia = s.vector("inertia");
   const double own = inertia[axis[2]] / inertia[axis[0]];
   const double place = own > 1 ? std::log(inertia[axis[1]] / inertia[axis[0]]) / std::log(own) : 0.5;
   inertia[axis[1]] = inertia[axis[0]] * std::pow(ratio, place);
@@ -68,7 +68,7 @@ scene near_middle_axis(scene s, double aside) {
 }
 
 scene with_noise(scene s, double by) {
-  for (auto& v : s.sigma)
+  for (auto& v : s.vectors("sigma"))
     for (double& x : v) x *= by;
   return s;
 }
@@ -77,7 +77,7 @@ scene with_momentum(scene s, double by) {
   return s;
 }
 scene with_theta(scene s, double theta) {
-  s.theta = theta;
+  s.number("theta") = theta;
   return s;
 }
 
@@ -86,7 +86,7 @@ const double least_radius = std::sqrt(std::numeric_limits<double>::min()) / std:
 
 stability_case bound_case(std::string name, const subject& own, const scene& changed, effort e) {
   stability_case c{.name = std::move(name), .bound = own.with(changed)};
-  const auto [least, most] = std::ranges::minmax(changed.inertia);
+  const auto [least, most] = std::ranges::minmax(changed.vector("inertia"));
   c.rate = fastest_rate(c.bound);
   c.horizon = std::clamp(changed.horizon, least_scales / c.rate, by_effort(e, 128, 256, 1024) / c.rate);
   c.radius = radius_of(changed);
@@ -117,7 +117,7 @@ void add_corners(const subject& s, effort e, std::vector<stability_case>& out) {
   out.push_back(bound_case("separatrix", s, near_middle_axis(own, 1e-6), e));
   out.push_back(bound_case("near-equal inertias", s, with_ratio(own, 1 + 1e-8), e));
   if (spread(own) > 0) {
-    const double rest = fastest_rate(s) - own.theta * radius_of(own) * spread(own);
+    const double rest = fastest_rate(s) - own.number("theta") * radius_of(own) * spread(own);
     out.push_back(bound_case("stiff", s, with_theta(own, stiffness * rest / (radius_of(own) * spread(own))), e));
   }
   out.push_back(bound_case("denormal components", s, near_middle_axis(own, denormal), e));
@@ -152,7 +152,7 @@ void sample_mean_energy(const context& c, const block_listener& hear, stability_
 
 std::vector<double> stiffness_axis(const subject& s, effort e) {
   if (spread(s.scene) == 0) return {};
-  const double middle = s.scene.theta > 0 ? s.scene.theta : 1 / radius_of(s.scene);
+  const double middle = s.scene.number("theta") > 0 ? s.scene.number("theta") : 1 / radius_of(s.scene);
   std::vector<double> out = around(points(e), factor(e));
   for (double& theta : out) theta *= middle;
   return out;

@@ -21,9 +21,9 @@ constexpr double bound = 1e-9, decades = 150;
 /// |Pi| times 4^power: by even powers of two all scalings are exact, and so is the comparison.
 report::scene scaled(report::scene s, int power) {
   for (double& x : s.momentum) x = std::ldexp(x, 2 * power);
-  for (auto& v : s.sigma)
+  for (auto& v : s.vectors("sigma"))
     for (double& x : v) x = std::ldexp(x, power);
-  s.theta = std::ldexp(s.theta, -2 * power);
+  s.number("theta") = std::ldexp(s.number("theta"), -2 * power);
   return s;
 }
 

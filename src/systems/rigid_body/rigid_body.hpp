@@ -11,8 +11,9 @@ namespace polhode {
 
 inline rigid_body make_rigid_body(const report::scene& s) {
   std::vector<rigid_body::column> vectors;
-  for (const auto& v : s.sigma) vectors.push_back({v});
-  return rigid_body(s.inertia, s.theta, rigid_body::from_vectors(vectors));
+  for (const auto& v : s.vectors("sigma")) vectors.push_back({{v[0], v[1], v[2]}});
+  const auto& inertia = s.vector("inertia");
+  return rigid_body({inertia[0], inertia[1], inertia[2]}, s.number("theta"), rigid_body::from_vectors(vectors));
 }
 
 }  // namespace polhode

@@ -1,0 +1,46 @@
+// What a system takes from a scene, stated once: parser, messages, JSON, page, cache key and `list systems` read these
+// tables and know no parameter by name.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/model/scene.hpp"
+
+namespace polhode {
+
+/// What an experiment may do to a parameter whose name it does not know.
+enum class role {
+  none,
+  dissipation,  ///< one number >= 0 that multiplies the double bracket
+  noise         ///< vectors sigma_i that multiply dW^i
+};
+
+struct parameter_rule {
+  std::string name;
+  report::shape shape = report::shape::number;  ///< in which it is kept
+  std::string unit, accepts, meaning;
+  polhode::role role = polhode::role::none;
+  std::optional<report::number_rows> fallback = {};  ///< where a scene may leave it out
+  /// What a scene gives, in any shape, as it is kept; nothing where it is not accepted.
+  std::function<std::optional<report::number_rows>(const report::number_rows& given, report::shape)> read = {};
+};
+
+/// "three" for 3.
+std::string in_words(std::size_t count);
+
+/// One number above zero, or not below it.
+parameter_rule positive_number(std::string name, std::string unit, std::string meaning);
+parameter_rule number_from_zero(std::string name, std::string unit, std::string meaning);
+/// So many numbers; all of them above zero.
+parameter_rule vector_of(std::string name, std::size_t size, std::string unit, std::string meaning);
+parameter_rule positive_vector_of(std::string name, std::size_t size, std::string unit, std::string meaning);
+/// A symmetric matrix, or its diagonal.
+parameter_rule symmetric_matrix(std::string name, std::size_t size, std::string unit, std::string meaning);
+/// The key `sigma`: a number s for s e_i, so many numbers s_i for s_i e_i, or any list of vectors; zeros are dropped.
+parameter_rule noise_vectors(std::size_t size, std::string unit);
+
+}  // namespace polhode
