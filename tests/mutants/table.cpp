@@ -205,7 +205,6 @@ std::vector<row> sharpest() {
       {{kind::strong_claim, 0.5}, "lie_heun", "paper", true, "strong"},
       {{kind::weak_claim, 1}, "strang", "paper", true, "weak"},
       {{kind::weak_claim, 1}, "strang", "paper", true, "gibbs"},
-      {{kind::weak_claim, 1}, "strang", "sigma 0.1", true, "modified"},
       {{kind::path_claim, 1}, "lie_trotter", "paper", true, "energy"},
       {{kind::drift_claim, 0.5}, "heun", "paper", true, "casimir"},
       {{kind::casimir_claim, 1}, "heun", "paper", true, "casimir"},

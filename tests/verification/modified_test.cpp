@@ -147,7 +147,8 @@ constexpr change noise_strong = stronger_noise<1>, noise_weak = stronger_noise<-
                  theta_large = [](report::scene&s) { s.number("theta") *= 1.001; },
                  inertia_one = [](report::scene&s) { s.vector("inertia")[0] *= 1.01; },
                  inertia_two = [](report::scene&s) { s.vector("inertia")[1] *= 0.999; },
-                 inertia_three = [](report::scene&s) { s.vector("inertia")[2] *= 1.001; }, turned_noise = [](report::scene&s) {
+                 inertia_three = [](report::scene&s) { s.vector("inertia")[2] *= 1.001; },
+                 turned_noise = [](report::scene&s) {
                    s.vectors("sigma")[0] = {0.5, 0.0005, 0};
                  };
 
@@ -168,23 +169,21 @@ INSTANTIATE_TEST_SUITE_P(Planted, ModifiedDefects,
                                          defect{"channels correlated by 0.001", "implicit_midpoint", turned_noise}));
 
 // Weak noise hides dt behind dt^2 in every slope; the coefficient of dt is seen all the same.
+// At sigma = 0.05 among the planted defects of the nightly table.
 TEST(Modified, WeakOrderTwoOverclaimedIsRefutedUnderWeakNoise) {
-  for (const double sigma : {0.1, 0.05}) {
-    auto scene = load_scene("paper");
-    scene.vectors("sigma") = {{sigma, 0, 0}, {0, sigma, 0}, {0, 0, sigma}};
-    auto s = bind_scene(scene);
-    const auto healthy = scheme_of(s, "strang_weak2");
-    auto poser = scheme_of(s, "strang");
-    poser.info = healthy.info;
-    s.schemes = {poser};
-    const auto r = quick(s);
-    EXPECT_EQ(verdict_of(r, parameters).kind, report::verdict_kind::refuted)
-        << sigma << verdict_of(r, parameters).reason;
-    s.schemes = {healthy};
-    const auto of_healthy = quick(s);
-    for (const auto claim : {parameters, residual})
-      EXPECT_EQ(verdict_of(of_healthy, claim).kind, report::verdict_kind::holds) << sigma << claim;
-  }
+  auto scene = load_scene("paper");
+  scene.vectors("sigma") = {{0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}};
+  auto s = bind_scene(scene);
+  const auto healthy = scheme_of(s, "strang_weak2");
+  auto poser = scheme_of(s, "strang");
+  poser.info = healthy.info;
+  s.schemes = {poser};
+  const auto r = quick(s);
+  EXPECT_EQ(verdict_of(r, parameters).kind, report::verdict_kind::refuted) << verdict_of(r, parameters).reason;
+  s.schemes = {healthy};
+  const auto of_healthy = quick(s);
+  for (const auto claim : {parameters, residual})
+    EXPECT_EQ(verdict_of(of_healthy, claim).kind, report::verdict_kind::holds) << claim;
 }
 
 /// The constants of a driver that takes `off` steps too many, over a share of the horizon.
