@@ -92,23 +92,4 @@ std::vector<std::string> claims_of(const std::vector<const verdict*>& rows) {
   return claims;
 }
 
-const verdict* verdict_on(const results& r, const fit& f) {
-  for (const auto& row : r.verdicts)
-    if (row.experiment == f.experiment && row.scheme == f.scheme && row.estimate == f.order && row.low == f.low &&
-        row.high == f.high)
-      return &row;
-  return nullptr;
-}
-
-std::string_view symbol_of(verdict_kind kind) {
-  switch (kind) {
-    case verdict_kind::holds: return "✓";
-    case verdict_kind::refuted: return "✗";
-    case verdict_kind::inconclusive: return "?";
-    case verdict_kind::not_tried: return "○";
-    case verdict_kind::skipped: return "–";
-  }
-  return "?";
-}
-
 }  // namespace polhode::report

@@ -18,10 +18,6 @@ struct tally {
   std::size_t total() const;
 };
 
-/// From the worst to the one that says least: the order in which a reader wants them.
-inline constexpr std::array kinds_by_weight{verdict_kind::refuted, verdict_kind::inconclusive, verdict_kind::holds,
-                                            verdict_kind::not_tried, verdict_kind::skipped};
-
 tally count(const std::vector<verdict>&);
 
 /// What matters most, in one short sentence.
@@ -39,11 +35,5 @@ const experiment* find_experiment(const results&, std::string_view name);
 std::vector<const verdict*> verdicts_of(const results&, std::string_view experiment);
 std::vector<const fit*> fits_of(const results&, std::string_view experiment);
 std::vector<std::string> claims_of(const std::vector<const verdict*>&);
-
-/// The verdict that was reached from this fit (it carries the same numbers); null where there is none.
-const verdict* verdict_on(const results&, const fit&);
-
-/// "✓", "✗", "?", "○" or "–": so that a verdict never rests on colour alone.
-std::string_view symbol_of(verdict_kind);
 
 }  // namespace polhode::report

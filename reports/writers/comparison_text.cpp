@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "reports/model/text.hpp"
 #include "reports/writers/numbers.hpp"
-#include "reports/writers/text.hpp"
 
 namespace polhode::report {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "reports/writers/board.hpp"
 #include "reports/writers/numbers.hpp"
-#include "reports/writers/places.hpp"
+#include "reports/writers/text.hpp"
 
 namespace polhode::report {
 namespace {
@@ -41,15 +41,13 @@ std::vector<pair_of_rows> pairs_of(const results& r, const std::string& experime
 plot plot_of(const std::vector<pair_of_rows>& pairs, const std::vector<std::string>& schemes,
              const std::string& observable) {
   plot p;
-  p.front = true;
   for (std::size_t i = 0; i < schemes.size(); ++i) {
     plot_series one{schemes[i], {}, {}, i};
     for (const auto& [error, cost] : pairs) {
       if (error->observable != observable || error->scheme != schemes[i]) continue;
       p.x_title = fmt::format("{} error [{}]", as_written(observable), error->unit);
       p.y_title = fmt::format("cost [{}]", cost->unit);
-      one.points.push_back({*error->value, *cost->value, finite(cost->low), finite(cost->high), cost->fitted,
-                            finite(error->low), finite(error->high)});
+      one.points.push_back({*error->value, *cost->value, finite(cost->low), finite(cost->high), cost->fitted});
     }
     std::ranges::sort(one.points, {}, &plot_point::x);
     if (!one.points.empty()) p.series.push_back(std::move(one));

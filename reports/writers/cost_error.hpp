@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reports/model/results.hpp"
-#include "reports/writers/svg_plot.hpp"
+#include "reports/writers/plot.hpp"
 
 namespace polhode::report {
 

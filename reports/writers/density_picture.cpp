@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "reports/model/text.hpp"
 #include "reports/writers/sphere_projection.hpp"
-#include "reports/writers/text.hpp"
 
 namespace polhode::report {
 namespace {

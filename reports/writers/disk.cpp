@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "reports/model/errors.hpp"
-#include "reports/writers/text.hpp"
+#include "reports/model/text.hpp"
 
 namespace polhode::report::disk {
 namespace {

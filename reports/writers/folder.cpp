@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 #include "reports/writers/csv.hpp"
 #include "reports/writers/disk.hpp"
 #include "reports/writers/html.hpp"
@@ -17,7 +18,6 @@
 #include "reports/writers/latex.hpp"
 #include "reports/writers/markdown.hpp"
 #include "reports/writers/output_folder.hpp"
-#include "reports/writers/text.hpp"
 
 namespace polhode::report {
 namespace {

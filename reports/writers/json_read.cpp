@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 #include "reports/writers/json.hpp"
 #include "reports/writers/json_node.hpp"
-#include "reports/writers/text.hpp"
 
 namespace polhode::report {
 namespace {
@@ -165,8 +165,7 @@ results from_json(std::string_view text) {
   const node root{document, ""};
   const node schema = root["schema"];
   if (schema["name"].text() != schema_name)
-    refuse("schema.name",
-           fmt::format("\"{}\", found \"{}\"", schema_name, shortened(one_line(schema["name"].text()), 40)));
+    refuse("schema.name", fmt::format("\"{}\", found \"{}\"", schema_name, one_line(schema["name"].text(), 40)));
   if (const int version = schema["version"].integer<int>(); version != schema_version)
     refuse("schema.version", fmt::format("{}, found {}", schema_version, version));
   results r{provenance_from(root["provenance"]),

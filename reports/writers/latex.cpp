@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "reports/model/text.hpp"
 #include "reports/writers/board.hpp"
 #include "reports/writers/cost_error.hpp"
 #include "reports/writers/numbers.hpp"
@@ -137,18 +138,15 @@ constexpr letter letters[] = {
     {"_", "\\_"},        {"{", "\\{"},        {"}", "\\}"},        {"[", "{[}"},
     {"]", "{]}"},        {"\"", "''"}};
 
-std::size_t length_of(unsigned char lead) { return lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4; }
-
 }  // namespace
 
 std::string escape_latex(std::string_view text) {
-  const std::string plain = one_line(text);
+  const std::string plain = one_line(printable(text), text.npos);
   std::string out;
   for (std::string_view rest = plain; !rest.empty();) {
-    const auto one = rest.substr(0, length_of(static_cast<unsigned char>(rest[0])));
+    const auto one = take_character(rest).bytes;
     const auto* known = std::ranges::find(letters, one, &letter::text);
     out += known != std::end(letters) ? known->command : one.size() == 1 ? one : "?";
-    rest.remove_prefix(one.size());
   }
   return out;
 }

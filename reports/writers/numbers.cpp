@@ -45,13 +45,6 @@ std::string shown_order_interval(std::optional<double> low, std::optional<double
   return finite(low) && finite(high) ? fmt::format("[{}, {}]", shown_order(low), shown_order(high)) : "";
 }
 
-std::string shown_certain(const measurement& m) {
-  if (!finite(m.value)) return "–";
-  std::string text = fmt::format("{:.6g}", *m.value + 0.0);
-  if (finite(m.low) && finite(m.high)) text += fmt::format(" ± {:.1g}", *m.high / 2 - *m.low / 2);
-  return m.unit.empty() || m.unit == "1" ? text : text + ' ' + m.unit;
-}
-
 std::string shown_duration(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0 || seconds > 1e9) return "–";
   if (seconds < 60) return fmt::format("{:.3g} s", seconds);

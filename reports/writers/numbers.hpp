@@ -24,9 +24,6 @@ std::string shown_order(std::optional<double>);
 std::string shown_interval(std::optional<double> low, std::optional<double> high);
 std::string shown_order_interval(std::optional<double> low, std::optional<double> high);
 
-/// "0.0201957 ± 6e-08 per time": six digits, half the interval, the unit; a dash where there is no value.
-std::string shown_certain(const measurement&);
-
 /// Seconds as a reader would say them: "0.42 s", "3 min 12 s", "2 h 5 min".
 std::string shown_duration(double seconds);
 

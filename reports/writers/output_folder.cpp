@@ -7,8 +7,8 @@
 #include <cerrno>
 
 #include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 #include "reports/writers/disk.hpp"
-#include "reports/writers/text.hpp"
 
 namespace polhode::report {
 

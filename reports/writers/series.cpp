@@ -18,8 +18,7 @@ namespace {
 struct chart {
   std::string quantity, observable, unit, abscissa;
   bool over_steps = false;
-  std::vector<const measurement*> rows;    // with an abscissa and a value
-  std::vector<const measurement*> levels;  // with a value that belongs to no step size
+  std::vector<const measurement*> rows;  // with an abscissa and a value
 };
 
 bool has_value(const measurement& m) { return finite(m.value).has_value(); }
@@ -32,13 +31,8 @@ std::vector<chart> charts_of(const results& r, const std::string& experiment) {
     if (m.experiment != experiment || !has_value(m) || !abscissa(m) || in_field(m) || says_cost(m)) continue;
     const bool over_steps = finite(m.steps).has_value();
     const auto [place, is_new] = known.try_emplace({m.quantity, m.observable, over_steps}, charts.size());
-    if (is_new) charts.push_back({m.quantity, m.observable, m.unit, m.abscissa, over_steps, {}, {}});
+    if (is_new) charts.push_back({m.quantity, m.observable, m.unit, m.abscissa, over_steps, {}});
     charts[place->second].rows.push_back(&m);
-  }
-  for (const auto& m : r.measurements) {
-    if (m.experiment != experiment || !has_value(m) || abscissa(m)) continue;
-    for (auto& one : charts)
-      if (one.quantity == m.quantity && one.observable == m.observable) one.levels.push_back(&m);
   }
   return charts;
 }
@@ -81,14 +75,7 @@ std::string ordinate_title(const chart& c, bool absolute) {
   return title;
 }
 
-void add_slope(std::vector<double>& slopes, const verdict* v) {
-  if (v == nullptr || !finite(v->expected) || *v->expected == 0) return;
-  if (std::find(slopes.begin(), slopes.end(), *v->expected) == slopes.end() && slopes.size() < 4)
-    slopes.push_back(*v->expected);
-}
-
-plot plot_of(const results& r, const chart& c, const std::vector<const fit*>& fits,
-             const std::vector<std::string>& schemes) {
+plot plot_of(const chart& c, const std::vector<const fit*>& fits, const std::vector<std::string>& schemes) {
   plot p;
   bool has_fit = false;
   for (std::size_t i = 0; i < schemes.size(); ++i) {
@@ -98,7 +85,6 @@ plot plot_of(const results& r, const chart& c, const std::vector<const fit*>& fi
     if (const auto* f = fit_of(fits, c, schemes[i]); f != nullptr && std::isfinite(f->order) && f->prefactor > 0) {
       has_fit = true;
       one.fitted = plot_power{f->order, f->prefactor};
-      add_slope(p.slopes, verdict_on(r, *f));
     }
     p.series.push_back(std::move(one));
   }
@@ -109,7 +95,6 @@ plot plot_of(const results& r, const chart& c, const std::vector<const fit*>& fi
   p.x_title = !c.abscissa.empty() ? c.abscissa : c.over_steps ? "number of steps" : "step size dt";
   p.y_title = ordinate_title(c, p.log_y && signs);
   p.title = fmt::format("{} over {}", p.y_title, p.x_title);
-  for (const auto* m : c.levels) p.levels.push_back({m->scheme.empty() ? m->method : m->scheme, *m->value});
   return p;
 }
 
@@ -138,7 +123,7 @@ std::vector<plot> plots_of(const results& r, const std::string& experiment) {
   auto schemes = scheme_names(r);
   schemes.emplace_back();  // measurements that belong to no scheme
   std::vector<plot> plots;
-  for (const auto& one : charts_of(r, experiment)) plots.push_back(plot_of(r, one, fits, schemes));
+  for (const auto& one : charts_of(r, experiment)) plots.push_back(plot_of(one, fits, schemes));
   return plots;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reports/model/results.hpp"
-#include "reports/writers/svg_plot.hpp"
+#include "reports/writers/plot.hpp"
 
 namespace polhode::report {
 
@@ -19,8 +19,8 @@ struct series {
 /// In the order in which the results mention them. The pointers live as long as the results.
 std::vector<series> series_of(const results&);
 
-/// One plot for each (quantity, observable) of the experiment that has an abscissa, one line a scheme; maps
-/// (field.hpp) are drawn by themselves.
+/// One plot for each (quantity, observable) of the experiment that has an abscissa, one line a scheme; not of the
+/// cells of maps (field.hpp).
 std::vector<plot> plots_of(const results&, const std::string& experiment);
 
 }  // namespace polhode::report

@@ -1,56 +1,22 @@
 #include "reports/writers/text.hpp"
 
+#include <algorithm>
+#include <utility>
+
+#include "reports/model/text.hpp"
+
 namespace polhode::report {
 namespace {
 
-constexpr char32_t replacement = 0xFFFD;
+constexpr std::string_view replacement = "\uFFFD";
 
-int length_from(unsigned char lead) {
-  if (lead < 0x80) return 1;
-  if (lead >= 0xC2 && lead < 0xE0) return 2;
-  if (lead >= 0xE0 && lead < 0xF0) return 3;
-  return lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
-}
-
-// Takes one code point off the front; a byte that starts none counts as one replacement character.
-char32_t take(std::string_view& rest) {
-  const auto lead = static_cast<unsigned char>(rest.front());
-  const int length = length_from(lead);
-  char32_t point = length <= 1 ? lead : lead & (0xFFu >> (length + 1));
-  bool good = length > 0 && static_cast<std::size_t>(length) <= rest.size();
-  for (int i = 1; good && i < length; ++i) {
-    const auto next = static_cast<unsigned char>(rest[static_cast<std::size_t>(i)]);
-    good = (next & 0xC0u) == 0x80u;
-    point = (point << 6) | (next & 0x3Fu);
-  }
-  constexpr char32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-  good = good && point >= least[length] && point <= 0x10FFFF && !(point >= 0xD800 && point < 0xE000);
-  rest.remove_prefix(good ? static_cast<std::size_t>(length) : 1);
-  return good ? point : replacement;
-}
-
-void put(std::string& out, char32_t point) {
-  const auto byte = [&](char32_t value) { out += static_cast<char>(static_cast<unsigned char>(value)); };
-  if (point < 0x80) return byte(point);
-  if (point < 0x800) {
-    byte(0xC0 | (point >> 6));
-  } else {
-    if (point < 0x10000) {
-      byte(0xE0 | (point >> 12));
-    } else {
-      byte(0xF0 | (point >> 18));
-      byte(0x80 | ((point >> 12) & 0x3F));
-    }
-    byte(0x80 | ((point >> 6) & 0x3F));
-  }
-  byte(0x80 | (point & 0x3F));
-}
+std::string_view valid_bytes(const character& c) { return c.valid ? c.bytes : replacement; }
 
 template <class Map>
-std::string mapped(std::string_view text, Map map) {
+std::string mapped(std::string_view text, Map bytes_of) {
   std::string out;
   out.reserve(text.size());
-  while (!text.empty()) map(out, take(text));
+  while (!text.empty()) out += bytes_of(take_character(text));
   return out;
 }
 
@@ -71,17 +37,10 @@ bool inside_word(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-std::string valid_utf8(std::string_view text) { return mapped(text, put); }
+std::string valid_utf8(std::string_view text) { return mapped(text, valid_bytes); }
 
 std::string printable(std::string_view text) {
-  return mapped(text, [](std::string& out, char32_t point) { put(out, forbidden(point) ? replacement : point); });
-}
-
-std::string one_line(std::string_view text) {
-  std::string out = printable(text);
-  for (char& c : out)
-    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
-  return out;
+  return mapped(text, [](const character& c) { return forbidden(c.point) ? replacement : valid_bytes(c); });
 }
 
 std::string escape_html(std::string_view text) {
@@ -98,7 +57,7 @@ std::string escape_html(std::string_view text) {
 }
 
 std::string escape_markdown(std::string_view text) {
-  const std::string clean = one_line(text);
+  const std::string clean = one_line(printable(text), text.npos);
   std::string out;
   for (std::size_t i = 0; i < clean.size(); ++i) switch (const char c = clean[i]) {
       case '&': out += "&amp;"; break;
@@ -117,13 +76,22 @@ std::string escape_markdown(std::string_view text) {
 
 std::string shortened(std::string_view text, std::size_t limit) {
   std::string out;
-  std::string_view rest = text;
-  for (std::size_t count = 0; !rest.empty(); ++count) {
-    const char32_t point = take(rest);
-    if (count + 1 >= limit && !rest.empty()) return out + "…";
-    put(out, point);
+  for (std::size_t count = 0; !text.empty(); ++count) {
+    const auto c = take_character(text);
+    if (count + 1 >= limit && !text.empty()) return out + "…";
+    out += valid_bytes(c);
   }
   return out;
+}
+
+std::string as_written(std::string text) {
+  constexpr std::pair<std::string_view, std::string_view> letters[] = {
+      {"lambda_1", "λ₁"}, {"lambda_2", "λ₂"}, {"sigma", "σ"}, {"theta", "θ"}};
+  for (const auto& [name, letter] : letters)
+    for (auto at = text.find(name); at != text.npos; at = text.find(name, at + letter.size()))
+      text.replace(at, name.size(), letter);
+  std::ranges::replace(text, '_', ' ');
+  return text;
 }
 
 }  // namespace polhode::report

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "platform/isa_entry.hpp"
+
 namespace polhode {
 
 /// c += a b.
@@ -34,13 +36,5 @@ struct dense_product {
 
 }  // namespace polhode
 
-extern "C" {
-void polhode_add_product_v2(const polhode::dense_product&);
-void polhode_add_product_v3(const polhode::dense_product&);
-void polhode_add_product_v4(const polhode::dense_product&);
-void polhode_add_product_portable(const polhode::dense_product&);
-void polhode_solve_v2(const polhode::dense_columns&, const polhode::dense_columns& right_sides);
-void polhode_solve_v3(const polhode::dense_columns&, const polhode::dense_columns& right_sides);
-void polhode_solve_v4(const polhode::dense_columns&, const polhode::dense_columns& right_sides);
-void polhode_solve_portable(const polhode::dense_columns&, const polhode::dense_columns& right_sides);
-}
+POLHODE_DECLARE_ENTRIES(polhode_add_product_, const polhode::dense_product&);
+POLHODE_DECLARE_ENTRIES(polhode_solve_, const polhode::dense_columns&, const polhode::dense_columns& right_sides);

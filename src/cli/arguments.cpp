@@ -1,7 +1,6 @@
 #include "cli/arguments.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -9,9 +8,8 @@
 #include <limits>
 #include <thread>
 
-#include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 #include "scene/nearest.hpp"
-#include "scene/text.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -27,7 +25,7 @@ double number(std::string_view text) {
 }
 
 double checked_number(std::string_view option, std::string_view text, bool accepted, std::string_view what) {
-  if (!accepted) throw input_error(fmt::format("{} {}: accepted: {}", option, shown(text), what));
+  if (!accepted) refuse(option, text, fmt::format("accepted: {}", what));
   return number(text);
 }
 
@@ -56,16 +54,8 @@ std::uint64_t integer_option(std::string_view option, std::string_view text, std
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool whole = fault == std::errc{} && end == text.data() + text.size();
   if (!whole || value < low || value > high)
-    throw input_error(fmt::format("{} {}: accepted: an integer from {} to {}", option, shown(text), low, high));
+    refuse(option, text, fmt::format("accepted: an integer from {} to {}", low, high));
   return value;
-}
-
-std::size_t choice_option(std::string_view option, std::string_view text, std::span<const std::string> accepted) {
-  const auto found = std::ranges::find(accepted, text);
-  if (found == accepted.end())
-    throw input_error(fmt::format("{} {}: not known{}; accepted: {}", option, shown(text), did_you_mean(text, accepted),
-                                  fmt::join(accepted, ", ")));
-  return static_cast<std::size_t>(found - accepted.begin());
 }
 
 std::vector<std::string> list_option(std::string_view option, std::string_view text) {
@@ -73,7 +63,7 @@ std::vector<std::string> list_option(std::string_view option, std::string_view t
   for (std::string_view rest = text; !rest.empty();) {
     const auto item = rest.substr(0, rest.find(','));
     if (item.empty() || item.size() + 1 == rest.size())
-      throw input_error(fmt::format("{} {}: an empty name; accepted: names separated by commas", option, shown(text)));
+      refuse(option, text, "an empty name; accepted: names separated by commas");
     if (std::ranges::find(out, item) == out.end()) out.emplace_back(item);
     rest.remove_prefix(std::min(item.size() + 1, rest.size()));
   }
@@ -82,7 +72,7 @@ std::vector<std::string> list_option(std::string_view option, std::string_view t
 
 format format_option(std::string_view text) {
   static const std::vector<std::string> accepted{"text", "json"};
-  return choice_option("--format", text, accepted) == 0 ? format::text : format::json;
+  return choose("--format", text, accepted) == 0 ? format::text : format::json;
 }
 
 }  // namespace polhode::cli

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,8 +18,6 @@ int threads_option(std::string_view text);
 double positive_option(std::string_view option, std::string_view text);
 double nonnegative_option(std::string_view option, std::string_view text);
 std::uint64_t integer_option(std::string_view option, std::string_view text, std::uint64_t low, std::uint64_t high);
-/// The index of the value in the list of those accepted.
-std::size_t choice_option(std::string_view option, std::string_view text, std::span<const std::string> accepted);
 /// "a,b" -> {a, b}, each once.
 std::vector<std::string> list_option(std::string_view option, std::string_view text);
 

@@ -6,8 +6,8 @@
 #include "cli/user_folders.hpp"
 #include "comparison/compare.hpp"
 #include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 #include "reports/writers/folder.hpp"
-#include "scene/text.hpp"
 
 namespace polhode::cli {
 

@@ -6,7 +6,7 @@
 
 #include "cli/user_folders.hpp"
 #include "reports/model/errors.hpp"
-#include "scene/text.hpp"
+#include "reports/model/text.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "scene/text.hpp"
+#include "reports/model/text.hpp"
 
 namespace polhode::cli {
 

@@ -9,9 +9,11 @@
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
 #include "cli/terminal.hpp"
+#include "reports/model/errors.hpp"
 #include "reports/writers/json.hpp"
 #include "run/verify.hpp"
 #include "scene/builtin.hpp"
+#include "scene/nearest.hpp"
 #include "systems/systems.hpp"
 
 namespace polhode::cli {
@@ -54,10 +56,9 @@ listing experiments() {
   return out;
 }
 
-template <class Catalog>
-listing catalog(const Catalog& all) {
+listing scenes() {
   listing out;
-  for (const auto& e : all) {
+  for (const auto& e : builtin_scene_table()) {
     out.text.push_back({std::string{e.name}, std::string{e.title}});
     out.objects.push_back({{"name", e.name}, {"title", e.title}});
   }
@@ -80,51 +81,80 @@ json default_of(const parameter_rule& p) {
   return p.shape == report::shape::vector ? json((*p.fallback)[0]) : json(*p.fallback);
 }
 
+json described(const std::vector<parameter_rule>& all) {
+  auto out = json::array();
+  for (const auto& p : all)
+    out.push_back({{"name", p.name},
+                   {"shape", name_of(p.shape)},
+                   {"unit", p.unit},
+                   {"default", default_of(p)},
+                   {"accepts", p.accepts},
+                   {"meaning", p.meaning}});
+  return out;
+}
+
+std::string in_lines(const std::vector<parameter_rule>& all) {
+  std::string out;
+  for (const auto& p : all)
+    out += fmt::format("\n{}: {} ({}{}{})", p.name, p.meaning, p.accepts, p.unit.empty() ? "" : "; unit ", p.unit);
+  return out;
+}
+
 listing list_of_systems() {
   listing out;
   for (const auto& s : systems()) {
-    std::string text{s.title};
-    auto parameters = json::array();
     auto all = s.parameters;
     all.push_back(momentum_rule(s));
-    for (const auto& p : all) {
-      text += fmt::format("\n{}: {} ({}{}{})", p.name, p.meaning, p.accepts, p.unit.empty() ? "" : "; unit ", p.unit);
-      parameters.push_back({{"name", p.name},
-                            {"shape", name_of(p.shape)},
-                            {"unit", p.unit},
-                            {"default", default_of(p)},
-                            {"accepts", p.accepts},
-                            {"meaning", p.meaning}});
+    std::string text = std::string(s.title) + in_lines(all);
+    json object{{"name", s.name}, {"title", s.title}, {"parameters", described(all)}};
+    if (!s.own_units.empty()) {
+      text += "\nor, in its own units, but for momentum:" + in_lines(s.own_units);
+      object["own_units"] = described(s.own_units);
     }
     out.text.push_back({std::string(s.name), text});
-    out.objects.push_back({{"name", s.name}, {"title", s.title}, {"parameters", parameters}});
+    out.objects.push_back(object);
   }
   return out;
 }
 
-struct subject {
-  std::string name;
-  listing (*list)();
-};
-const std::vector<subject>& subjects() {
-  static const std::vector<subject> all{{"schemes", schemes},
-                                        {"experiments", experiments},
-                                        {"scenes", [] { return catalog(builtin_scene_table()); }},
-                                        {"observables", [] { return catalog(list_observables()); }},
-                                        {"systems", list_of_systems}};
-  return all;
+listing list_of_observables(const std::string& system) {
+  std::vector<std::string> names;
+  for (const auto& s : systems()) names.emplace_back(s.name);
+  listing out;
+  for (const auto& o : systems()[choose("--system", system, names)].observables) {
+    out.text.push_back({o.name, o.meaning});
+    out.objects.push_back({{"name", o.name}, {"title", o.meaning}});
+  }
+  return out;
 }
 
 struct arguments {
-  std::string what, format = "text";
+  std::string what, format = "text", system;
 };
+
+struct subject {
+  std::string name;
+  listing (*list)(const arguments&);
+};
+const std::vector<subject>& subjects() {
+  static const std::vector<subject> all{
+      {"schemes", [](const arguments&) { return schemes(); }},
+      {"experiments", [](const arguments&) { return experiments(); }},
+      {"scenes", [](const arguments&) { return scenes(); }},
+      {"observables",
+       [](const arguments& a) { return list_of_observables(a.system.empty() ? "rigid_body" : a.system); }},
+      {"systems", [](const arguments&) { return list_of_systems(); }}};
+  return all;
+}
 
 int run(const arguments& given) {
   std::vector<std::string> names;
   for (const auto& s : subjects()) names.push_back(s.name);
   const auto output = format_option(given.format);
-  const auto& chosen = subjects()[choice_option("list", given.what, names)];
-  const auto all = chosen.list();
+  const auto& chosen = subjects()[choose("list", given.what, names)];
+  if (!given.system.empty() && chosen.name != "observables")
+    throw input_error(fmt::format("--system '{}': accepted with observables", given.system));
+  const auto all = chosen.list(given);
   print(output == format::json ? all.objects.dump(2) + '\n' : entries(all.text, terminal_width(STDOUT_FILENO)));
   return 0;
 }
@@ -135,6 +165,7 @@ command add_list(CLI::App& app) {
   const auto given = std::make_shared<arguments>();
   auto& parser = add_command(app, "list", "Name what there is, schemes with their claims");
   add_option(parser, "WHAT", given->what, "schemes, experiments, scenes, observables, systems", "");
+  add_option(parser, "--system", given->system, "of observables: whose [rigid_body]", "NAME");
   add_option(parser, "--format", given->format, "text, json [text]", "F");
   return {&parser, [given] { return run(*given); }};
 }

@@ -73,10 +73,8 @@ void refuse_rest(const CLI::App& parser) {
   const auto argument = rest.front().substr(0, rest.front().find('='));
   if (!argument.starts_with('-'))
     throw input_error(fmt::format("{} is one argument too many for {}", shown(argument), parser.get_name()));
-  const auto known = long_options_of(parser);
-  // One letter is near to any other.
-  const auto hint = argument.size() > 2 ? did_you_mean(argument, known) : "";
-  throw input_error(fmt::format("{}: unknown option{}; accepted: {}", shown(argument), hint, fmt::join(known, ", ")));
+  throw input_error(
+      fmt::format("{}: unknown option{}", shown(argument), accepted_instead(argument, long_options_of(parser))));
 }
 
 void refuse_unknown(const CLI::App& root, std::span<const command> commands) {
@@ -84,8 +82,7 @@ void refuse_unknown(const CLI::App& root, std::span<const command> commands) {
   for (const auto& c : commands) names.push_back(c.parser->get_name());
   const auto rest = rest_of(root);
   if (!rest.empty() && !rest.front().starts_with('-') && root.get_subcommands().empty())
-    throw input_error(fmt::format("{}: unknown command{}; accepted: {}", shown(rest.front()),
-                                  did_you_mean(rest.front(), names), fmt::join(names, ", ")));
+    throw input_error(fmt::format("{}: unknown command{}", shown(rest.front()), accepted_instead(rest.front(), names)));
   refuse_rest(root);
   for (const auto* parser : root.get_subcommands()) refuse_rest(*parser);
   if (root.get_subcommands().empty())

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/layout.hpp"
-#include "scene/text.hpp"
+#include "reports/model/text.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "cli/terminal.hpp"
-#include "scene/text.hpp"
+#include "reports/model/text.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 #include "reports/writers/json.hpp"
-#include "scene/text.hpp"
 
 namespace polhode::cli {
 

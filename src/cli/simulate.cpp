@@ -12,11 +12,12 @@
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
 #include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 #include "reports/writers/colour_map.hpp"
 #include "reports/writers/numbers.hpp"
 #include "reports/writers/simulation_folder.hpp"
 #include "reports/writers/simulation_json.hpp"
-#include "scene/text.hpp"
+#include "scene/nearest.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -56,8 +57,8 @@ simulate_options checked_options(const arguments& given) {
 
 report::snapshot_style checked_style(const arguments& given) {
   static const std::vector<std::string> histograms{"npy", "csv"};
-  return {choice_option("--colour-map", given.colour_map, report::colour_map_names()),
-          choice_option("--histogram", given.histogram, histograms) == 1};
+  return {choose("--colour-map", given.colour_map, report::colour_map_names()),
+          choose("--histogram", given.histogram, histograms) == 1};
 }
 
 std::string row(const report::ensemble_state& s) {

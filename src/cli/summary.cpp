@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cli/layout.hpp"
+#include "reports/model/text.hpp"
 #include "reports/writers/numbers.hpp"
-#include "scene/text.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -14,7 +14,7 @@
 #include <string>
 
 #include "reports/model/errors.hpp"
-#include "scene/text.hpp"
+#include "reports/model/text.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "reports/model/errors.hpp"
-#include "scene/text.hpp"
+#include "reports/model/text.hpp"
 
 namespace polhode::cli {
 namespace {

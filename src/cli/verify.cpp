@@ -23,10 +23,11 @@
 #include "cli/terminal.hpp"
 #include "cli/user_folders.hpp"
 #include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 #include "reports/writers/comparison_text.hpp"
 #include "reports/writers/folder.hpp"
 #include "reports/writers/json.hpp"
-#include "scene/text.hpp"
+#include "scene/nearest.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -45,7 +46,7 @@ verify_options checked_options(const arguments& given) {
   verify_options options;
   options.schemes = list_option("--schemes", given.schemes);
   options.experiments = list_option("--experiments", given.experiments);
-  options.effort = static_cast<effort>(choice_option("--effort", given.effort, efforts));
+  options.effort = static_cast<effort>(choose("--effort", given.effort, efforts));
   options.threads = threads_option(given.threads);
   options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
   options.isa = given.isa;
@@ -147,7 +148,7 @@ void print_all(const arguments& given, std::span<const report::results> all,
 
 int run(const arguments& given) {
   format_option(given.format);
-  choice_option("--progress", given.progress, std::array<std::string, 2>{"auto", "lines"});
+  choose("--progress", given.progress, std::array<std::string, 2>{"auto", "lines"});
   auto options = checked_options(given);
   const auto scenes = checked_scenes(given);
   for (const auto& scene : scenes) check_options(scene, options);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "ensemble/kernel.hpp"
+#include "platform/isa_entry.hpp"
 
 namespace polhode {
 
@@ -17,9 +18,4 @@ void find_bins(const double* states, direction_bins&);
 
 }  // namespace polhode
 
-extern "C" {
-void polhode_find_bins_v2(const double*, polhode::direction_bins&);
-void polhode_find_bins_v3(const double*, polhode::direction_bins&);
-void polhode_find_bins_v4(const double*, polhode::direction_bins&);
-void polhode_find_bins_portable(const double*, polhode::direction_bins&);
-}
+POLHODE_DECLARE_ENTRIES(polhode_find_bins_, const double*, polhode::direction_bins&);

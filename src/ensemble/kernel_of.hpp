@@ -1,4 +1,4 @@
-// The loops around a scheme's step, compiled for packs. Instantiated in the registry alone.
+// The loops around a scheme's step, compiled for packs. Instantiated where a system is bound, in src/systems, alone.
 //
 // Steps are the outer loop, packs the inner one: the packs of a block are independent of each other, so the chain of
 // dependent operations in one pack's step is hidden behind the others'. The states of a block and the increments of a
@@ -48,8 +48,10 @@ using loop_pack =
 
 /// A splitting whose last flow merges with the first of the next step: step = outer(dt/2) inner outer(dt/2).
 template <class Scheme, class System>
-concept merges_on = requires(const System& system, const vec<double, System::dimension>& mu,
-                             const wiener<double, System::channels>& w) {
+concept merges_on = requires {
+  requires Scheme::template merges<System>;
+}
+&&requires(const System& system, const vec<double, System::dimension>& mu, const wiener<double, System::channels>& w) {
   Scheme::outer(system, Scheme::inner(system, mu, w), half_step{});
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "ensemble/kernel.hpp"
+#include "platform/isa_entry.hpp"
 
 namespace polhode {
 
@@ -24,9 +25,4 @@ void add_tangent_controls(const tangent_controls&);
 
 }  // namespace polhode
 
-extern "C" {
-void polhode_add_controls_v2(const polhode::tangent_controls&);
-void polhode_add_controls_v3(const polhode::tangent_controls&);
-void polhode_add_controls_v4(const polhode::tangent_controls&);
-void polhode_add_controls_portable(const polhode::tangent_controls&);
-}
+POLHODE_DECLARE_ENTRIES(polhode_add_controls_, const polhode::tangent_controls&);

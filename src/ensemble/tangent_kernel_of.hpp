@@ -1,6 +1,6 @@
-// The tangents of a scheme's own step, by dual numbers: no derivative is written by hand. One
-// form of the system for every scene and step size, as a derivative is worth no specialisation. Instantiated in the
-// registry alone.
+// The tangents of a scheme's own step, by dual numbers: no derivative is written by hand. One form of the system for
+// every scene and step size, as a derivative is worth no specialisation. Instantiated where a system is bound, in
+// src/systems, alone.
 #pragma once
 
 #include <utility>

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "platform/isa_entry.hpp"
+
 namespace polhode {
 
 /// Steps of 64 lanes, as a kernel with noise of its own makes them: shears of three numbers with a table from the
@@ -21,9 +23,4 @@ void run_yardstick(const yardstick_loop&);
 
 }  // namespace polhode
 
-extern "C" {
-void polhode_yardstick_v2(const polhode::yardstick_loop&);
-void polhode_yardstick_v3(const polhode::yardstick_loop&);
-void polhode_yardstick_v4(const polhode::yardstick_loop&);
-void polhode_yardstick_portable(const polhode::yardstick_loop&);
-}
+POLHODE_DECLARE_ENTRIES(polhode_yardstick_, const polhode::yardstick_loop&);

@@ -7,6 +7,11 @@
 #define POLHODE_JOIN(a, b) POLHODE_JOIN_EXPANDED(a, b)
 #define POLHODE_ENTRY(prefix) POLHODE_JOIN(prefix, POLHODE_ISA)
 
+/// Declares f_v2, f_v3, f_v4 and f_portable, whichever of them there are; after the prefix the types of its arguments.
+#define POLHODE_DECLARE_ENTRIES(prefix, ...)                                                 \
+  extern "C" void prefix##v2(__VA_ARGS__), prefix##v3(__VA_ARGS__), prefix##v4(__VA_ARGS__), \
+      prefix##portable(__VA_ARGS__)
+
 /// The list of f_v2, f_v3, f_v4, or of the only one that this build has: arguments of by_isa and for_isa.
 #if defined(POLHODE_X86_LEVELS)
 #define POLHODE_ALL_ENTRIES(prefix) POLHODE_JOIN(prefix, v2), POLHODE_JOIN(prefix, v3), POLHODE_JOIN(prefix, v4)

@@ -3,13 +3,13 @@
 
 #include <Eigen/Core>
 
-#include "reports/model/results.hpp"
+#include "problem/drives.hpp"
 
 namespace polhode {
 
 inline Eigen::Matrix3d noise_covariance(const report::scene& s) {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (const auto& v : s.vectors("sigma")) {
+  for (const auto& v : noise_vectors_of(s)) {
     const Eigen::Map<const Eigen::Vector3d> e(v.data());
     covariance += e * e.transpose();
   }

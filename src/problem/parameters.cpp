@@ -5,19 +5,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "problem/drives.hpp"
+
 namespace polhode {
 namespace {
 
 using rows = report::number_rows;
 using report::shape;
 using row = std::vector<double>;
-
-template <class Test>
-auto number_if(Test test) {
-  return [test](const rows& given, shape s) -> std::optional<rows> {
-    return s == shape::number && test(given[0][0]) ? std::optional(given) : std::nullopt;
-  };
-}
 
 template <class Test>
 auto vector_if(std::size_t size, Test test) {
@@ -49,7 +44,7 @@ std::optional<rows> symmetric(const rows& given, shape s, std::size_t size) {
 std::optional<rows> noise(const rows& given, shape s, std::size_t size) {
   rows out = given;
   if (s == shape::number) out = diagonal(row(size, given[0][0]));
-  if (s == shape::vector) out = given[0].empty() ? rows{} : diagonal(given[0]);
+  if (s == shape::vector) out = diagonal(given[0]);
   if (!all_of_size(out, size)) return std::nullopt;
   std::erase_if(out, [](const row& v) { return std::ranges::all_of(v, [](double x) { return x == 0; }); });
   return out;
@@ -65,65 +60,61 @@ std::string in_words(std::size_t count) {
   return count < std::size(words) ? std::string(words[count]) : std::to_string(count);
 }
 
-parameter_rule positive_number(std::string name, std::string unit, std::string meaning) {
-  return {std::move(name),    shape::number, std::move(unit), "a finite number > 0", std::move(meaning), role::none, {},
-          number_if(positive)};
+parameter_rule number_of(std::string name, std::string unit, std::string meaning) {
+  return {.name = std::move(name),
+          .shape = shape::number,
+          .unit = std::move(unit),
+          .accepts = "a finite number",
+          .meaning = std::move(meaning),
+          .read = [](const rows& given, shape s) { return s == shape::number ? std::optional(given) : std::nullopt; }};
 }
 
 parameter_rule number_from_zero(std::string name, std::string unit, std::string meaning) {
-  return {std::move(name),
-          shape::number,
-          std::move(unit),
-          "a finite number >= 0",
-          std::move(meaning),
-          role::none,
-          {},
-          number_if([](double x) { return x >= 0; })};
+  auto rule = number_of(std::move(name), std::move(unit), std::move(meaning));
+  rule.accepts += " >= 0";
+  rule.read = [](const rows& given, shape s) {
+    return s == shape::number && given[0][0] >= 0 ? std::optional(given) : std::nullopt;
+  };
+  return rule;
+}
+
+parameter_rule dissipation_strength(std::string unit, std::string meaning) {
+  return number_from_zero(std::string(dissipation_key), std::move(unit), std::move(meaning));
 }
 
 parameter_rule vector_of(std::string name, std::size_t size, std::string unit, std::string meaning) {
-  return {std::move(name),
-          shape::vector,
-          std::move(unit),
-          fmt::format("{} finite numbers", in_words(size)),
-          std::move(meaning),
-          role::none,
-          {},
-          vector_if(size, finite)};
+  return {.name = std::move(name),
+          .shape = shape::vector,
+          .unit = std::move(unit),
+          .accepts = fmt::format("{} finite numbers", in_words(size)),
+          .meaning = std::move(meaning),
+          .read = vector_if(size, finite)};
 }
 
 parameter_rule positive_vector_of(std::string name, std::size_t size, std::string unit, std::string meaning) {
-  return {std::move(name),
-          shape::vector,
-          std::move(unit),
-          fmt::format("{} finite numbers > 0", in_words(size)),
-          std::move(meaning),
-          role::none,
-          {},
-          vector_if(size, positive)};
+  auto rule = vector_of(std::move(name), size, std::move(unit), std::move(meaning));
+  rule.accepts += " > 0";
+  rule.read = vector_if(size, positive);
+  return rule;
 }
 
 parameter_rule symmetric_matrix(std::string name, std::size_t size, std::string unit, std::string meaning) {
-  return {std::move(name),
-          shape::vectors,
-          std::move(unit),
-          fmt::format("{0} finite numbers, or a symmetric {1} x {1} matrix of them", in_words(size), size),
-          std::move(meaning),
-          role::none,
-          {},
-          [size](const rows& given, shape s) { return symmetric(given, s, size); }};
+  return {.name = std::move(name),
+          .shape = shape::vectors,
+          .unit = std::move(unit),
+          .accepts = fmt::format("{0} finite numbers, or a symmetric {1} x {1} matrix of them", in_words(size), size),
+          .meaning = std::move(meaning),
+          .read = [size](const rows& given, shape s) { return symmetric(given, s, size); }};
 }
 
 parameter_rule noise_vectors(std::size_t size, std::string unit) {
   const auto n = in_words(size);
-  return {"sigma",
-          shape::vectors,
-          std::move(unit),
-          fmt::format("a finite number, {} of them, or a list of vectors of {}", n, n),
-          "noise vectors: a number s means s e_i, numbers s_i mean s_i e_i, [] none",
-          role::noise,
-          {},
-          [size](const rows& given, shape s) { return noise(given, s, size); }};
+  return {.name = std::string(noise_key),
+          .shape = shape::vectors,
+          .unit = std::move(unit),
+          .accepts = fmt::format("a finite number, {} of them, or a list of vectors of {}", n, n),
+          .meaning = "noise vectors: a number s means s e_i, numbers s_i mean s_i e_i, [] none",
+          .read = [size](const rows& given, shape s) { return noise(given, s, size); }};
 }
 
 }  // namespace polhode

@@ -12,18 +12,10 @@
 
 namespace polhode {
 
-/// What an experiment may do to a parameter whose name it does not know.
-enum class role {
-  none,
-  dissipation,  ///< one number >= 0 that multiplies the double bracket
-  noise         ///< vectors sigma_i that multiply dW^i
-};
-
 struct parameter_rule {
   std::string name;
   report::shape shape = report::shape::number;  ///< in which it is kept
   std::string unit, accepts, meaning;
-  polhode::role role = polhode::role::none;
   std::optional<report::number_rows> fallback = {};  ///< where a scene may leave it out
   /// What a scene gives, in any shape, as it is kept; nothing where it is not accepted.
   std::function<std::optional<report::number_rows>(const report::number_rows& given, report::shape)> read = {};
@@ -32,8 +24,10 @@ struct parameter_rule {
 /// "three" for 3.
 std::string in_words(std::size_t count);
 
-/// One number above zero, or not below it.
-parameter_rule positive_number(std::string name, std::string unit, std::string meaning);
+/// The key `theta`: one number, not below zero.
+parameter_rule dissipation_strength(std::string unit, std::string meaning);
+/// Any finite number, or one not below zero.
+parameter_rule number_of(std::string name, std::string unit, std::string meaning);
 parameter_rule number_from_zero(std::string name, std::string unit, std::string meaning);
 /// So many numbers; all of them above zero.
 parameter_rule vector_of(std::string name, std::size_t size, std::string unit, std::string meaning);

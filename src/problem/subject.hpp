@@ -12,6 +12,8 @@
 #include "ensemble/kernel.hpp"
 #include "ensemble/model.hpp"
 #include "ensemble/tangent_kernel.hpp"
+#include "problem/capabilities.hpp"
+#include "problem/drives.hpp"
 #include "reports/model/results.hpp"
 
 namespace polhode {
@@ -32,15 +34,16 @@ inline bool any_needs_areas(std::span<const scheme_entry> schemes) {
 struct subject {
   report::scene scene;
   std::shared_ptr<const polhode::model> model;
+  std::shared_ptr<const capabilities> offers;
   std::vector<scheme_entry> schemes;
   std::vector<report::skip> inapplicable;             ///< schemes that cannot run on this system, and why
   std::function<subject(const report::scene&)> with;  ///< the same system and schemes on a changed scene
 
-  subject without_noise() const {
-    auto still = scene;
-    still.vectors("sigma").clear();
-    return with(still);
-  }
+  subject without_noise() const { return with(with_noise_vectors(scene, {})); }
+  subject without_dissipation() const { return with(with_dissipation(scene, 0)); }
+
+  /// Nothing where the diffusion does not live on a sphere.
+  const std::optional<sphere_problem>& sphere() const { return offers->sphere; }
 };
 
 /// Claimed strong order on this noise.

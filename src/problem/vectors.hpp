@@ -1,6 +1,7 @@
-// Lengths of states of any dimension.
+// States of any dimension.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -17,5 +18,8 @@ inline double distance(std::span<const double> a, std::span<const double> b) {
   for (std::size_t i = 0; i < a.size(); ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
   return std::sqrt(square);
 }
+
+/// The first three components.
+inline std::array<double, 3> three(std::span<const double> a) { return {a[0], a[1], a[2]}; }
 
 }  // namespace polhode

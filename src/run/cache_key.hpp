@@ -10,7 +10,7 @@ namespace polhode {
 
 /// The values of the scene but its name, effort, seed, instruction set, processor, and the running program itself; not
 /// the number of threads, nor the other schemes. Empty where the program cannot be identified: keep nothing then.
-/// The scheme is known by its name, so a key is good for subjects of the registry only.
+/// The scheme is known by its name, so a key is good for subjects of bind_scene only.
 std::string cache_key(const context&, std::string_view experiment, std::string_view scheme);
 
 }  // namespace polhode

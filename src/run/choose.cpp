@@ -4,35 +4,25 @@
 #include <fmt/ranges.h>
 #include <gsl/gsl_errno.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "reports/model/errors.hpp"
 #include "run/machine_options.hpp"
 #include "run/verify.hpp"
 #include "scene/nearest.hpp"
-#include "scene/text.hpp"
+#include "systems/systems.hpp"
 
 namespace polhode {
-namespace {
-
-void check_name(std::string_view option, const std::string& given, const std::vector<std::string>& known) {
-  if (std::ranges::find(known, given) == known.end())
-    throw input_error(fmt::format("{} '{}': not known{}; accepted: {}", option, one_line(given, 60),
-                                  did_you_mean(given, known), fmt::join(known, ", ")));
-}
-
-}  // namespace
 
 selection select(const scene& s, const select_options& o) {
   static const std::vector<std::string> goals{"strong", "weak", "stationary", "energy"};
   gsl_set_error_handler_off();
   apply_isa(o.isa);
   if (o.goal.empty()) throw input_error(fmt::format("--goal is missing; accepted: {}", fmt::join(goals, ", ")));
-  check_name("--goal", o.goal, goals);
+  choose("--goal", o.goal, goals);
   std::vector<std::string> observables{std::string(all_observables)};
-  for (const auto& entry : list_observables()) observables.push_back(entry.name);
-  check_name("--observable", o.observable, observables);
+  for (const auto& entry : find_system(s.system)->observables) observables.push_back(entry.name);
+  choose("--observable", o.observable, observables);
   if (o.time && !(*o.time > 0 && std::isfinite(*o.time)))
     throw input_error(fmt::format("--time '{:g}': accepted: a number above 0", *o.time));
   const auto bound = bind_scene(s);

@@ -12,7 +12,7 @@ namespace polhode {
 struct select_options {
   std::string goal;
   double tolerance = 0;
-  std::string observable = "all";    ///< of weak and stationary: the worst of all, or one; see list_observables
+  std::string observable = "all";    ///< of weak and stationary: the worst of all, or one; see system_entry
   std::optional<double> time;        ///< the scene's horizon if absent
   std::vector<std::string> require;  ///< see requirements()
   int threads = 1;

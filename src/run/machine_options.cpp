@@ -8,28 +8,26 @@
 
 #include "ensemble/noise/normal_block.hpp"
 #include "platform/isa.hpp"
-#include "reports/model/errors.hpp"
+#include "scene/nearest.hpp"
 
 namespace polhode {
 
 void apply_isa(const std::string& wanted) {
-  if (wanted == "auto") return;
   const auto usable = usable_isas();
-  const auto level = isa_named(wanted);
-  if (!level || std::ranges::find(usable, *level) == usable.end()) {
-    std::vector<std::string_view> names{"auto"};
-    for (const isa i : usable) names.push_back(name_of(i));
-    throw input_error(fmt::format("--isa: \"{}\" is not to be had here; accepted: {}", wanted, fmt::join(names, ", ")));
-  }
-  choose_isa(*level);
+  std::vector<std::string> names{"auto"};
+  for (const isa i : usable) names.emplace_back(name_of(i));
+  if (isa_named(wanted) && std::ranges::find(names, wanted) == names.end())
+    refuse("--isa", wanted, fmt::format("not to be had here; accepted: {}", fmt::join(names, ", ")));
+  if (const auto chosen = choose("--isa", wanted, names); chosen > 0) choose_isa(usable[chosen - 1]);
 }
 
 noise_generator generator_named(const std::string& name) {
-  if (name == "philox") return noise_generator::philox;
-  if (name == "ars" && ars_usable()) return noise_generator::ars;
-  throw input_error(fmt::format("--generator: \"{}\" is {}; accepted: philox{}", name,
-                                name == "ars" ? "not to be had here: the processor has no AES" : "not known",
-                                ars_usable() ? ", ars" : ""));
+  std::vector<std::string> names{"philox"};
+  if (ars_usable())
+    names.emplace_back("ars");
+  else if (name == "ars")
+    refuse("--generator", name, "not to be had here: the processor has no AES; accepted: philox");
+  return choose("--generator", name, names) == 0 ? noise_generator::philox : noise_generator::ars;
 }
 
 }  // namespace polhode

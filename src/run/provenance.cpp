@@ -5,7 +5,7 @@
 #include <string>
 
 #include "polhode_build.hpp"  // generated (cmake/polhode_provenance.cmake)
-#include "scene/text.hpp"
+#include "reports/model/text.hpp"
 
 namespace polhode {
 namespace {

@@ -11,7 +11,6 @@
 #include "reports/model/errors.hpp"
 #include "run/verify.hpp"
 #include "scene/nearest.hpp"
-#include "scene/text.hpp"
 #include "sphere/closed_forms/gibbs.hpp"
 #include "sphere/lyapunov.hpp"
 #include "sphere/observables.hpp"
@@ -26,10 +25,6 @@ constexpr double value_tolerance = 1e-11, rate_tolerance = 1e-9, finest_rate_tol
 constexpr const char* usual_observable = "energy";
 const std::vector<std::string> quantities{"expectation", "gibbs", "lyapunov", "gap"};
 
-[[noreturn]] void refuse(std::string_view option, std::string_view value, std::string_view fault) {
-  throw input_error(fmt::format("{} '{}': {}", option, one_line(value, 60), fault));
-}
-
 /// An option that would change nothing is a misunderstanding.
 void check_that_it_is_used(const reference_options& o) {
   const bool timed = o.quantity == "expectation", observed = timed || o.quantity == "gibbs";
@@ -42,9 +37,7 @@ void check_that_it_is_used(const reference_options& o) {
 void check(const reference_options& o) {
   if (o.quantity.empty())
     throw input_error(fmt::format("--quantity is missing; accepted: {}", fmt::join(quantities, ", ")));
-  if (std::ranges::find(quantities, o.quantity) == quantities.end())
-    refuse("--quantity", o.quantity,
-           fmt::format("not known{}; accepted: {}", did_you_mean(o.quantity, quantities), fmt::join(quantities, ", ")));
+  choose("--quantity", o.quantity, quantities);
   if (o.degree < 0 || o.degree > most_reference_degree)
     refuse("--degree", fmt::format("{}", o.degree), fmt::format("accepted: 1 to {}", most_reference_degree));
   if (o.time && !(*o.time >= 0 && std::isfinite(*o.time)))
@@ -52,12 +45,12 @@ void check(const reference_options& o) {
   check_that_it_is_used(o);
 }
 
-sphere_function observable_of(const scene& s, const std::string& name) {
-  if (const auto f = named_observable(name, *sphere_problem_of(bind_scene(s)))) return *f;
+/// By the names of any system on a sphere.
+sphere_function observable_of(const sphere_problem& p, const std::string& name) {
+  if (const auto f = named_observable(name, p)) return *f;
   std::vector<std::string> known;
-  for (const auto& entry : list_observables()) known.push_back(entry.name);
-  refuse("--observable", name,
-         fmt::format("not known{}; accepted: {}", did_you_mean(name, known), fmt::join(known, ", ")));
+  for (const auto& entry : named_observables()) known.push_back(entry.name);
+  refuse("--observable", name, "not known" + accepted_instead(name, known));
 }
 
 /// The root of the mean square of f over the sphere.
@@ -72,9 +65,9 @@ double shear_of(const sphere_problem& p) {
 }
 
 /// Of the Gibbs law, where they have a closed form.
-std::optional<reference_value> closed_form(const sphere_problem& p, const std::string& observable) {
-  if (p.spread() == 0) return std::nullopt;
-  const gibbs_law law(p);
+std::optional<reference_value> closed_form(const subject& s, const std::string& observable) {
+  if (!s.offers->gibbs || s.sphere()->spread() == 0) return std::nullopt;
+  const auto law = s.offers->gibbs();
   const auto certain = [&](double value) {
     return reference_value{value, law.relative_uncertainty() * std::fabs(value)};
   };
@@ -104,11 +97,13 @@ void take(const scene& s, const reference_value& found, reference_answer& out, d
   out.reason = found.reason;
 }
 
-void answer_expectation(const scene& s, const sphere_problem& p, const reference_options& o, reference_answer& out) {
+void answer_expectation(const subject& bound, const reference_options& o, reference_answer& out) {
+  const auto& s = bound.scene;
+  const auto& p = *bound.sphere();
   const Eigen::Vector3d start(s.momentum[0], s.momentum[1], s.momentum[2]);
   out.observable = o.observable.value_or(usual_observable);
   out.time = o.time.value_or(s.horizon);
-  const auto f = observable_of(s, out.observable);
+  const auto f = observable_of(p, out.observable);
   const auto found = expectation(p, f, start, *out.time, value_tolerance * size_of(p, f), o.degree);
   out.method = p.covariance.isZero(0) ? "no noise: the one path, by Boost.Odeint"
                : found.forgotten      ? "the stationary law in spherical harmonics: the start is forgotten"
@@ -117,12 +112,14 @@ void answer_expectation(const scene& s, const sphere_problem& p, const reference
   take(s, found, out);
 }
 
-void answer_gibbs(const scene& s, const sphere_problem& p, const reference_options& o, reference_answer& out) {
+void answer_gibbs(const subject& bound, const reference_options& o, reference_answer& out) {
+  const auto& s = bound.scene;
+  const auto& p = *bound.sphere();
   out.observable = o.observable.value_or(usual_observable);
-  const auto f = observable_of(s, out.observable);
+  const auto f = observable_of(p, out.observable);
   if (!unit_of(p, f)) refuse_scene(s, out, leaves_double_precision);
-  const bool isotropic = bind_scene(s).model->noise() == noise_class::isotropic;
-  if (const auto value = isotropic && o.degree == 0 ? closed_form(p, out.observable) : std::nullopt) {
+  const bool isotropic = bound.model->noise() == noise_class::isotropic;
+  if (const auto value = isotropic && o.degree == 0 ? closed_form(bound, out.observable) : std::nullopt) {
     out.method = "the Gibbs law exp(-2 theta h / sigma^2), by Bessel functions and adaptive quadrature";
     return take(s, *value, out);
   }
@@ -145,24 +142,24 @@ void answer_lyapunov(const scene& s, const sphere_problem& p, const reference_op
 reference_answer reference(const scene& s, const reference_options& o) {
   gsl_set_error_handler_off();
   check(o);
-  const auto problem = sphere_problem_of(bind_scene(s));
-  if (!problem)
+  const auto bound = bind_scene(s);
+  if (!bound.sphere())
     throw input_error(
-        fmt::format("scene {}: system = \"{}\" has no exact references; accepted: rigid_body", s.name, s.system));
-  const auto& p = *problem;
+        fmt::format("scene {}: system = \"{}\" has no exact references: {}", s.name, s.system, no_exact_law));
+  const auto& p = *bound.sphere();
   reference_answer out;
   out.quantity = o.quantity;
   if (p.covariance.isZero(0) && o.quantity != "expectation") {
     out.quantity = "expectation";
-    answer_expectation(s, p, {out.quantity, o.observable, {}, 0}, out);
+    answer_expectation(bound, {out.quantity, o.observable, {}, 0}, out);
     out.reason = fmt::format(
         "asked for {}: no noise, so there is no density, no gap and no random flow; what remains, and is answered, is "
         "the path's own value at the horizon (--quantity expectation)",
         o.quantity);
     return out;
   }
-  if (o.quantity == "expectation") answer_expectation(s, p, o, out);
-  if (o.quantity == "gibbs") answer_gibbs(s, p, o, out);
+  if (o.quantity == "expectation") answer_expectation(bound, o, out);
+  if (o.quantity == "gibbs") answer_gibbs(bound, o, out);
   if (o.quantity == "lyapunov") answer_lyapunov(s, p, o, out);
   if (o.quantity == "gap") {
     out.method = "the least decay rate of Kolmogorov's operator in spherical harmonics";

@@ -14,7 +14,7 @@ inline constexpr int most_reference_degree = 128;
 
 struct reference_options {
   std::string quantity;                   ///< expectation, gibbs, lyapunov or gap
-  std::optional<std::string> observable;  ///< of expectation and gibbs, see list_observables; energy if absent
+  std::optional<std::string> observable;  ///< of expectation and gibbs, see system_entry; energy if absent
   std::optional<double> time;             ///< of expectation; the scene's horizon if absent
   int degree = 0;                         ///< of the harmonics; 0: chosen by the program
 };

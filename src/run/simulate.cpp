@@ -1,7 +1,6 @@
 #include "run/simulate.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -13,11 +12,9 @@
 #include "ensemble/sphere_bins.hpp"
 #include "platform/isa.hpp"
 #include "platform/memory.hpp"
-#include "reports/model/errors.hpp"
 #include "run/machine_options.hpp"
 #include "run/provenance.hpp"
 #include "scene/nearest.hpp"
-#include "scene/text.hpp"
 
 namespace polhode {
 namespace {
@@ -26,21 +23,10 @@ constexpr double most_steps = 1e9, memory_share = 0.8;
 const std::vector<std::string> noises{"common", "independent", "none"}, starts{"uniform", "momentum"},
     qualities{"fast", "precise"};
 
-[[noreturn]] void refuse(std::string_view option, std::string_view value, std::string_view fault) {
-  throw input_error(fmt::format("{} '{}': {}", option, one_line(value, 60), fault));
-}
-
-std::size_t choice(std::string_view option, const std::string& value, const std::vector<std::string>& known) {
-  const auto found = std::ranges::find(known, value);
-  if (found == known.end())
-    refuse(option, value, fmt::format("not known{}; accepted: {}", did_you_mean(value, known), fmt::join(known, ", ")));
-  return static_cast<std::size_t>(found - known.begin());
-}
-
 const scheme_entry& chosen_scheme(const subject& s, const std::string& name) {
   std::vector<std::string> known;
   for (const auto& e : s.schemes) known.emplace_back(e.info.name);
-  return s.schemes[choice("--scheme", name, known)];
+  return s.schemes[choose("--scheme", name, known)];
 }
 
 std::int64_t checked_steps(const scene& s, double dt) {
@@ -94,9 +80,9 @@ prepared_run prepare(const scene& s, const simulate_options& o) {
   prepared_run r{bind_scene(s), nullptr, {}};
   auto& p = r.plan;
   r.scheme = &chosen_scheme(r.subject, o.scheme);
-  p.noise = static_cast<ensemble_noise>(choice("--noise", o.noise, noises));
+  p.noise = static_cast<ensemble_noise>(choose("--noise", o.noise, noises));
   const bool alike = p.noise == ensemble_noise::independent;
-  p.start = static_cast<ensemble_start>(choice("--start", o.start.empty() ? starts[alike] : o.start, starts));
+  p.start = static_cast<ensemble_start>(choose("--start", o.start.empty() ? starts[alike] : o.start, starts));
   p.momentum = s.momentum;
   p.dt = o.dt;
   p.steps = checked_steps(s, o.dt);
@@ -106,9 +92,9 @@ prepared_run prepare(const scene& s, const simulate_options& o) {
   p.with_areas = r.scheme->needs_areas;
   p.seed = o.seed;
   p.source = {generator_named(o.generator),
-              choice("--normals", o.normals, qualities) == 0 ? noise_quality::fast : noise_quality::precise};
+              choose("--normals", o.normals, qualities) == 0 ? noise_quality::fast : noise_quality::precise};
   p.threads = o.threads;
-  const bool sphere = r.subject.model->dimension() == 3;
+  const bool sphere = r.subject.sphere().has_value();
   if (!sphere && p.start == ensemble_start::uniform) refuse("--start", "uniform", "accepted for this system: momentum");
   if (!sphere && !p.snapshots.empty()) refuse("--snapshots", "", "accepted for systems on a sphere only");
   check_memory(p, *r.subject.model);
@@ -126,8 +112,9 @@ std::vector<std::string> remarks_on(const scene& s, const prepared_run& r) {
   std::vector<std::string> out;
   const auto& m = *r.subject.model;
   if (m.active_channels() == 0 || r.plan.noise == ensemble_noise::none)
-    out.emplace_back(s.number("theta") > 0 ? "without noise the attractor is the set of equilibria, and no number is drawn"
-                                 : "without noise and dissipation every body stays on its orbit; no number is drawn");
+    out.emplace_back(dissipation_of(s) > 0
+                         ? "without noise the attractor is the set of equilibria, and no number is drawn"
+                         : "without noise and dissipation every body stays on its orbit; no number is drawn");
   if (r.plan.with_areas && m.active_channels() > 1 && r.plan.noise != ensemble_noise::none)
     out.emplace_back("areas are drawn from the weak surrogate: right in law to weak order two, not path by path");
   return out;

@@ -49,17 +49,11 @@ report::scheme described(const scheme_entry& entry) {
 
 /// Keeps the wanted ones in the list's own order; throws on a name that is not there.
 template <class T, class Name>
-void keep_wanted(std::vector<T>& all, const std::vector<std::string>& wanted, const char* what, Name name) {
+void keep_wanted(std::vector<T>& all, const std::vector<std::string>& wanted, const char* option, Name name) {
   if (wanted.empty()) return;
   std::vector<std::string> known;
   for (const T& t : all) known.emplace_back(name(t));
-  for (const auto& w : wanted)
-    if (std::ranges::find(known, w) == known.end()) {
-      const auto near = nearest_name(w, known);
-      throw input_error(fmt::format("--{}s: \"{}\" is not a known {}{}; known: {}", what, w, what,
-                                    near.empty() ? "" : fmt::format(", did you mean \"{}\"?", near),
-                                    fmt::join(known, ", ")));
-    }
+  for (const auto& w : wanted) choose(option, w, known);
   std::erase_if(all, [&](const T& t) { return std::ranges::find(wanted, name(t)) == wanted.end(); });
 }
 
@@ -165,16 +159,16 @@ void check_options(const scene& s, const verify_options& options) {
   generator_named(options.generator);
   auto subject = bind_scene(s);
   auto experiments = all_experiments();
-  keep_wanted(subject.schemes, options.schemes, "scheme", [](const scheme_entry& e) { return e.info.name; });
-  keep_wanted(experiments, options.experiments, "experiment", [](const experiment& e) { return e.info.name; });
+  keep_wanted(subject.schemes, options.schemes, "--schemes", [](const scheme_entry& e) { return e.info.name; });
+  keep_wanted(experiments, options.experiments, "--experiments", [](const experiment& e) { return e.info.name; });
 }
 
 report::results verify_subject(subject s, const verify_options& options, const progress_sink& progress) {
   gsl_set_error_handler_off();  // GSL's failures come back as values here, not as abort()
   auto experiments = all_experiments();
-  keep_wanted(s.schemes, options.schemes, "scheme", [](const scheme_entry& e) { return e.info.name; });
+  keep_wanted(s.schemes, options.schemes, "--schemes", [](const scheme_entry& e) { return e.info.name; });
   if (!options.schemes.empty()) s = restricted(std::move(s), options.schemes);
-  keep_wanted(experiments, options.experiments, "experiment", [](const experiment& e) { return e.info.name; });
+  keep_wanted(experiments, options.experiments, "--experiments", [](const experiment& e) { return e.info.name; });
 
   report::results out;
   out.scene = s.scene;
@@ -207,18 +201,6 @@ std::vector<report::experiment> list_experiments() {
   std::vector<report::experiment> out;
   for (const auto& e : all_experiments()) out.push_back(e.info);
   return out;
-}
-
-std::vector<catalog_entry> list_observables() {
-  return {{"energy", "h = 1/2 Pi . Omega"},
-          {"pi1", "Pi_1"},
-          {"pi2", "Pi_2"},
-          {"pi3", "Pi_3"},
-          {"pi1^2", "Pi_1^2"},
-          {"pi2^2", "Pi_2^2"},
-          {"pi3^2", "Pi_3^2"},
-          {"exp(pi3)", "exp(Pi_3)"},
-          {"casimir", "1/2 |Pi|^2"}};
 }
 
 }  // namespace polhode

@@ -25,7 +25,7 @@ struct verify_options {
   /// Called after every experiment but the last with what there is by then, the rest named in `to_come`.
   std::function<void(const report::results&)> so_far = {};
   bool profile = false;                   ///< say where the processor time went
-  report::result_store* store = nullptr;  ///< keeps results from run to run; for schemes of the registry only
+  report::result_store* store = nullptr;  ///< keeps results from run to run; for schemes that are ours only
 };
 
 /// The scene's system with every scheme that applies to it. Throws input_error on an unknown system.
@@ -45,11 +45,7 @@ void check_options(const scene&, const verify_options&);
 report::results verify_subject(subject, const verify_options&, const progress_sink& = {});
 
 /// What `polhode list` prints.
-struct catalog_entry {
-  std::string name, title;
-};
 std::vector<report::scheme> list_schemes();
 std::vector<report::experiment> list_experiments();
-std::vector<catalog_entry> list_observables();
 
 }  // namespace polhode

@@ -1,9 +1,14 @@
 #include "scene/nearest.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 #include <vector>
+
+#include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 
 namespace polhode {
 namespace {
@@ -47,6 +52,20 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
 std::string did_you_mean(std::string_view name, std::span<const std::string> candidates) {
   const auto near = nearest_name(name, candidates);
   return near.empty() ? "" : "; did you mean '" + near + "'?";
+}
+
+std::string accepted_instead(std::string_view name, std::span<const std::string> known) {
+  return fmt::format("{}; accepted: {}", did_you_mean(name, known), fmt::join(known, ", "));
+}
+
+void refuse(std::string_view option, std::string_view value, std::string_view fault) {
+  throw input_error(fmt::format("{} '{}': {}", option, one_line(value, 60), fault));
+}
+
+std::size_t choose(std::string_view option, std::string_view value, std::span<const std::string> known) {
+  const auto found = std::ranges::find(known, value);
+  if (found == known.end()) refuse(option, value, "not known" + accepted_instead(value, known));
+  return static_cast<std::size_t>(found - known.begin());
 }
 
 }  // namespace polhode

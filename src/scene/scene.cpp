@@ -1,7 +1,6 @@
 #include "scene/scene.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -11,10 +10,10 @@
 #include <memory>
 
 #include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 #include "scene/builtin.hpp"
 #include "scene/nearest.hpp"
 #include "scene/scene_parse.hpp"
-#include "scene/text.hpp"
 
 namespace polhode {
 namespace {
@@ -39,9 +38,8 @@ std::string read_file(const std::string& path) {
 }
 
 [[noreturn]] void refuse_name(const std::string& name) {
-  const auto known = builtin_scenes();
-  throw input_error(fmt::format("{}: no such scene{}; accepted: {}, or the path of a TOML file", one_line(name, 200),
-                                did_you_mean(name, known), fmt::join(known, ", ")));
+  throw input_error(fmt::format("{}: no such scene{}, or the path of a TOML file", one_line(name, 200),
+                                accepted_instead(name, builtin_scenes())));
 }
 
 }  // namespace

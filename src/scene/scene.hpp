@@ -1,4 +1,4 @@
-// A scene: the problem on which schemes are tried. Read from TOML (CONTRACT: "A scene") or built in.
+// A scene: the problem on which schemes are tried. Read from TOML (README.md, "Use") or built in.
 #pragma once
 
 #include <string>

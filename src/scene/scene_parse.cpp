@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 #include "scene/nearest.hpp"
-#include "scene/text.hpp"
 #include "systems/systems.hpp"
 
 namespace polhode {
@@ -31,13 +31,22 @@ struct key_rule {
   std::string key, accepted;
 };
 
+/// What the table's system takes from it: its parameters, or its own units where a key of those alone is there.
+const std::vector<parameter_rule>& parameters_in(const toml::table& table, const system_entry& of) {
+  const auto only_there = [&](const parameter_rule& p) {
+    return table.contains(p.name) &&
+           std::ranges::find(of.parameters, p.name, &parameter_rule::name) == of.parameters.end();
+  };
+  return std::ranges::any_of(of.own_units, only_there) ? of.own_units : of.parameters;
+}
+
 /// Of any scene, and in their place those of its system; of every system where it names none.
-std::vector<key_rule> rules_for(const system_entry* system) {
+std::vector<key_rule> rules_for(const toml::table& table, const system_entry* system) {
   std::vector<key_rule> all{{"name", fmt::format("text of 1 to {} bytes without control characters", longest_name)},
                             {"system", fmt::format("{}", fmt::join(system_names(), ", "))}};
   for (const auto& one : systems())
     if (system == nullptr || system == &one)
-      for (const auto& p : one.parameters)
+      for (const auto& p : parameters_in(table, one))
         if (std::ranges::find(all, p.name, &key_rule::key) == all.end()) all.push_back({p.name, p.accepts});
   all.push_back({"momentum", momentum_rule(system != nullptr ? *system : systems().front()).accepts});
   all.push_back({"horizon", "a finite number > 0"});
@@ -110,16 +119,17 @@ std::string shown(const toml::node& node) {
 class reader {
  public:
   reader(std::string_view source, const toml::table& table)
-      : source_{source}, table_{table}, rules_{rules_for(find_system(table["system"].value_or(std::string_view{})))} {
+      : source_{source},
+        table_{table},
+        rules_{rules_for(table, find_system(table["system"].value_or(std::string_view{})))} {
     std::vector<std::string> known;
     for (const auto& rule : rules_) known.push_back(rule.key);
     if (table.empty())
       throw input_error(fmt::format("{}: holds no keys; accepted: {}", source_, fmt::join(known, ", ")));
     for (const auto& [key, node] : table) {
       if (std::ranges::find(known, key.str()) != known.end()) continue;
-      throw input_error(fmt::format("{}:{}: {} = {}: unknown key{}; accepted: {}", source_, key.source().begin.line,
-                                    one_line(key.str(), 40), shown(node), did_you_mean(key.str(), known),
-                                    fmt::join(known, ", ")));
+      throw input_error(fmt::format("{}:{}: {} = {}: unknown key{}", source_, key.source().begin.line,
+                                    one_line(key.str(), 40), shown(node), accepted_instead(key.str(), known)));
     }
   }
 
@@ -174,11 +184,13 @@ scene parse_scene(std::string_view source_text, std::string_view source, std::st
   if (keys_of.has("name")) out.name = keys_of.read("name", [](auto& n) { return only_if(text(n), is_name); });
   if (!is_name(out.name))
     throw input_error(fmt::format("{}: name is missing and the file's own does not do; accepted: {}", source,
-                                  rules_for(nullptr).front().accepted));
+                                  rules_for(table, nullptr).front().accepted));
   out.system = keys_of.read(
       "system", [&](auto& n) { return only_if(text(n), is_system); }, systems);
   const auto& of = *find_system(out.system);
-  for (const auto& rule : of.parameters) out.parameters.push_back(read_parameter(keys_of, rule));
+  const auto& rules = parameters_in(table, of);
+  for (const auto& rule : rules) out.parameters.push_back(read_parameter(keys_of, rule));
+  if (&rules == &of.own_units) out.parameters = of.from_own_units(out.parameters);
   out.momentum = read_parameter(keys_of, momentum_rule(of)).rows.front();
   out.horizon = keys_of.read("horizon", [&](auto& n) { return only_if(number(n), positive); });
   out.steps = {4, 8, 16, 32, 64};

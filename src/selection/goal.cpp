@@ -22,7 +22,7 @@ std::unique_ptr<goal> make_goal(const context& c, const goal_question& q) {
   if (!averages && q.observable != all_observables)
     throw input_error(fmt::format("--observable '{}': of --goal weak and stationary; goal {} is asked of the {}",
                                   q.observable, q.name, q.name == "strong" ? "path" : "energy"));
-  if (averages && !sphere_problem_of(s)) refuse("exact averages are known for the rigid body alone; ask --goal strong");
+  if (averages && !s.sphere()) refuse(std::string(no_exact_law) + "; ask --goal strong");
   auto made = averages ? make_averages_goal(c, q) : q.name == "strong" ? make_path_goal(c, q) : make_energy_goal(c, q);
   if (q.tolerance < 10 * made->floor())
     throw input_error(

@@ -121,7 +121,7 @@ selection select(const context& c, const goal_question& q, const std::vector<std
   const auto who = std::ranges::find(candidates, out.winner->scheme, &candidate::name);
   const int channels = std::max(1, c.subject.model->active_channels());
   const int cells = 1 + static_cast<int>(std::lround(goal->further_normals(*who, out.winner->dt) / channels));
-  out.snippet = snippet(c.subject.scene, *who, out.winner->dt, q.time, cells);
+  out.snippet = snippet(c.subject, *who, out.winner->dt, q.time, cells);
   return out;
 }
 

@@ -9,41 +9,31 @@
 namespace polhode {
 namespace {
 
-std::string body_of(const report::scene& s) {
-  std::vector<std::string> vectors;
-  for (const auto& v : s.vectors("sigma")) vectors.push_back(fmt::format("{{{{{}}}}}", fmt::join(v, ", ")));
-  const std::string head =
-      fmt::format("  const rigid_body body({{{}}}, {}, ", fmt::join(s.vector("inertia"), ", "), s.number("theta"));
-  if (vectors.empty()) return head + "rigid_body::isotropic(0));\n";
-  return fmt::format("  const vec<double, 3> sigma[] = {{{}}};\n{}rigid_body::from_vectors(sigma));\n",
-                     fmt::join(vectors, ", "), head);
-}
-
 std::string path_of(const candidate& who, const std::string& dt, const std::string& steps) {
   const auto name = who.scheme.info.name;
   return fmt::format("integrate<{}>(body, start, {}, {}, {{.seed = 1, .path = path}})", name, dt, steps);
 }
 
 /// Areas of a path come from the cells inside a step.
-std::string stepper_with_areas(const candidate& who, int cells) {
-  return fmt::format(R"(    vec<double, 3> pi = start;
+std::string stepper_with_areas(const candidate& who, int cells, std::size_t channels) {
+  return fmt::format(R"(    auto pi = start;
     for (std::uint64_t step = 0; step < steps; ++step) {{
-      wiener_levy<double, 3> w;  // increments and Levy areas of this step, from {0} cells
+      wiener_levy<double, {2}> w;  // increments and Levy areas of this step, from {0} cells
       for (std::uint64_t cell = 0; cell < {0}; ++cell) {{
-        wiener_levy<double, 3> part;
-        static_cast<wiener<double, 3>&>(part) =
-            wiener_at<3>({{.seed = 1, .path = path, .step = {0} * step + cell}}, dt / {0}, body.active_channels());
+        wiener_levy<double, {2}> part;
+        static_cast<wiener<double, {2}>&>(part) =
+            wiener_at<{2}>({{.seed = 1, .path = path, .step = {0} * step + cell}}, dt / {0}, body.active_channels());
         w = chen(w, part);
       }}
       pi = {1}::step(body, pi, w);
     }}
     energy += body.energy(pi) / paths;
 )",
-                     cells, who.scheme.info.name);
+                     cells, who.scheme.info.name, channels);
 }
 
-std::string loop_of(const candidate& who, int cells) {
-  if (who.scheme.needs_areas) return stepper_with_areas(who, cells);
+std::string loop_of(const candidate& who, int cells, std::size_t channels) {
+  if (who.scheme.needs_areas) return stepper_with_areas(who, cells, channels);
   if (who.combination == nullptr)
     return fmt::format("    energy += body.energy({}) / paths;\n", path_of(who, "dt", "steps"));
   return fmt::format(
@@ -54,15 +44,16 @@ std::string loop_of(const candidate& who, int cells) {
 
 }  // namespace
 
-std::string snippet(const report::scene& s, const candidate& who, double dt, double time, int cells) {
+std::string snippet(const subject& of, const candidate& who, double dt, double time, int cells) {
+  const auto& s = of.scene;
   std::string head = "#include <cstdint>\n#include <cstdio>\n";
   for (const auto& name :
-       {std::string("integrate"), fmt::format("schemes/{}", who.scheme.info.name), std::string("systems/rigid_body")})
+       {std::string("integrate"), fmt::format("schemes/{}", who.scheme.info.name), fmt::format("systems/{}", s.system)})
     head += fmt::format("#include <polhode/{}.hpp>\n", name);
   return fmt::format(R"({0}
 int main() {{
   using namespace polhode;
-{1}  const vec<double, 3> start{{{{{2}}}}};
+{1}  const vec<double, {6}> start{{{{{2}}}}};
   const double dt = {3:.17g};
   const std::uint64_t steps = {4};
   constexpr int paths = 1000;
@@ -72,8 +63,8 @@ int main() {{
   std::printf("mean energy after %g: %.6f\n", dt * static_cast<double>(steps), energy);
 }}
 )",
-                     head, body_of(s), fmt::join(s.momentum, ", "), dt, std::max(1L, std::lround(time / dt)),
-                     loop_of(who, cells));
+                     head, of.offers->in_cpp, fmt::join(s.momentum, ", "), dt, std::max(1L, std::lround(time / dt)),
+                     loop_of(who, cells, s.momentum.size()), s.momentum.size());
 }
 
 }  // namespace polhode

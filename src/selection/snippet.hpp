@@ -7,8 +7,8 @@
 
 namespace polhode {
 
-/// Of the rigid body: mean energy of a thousand paths after `time`; cells: increments a step, where areas are asked
+/// Mean energy of a thousand paths after `time`; cells: increments a step, where areas are asked
 /// for.
-std::string snippet(const report::scene&, const candidate&, double dt, double time, int cells);
+std::string snippet(const subject&, const candidate&, double dt, double time, int cells);
 
 }  // namespace polhode

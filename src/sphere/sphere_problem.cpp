@@ -8,10 +8,6 @@
 
 namespace polhode {
 
-bool sphere_problem::along_axes() const {
-  return quadratic.isDiagonal(0) && covariance.isDiagonal(0) && !has_field() && varying.empty();
-}
-
 namespace {
 
 Eigen::Vector3d eigenvalues(const Eigen::Matrix3d& a) {
@@ -30,9 +26,19 @@ double greatest_energy_on(const sphere_problem& p) {
   return p.radius * (p.radius * eigenvalues(p.quadratic).cwiseAbs().maxCoeff() / 2 + p.field.norm());
 }
 
+double greatest_rate_on(const sphere_problem& p) {
+  return p.radius * eigenvalues(p.quadratic).cwiseAbs().maxCoeff() + p.field.norm();
+}
+
 sphere_problem body_on_sphere(const std::array<double, 3>& inertia, double damping, double radius,
                               const Eigen::Matrix3d& covariance) {
   return {Eigen::Vector3d(inertia.data()).cwiseInverse().asDiagonal(), damping, radius, covariance};
+}
+
+std::vector<observable_entry> named_observables() {
+  return {{"energy", "h"},     {"pi1", "Pi_1"},           {"pi2", "Pi_2"},
+          {"pi3", "Pi_3"},     {"pi1^2", "Pi_1^2"},       {"pi2^2", "Pi_2^2"},
+          {"pi3^2", "Pi_3^2"}, {"exp(pi3)", "exp(Pi_3)"}, {"casimir", "1/2 |Pi|^2"}};
 }
 
 std::optional<sphere_function> named_observable(std::string_view name, const sphere_problem& problem) {
@@ -42,7 +48,8 @@ std::optional<sphere_function> named_observable(std::string_view name, const sph
   if (name == "casimir") return [](pi_type pi) { return 0.5 * pi.squaredNorm(); };
   if (name == "exp(pi3)") return [](pi_type pi) { return std::exp(pi[2]); };
   for (int k = 0; k < 3; ++k) {
-    if (name == fmt::format("pi{}", k + 1)) return [k](pi_type pi) { return pi[k]; };
+    if (name == fmt::format("pi{}", k + 1) || name == fmt::format("mu_{}", k + 1))
+      return [k](pi_type pi) { return pi[k]; };
     if (name == fmt::format("pi{}^2", k + 1)) return [k](pi_type pi) { return pi[k] * pi[k]; };
   }
   return std::nullopt;

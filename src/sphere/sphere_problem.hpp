@@ -8,6 +8,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -34,10 +35,9 @@ struct sphere_problem {
 
   bool has_field() const { return !field.isZero(0); }
   bool has_noise() const { return !covariance.isZero(0) || !varying.empty(); }
-  /// Axes of h and noise are those of the frame: it commutes with the half turns about them.
-  bool along_axes() const;
   /// Differences of the eigenvalues of `quadratic`, the greatest: of h, what is no multiple of the Casimir. 0: none.
   double spread() const;
+  bool is_spherical() const { return spread() == 0 && !has_field(); }  ///< h is a function of |Pi| alone
 };
 
 /// The rigid body: h = sum_j Pi_j^2 / (2 I_j). inertia > 0.
@@ -46,10 +46,17 @@ sphere_problem body_on_sphere(const std::array<double, 3>& inertia, double dampi
 
 /// A bound on |h| over the sphere, reached without a field where `quadratic` is positive.
 double greatest_energy_on(const sphere_problem&);
+/// A bound on |Omega| over the sphere, a turn per time.
+double greatest_rate_on(const sphere_problem&);
 
 using sphere_function = std::function<double(const Eigen::Vector3d& pi)>;
 
-/// energy, pi1, pi2, pi3, pi1^2, pi2^2, pi3^2, exp(pi3), casimir (half the square of |Pi|).
+/// A function of the state that has a name.
+struct observable_entry {
+  std::string name, meaning;
+};
+std::vector<observable_entry> named_observables();
+/// One of them, or mu_1, mu_2, mu_3 for the components.
 std::optional<sphere_function> named_observable(std::string_view name, const sphere_problem&);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
-// Binds a concrete system and concrete schemes into a subject: for the sources of the registry, and for tests that
-// bring a system of their own or a planted defect.
+// Binds a concrete system and concrete schemes into a subject: for the sources of the systems, and for tests that bring
+// a system of their own or a planted defect.
 #pragma once
 
 #include <algorithm>
@@ -76,6 +76,9 @@ class model_of final : public model {
   System system_;
 };
 
+/// What the system that the scene names offers there; nothing where it names none.
+std::shared_ptr<const capabilities> offers_of(const report::scene&);
+
 template <class Scheme>
 struct scheme_tag {};
 
@@ -101,7 +104,10 @@ void add_scheme(subject& out, const System& system) {
                            },
                            [system](double dt) { return tangent_kernel_for<Scheme>(system, dt); }});
   } else {
-    out.inapplicable.push_back({"", std::string(Scheme::info.name), "the system does not split into exact flows"});
+    out.inapplicable.push_back({"", std::string(Scheme::info.name),
+                                constant_noise_system<System>
+                                    ? "the system does not split into flows"
+                                    : "needs a system of flows, or noise vectors that do not depend on the state"});
   }
 }
 
@@ -109,7 +115,7 @@ void add_scheme(subject& out, const System& system) {
 template <class MakeSystem, class... Schemes>
 subject bind(const report::scene& s, MakeSystem make_system, scheme_list<Schemes...> schemes) {
   const auto system = make_system(s);
-  subject out{s, std::make_shared<model_of<std::remove_const_t<decltype(system)>>>(system), {}, {}, {}};
+  subject out{s, std::make_shared<model_of<std::remove_const_t<decltype(system)>>>(system), offers_of(s), {}, {}, {}};
   (add_scheme<Schemes>(out, system), ...);
   out.with = [make_system, schemes](const report::scene& other) { return bind(other, make_system, schemes); };
   return out;

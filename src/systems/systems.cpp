@@ -3,13 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
 namespace polhode {
 
+/// All of them: name_system() is in systems/name.cpp or systems/name/.
+#define POLHODE_SYSTEMS(apply) apply(rigid_body) apply(spin) apply(so4_body)
+
+#define POLHODE_DECLARED(name) system_entry name##_system();
+POLHODE_SYSTEMS(POLHODE_DECLARED)
+
 const std::vector<system_entry>& systems() {
-  static const std::vector<system_entry> all{{"rigid_body",
-                                              "Dissipative stochastic rigid body on so(3)*, one Casimir |Pi|", 3,
-                                              "inertia / time", rigid_body_parameters(), bind_rigid_body}};
+#define POLHODE_LISTED(name) name##_system(),
+  static const std::vector<system_entry> all{POLHODE_SYSTEMS(POLHODE_LISTED)};
   return all;
 }
 
@@ -30,6 +36,12 @@ parameter_rule momentum_rule(const system_entry& of) {
 const system_entry* find_system(std::string_view name) {
   const auto found = std::ranges::find(systems(), name, &system_entry::name);
   return found == systems().end() ? nullptr : &*found;
+}
+
+std::shared_ptr<const capabilities> offers_of(const report::scene& s) {
+  const auto* system = find_system(s.system);
+  const bool fits = system != nullptr && s.momentum.size() == system->dimension;
+  return std::make_shared<const capabilities>(fits ? system->offers(s) : capabilities{});
 }
 
 }  // namespace polhode

@@ -15,7 +15,11 @@ struct system_entry {
   std::size_t dimension;  ///< of the momentum
   std::string_view unit;  ///< of the momentum
   std::vector<parameter_rule> parameters;
+  std::vector<observable_entry> observables;
   subject (*bind)(const report::scene&);
+  capabilities (*offers)(const report::scene&);
+  std::vector<parameter_rule> own_units = {};  ///< what a scene may give in place of `parameters`
+  std::vector<report::parameter> (*from_own_units)(const std::vector<report::parameter>&) = nullptr;
 };
 
 const std::vector<system_entry>& systems();
@@ -25,8 +29,5 @@ parameter_rule momentum_rule(const system_entry&);
 
 /// Nothing where there is no such system.
 const system_entry* find_system(std::string_view name);
-
-std::vector<parameter_rule> rigid_body_parameters();
-subject bind_rigid_body(const report::scene&);
 
 }  // namespace polhode

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ensemble/kernel.hpp"
+#include "platform/isa_entry.hpp"
 
 namespace polhode {
 
@@ -27,9 +28,4 @@ void add_basis(const basis_sums&);
 
 }  // namespace polhode
 
-extern "C" {
-void polhode_add_basis_v2(const polhode::basis_sums&);
-void polhode_add_basis_v3(const polhode::basis_sums&);
-void polhode_add_basis_v4(const polhode::basis_sums&);
-void polhode_add_basis_portable(const polhode::basis_sums&);
-}
+POLHODE_DECLARE_ENTRIES(polhode_add_basis_, const polhode::basis_sums&);

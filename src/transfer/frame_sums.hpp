@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ensemble/kernel.hpp"
+#include "platform/isa_entry.hpp"
 
 namespace polhode {
 
@@ -29,9 +30,4 @@ void add_frames(const frame_sums&);
 
 }  // namespace polhode
 
-extern "C" {
-void polhode_add_frames_v2(const polhode::frame_sums&);
-void polhode_add_frames_v3(const polhode::frame_sums&);
-void polhode_add_frames_v4(const polhode::frame_sums&);
-void polhode_add_frames_portable(const polhode::frame_sums&);
-}
+POLHODE_DECLARE_ENTRIES(polhode_add_frames_, const polhode::frame_sums&);

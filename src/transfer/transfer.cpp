@@ -87,15 +87,9 @@ Eigen::MatrixXd law_after_steps(Eigen::MatrixXd law, Eigen::MatrixXd power, std:
 
 }  // namespace
 
-std::optional<sphere_problem> sphere_problem_of(const subject& s) {
-  if (s.scene.system != "rigid_body" || s.model->dimension() != 3) return std::nullopt;
-  const auto& i = s.scene.vector("inertia");
-  return body_on_sphere({i[0], i[1], i[2]}, s.scene.number("theta"), length(s.scene.momentum),
-                        noise_covariance(s.scene));
-}
-
 sphere_problem with_more_noise(sphere_problem p, double share) {
   p.covariance *= (1 + share) * (1 + share);
+  for (auto& v : p.varying) v = {(1 + share) * v.constant, (1 + share) * v.slope};
   return p;
 }
 

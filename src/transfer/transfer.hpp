@@ -27,9 +27,6 @@
 
 namespace polhode {
 
-/// The sphere on which a scene's diffusion lives; nothing where the system is not a rigid body.
-std::optional<sphere_problem> sphere_problem_of(const subject&);
-
 /// The same with noise, or dissipation, greater by that share.
 sphere_problem with_more_noise(sphere_problem, double share);
 sphere_problem with_more_dissipation(sphere_problem, double share);

@@ -39,7 +39,7 @@ loop kept(double items, F f, const char* unit = "path_step") {
 }
 
 void add_yardsticks() {
-  static const shared_increments common(*bind_rigid_body(paper()).model, seed, steps, dt, false, 1);
+  static const shared_increments common(*bind_scene(paper()).model, seed, steps, dt, false, 1);
   const auto w = common.view(0, steps).dw;
   for (std::size_t i = 0; i < main_schemes.size(); ++i)
     for (const auto noise : all_noises)
@@ -92,7 +92,7 @@ std::vector<scene_feature> scene_features() {
 
 std::vector<std::string> scheme_names() {
   std::vector<std::string> names;
-  for (const auto& scheme : bind_rigid_body(paper()).schemes) names.emplace_back(scheme.info.name);
+  for (const auto& scheme : bind_scene(paper()).schemes) names.emplace_back(scheme.info.name);
   return names;
 }
 

@@ -60,7 +60,7 @@ bool yardsticks_agree() {
   const auto paper = load_scene("paper");
   const momentum start{paper.momentum[0], paper.momentum[1], paper.momentum[2]};
   const isa widest = usable_isas().back();
-  const shared_increments increments(*bind_rigid_body(paper).model, seed, steps, dt, false, 1);
+  const shared_increments increments(*bind_scene(paper).model, seed, steps, dt, false, 1);
   const auto w = increments.view(0, steps).dw;
   const auto ours = [&](std::string_view scheme, ensemble_noise noise) {
     return first_of(ensemble_block(widest, paper, scheme, noise).advance());

@@ -14,7 +14,7 @@
 #include "ensemble/noise/shared_increments.hpp"
 #include "ensemble/simulation.hpp"
 #include "platform/isa.hpp"
-#include "systems/systems.hpp"
+#include "run/verify.hpp"
 
 namespace polhode::bench {
 
@@ -34,7 +34,7 @@ class ensemble_block {
       : level_(level), noise_(noise) {
     if (noise == ensemble_noise::none) scene.vectors("sigma").clear();
     choose_isa(level);
-    bound_ = bind_rigid_body(scene);
+    bound_ = bind_scene(scene);
     const auto entry = std::ranges::find(bound_.schemes, scheme, [](const auto& e) { return e.info.name; });
     if (entry == bound_.schemes.end()) throw std::invalid_argument("no scheme " + std::string(scheme));
     kernel_ = entry->make(dt);
@@ -74,7 +74,7 @@ inline loop scheme_loop(isa level, const report::scene& scene, std::string_view 
 /// Normals alone, three for every path and step.
 inline loop own_normals_loop(isa level, const report::scene& scene) {
   choose_isa(level);
-  const auto bound = std::make_shared<subject>(bind_rigid_body(scene));
+  const auto bound = std::make_shared<subject>(bind_scene(scene));
   const auto buffer = std::make_shared<increment_buffer>(*bound->model, chunk, false, fastest_noise());
   const auto draw = [=, step = std::uint64_t{0}]() mutable {
     choose_isa(level);
@@ -86,7 +86,7 @@ inline loop own_normals_loop(isa level, const report::scene& scene) {
 /// A whole ensemble on some threads, as `polhode simulate` runs it.
 inline loop threads_loop(int threads, const report::scene& scene, std::string_view scheme, ensemble_noise noise) {
   choose_isa(usable_isas().back());
-  const auto bound = std::make_shared<subject>(bind_rigid_body(scene));
+  const auto bound = std::make_shared<subject>(bind_scene(scene));
   const auto entry = std::ranges::find(bound->schemes, scheme, [](const auto& e) { return e.info.name; });
   const std::shared_ptr<kernel> made = entry->make(dt);
   simulation_plan plan;

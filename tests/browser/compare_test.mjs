@@ -109,6 +109,7 @@ test('the earlier points are drawn behind, faint, in the colour of their scheme'
   const items = await itemsIn(page),
     earlier = items.filter((i) => i.run === 'earlier run'),
     seen = new Set(earlier.map((i) => key(i.row)));
+  assert.ok(curvesOf(old).length > 0);
   for (const m of curvesOf(old)) assert.ok(seen.has(key(m)), JSON.stringify(m));
   assert.equal(earlier.length, items.length - earlier.length);
   for (const { row, opacity, colour } of earlier) {

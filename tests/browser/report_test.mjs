@@ -37,7 +37,9 @@ describe('one report', () => {
   after(() => atEnd(page));
 
   test('hover shows the number of results.json, in every plot', async () => {
-    for (const figure of await page.$$('figure.plot:not(.globe)')) {
+    const figures = await page.$$('figure.plot:not(.globe)');
+    assert.ok(figures.length > 4, `${figures.length} plots`);
+    for (const figure of figures) {
       await figure.scrollIntoViewIfNeeded();
       const { text, rows } = await tooltipAt(page, figure);
       assert.ok(rows.length > 0, `${await figure.getAttribute('id')}: no number of this plot in ${text}`);

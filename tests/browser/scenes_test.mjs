@@ -25,6 +25,7 @@ before(() => {
 });
 
 test('every built-in scene opens: no complaint, no request, under 4 MB', async () => {
+  assert.ok(Object.keys(reports).includes('paper'));
   for (const folder of Object.values(reports)) {
     const file = join(folder, 'report.html');
     assert.ok(statSync(file).size < 4_000_000);

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "platform/isa.hpp"
+#include "run/verify.hpp"
 #include "support/kernel_cases.hpp"
 #include "support/schemes.hpp"
 #include "systems/bind.hpp"
-#include "systems/systems.hpp"
 
 namespace polhode::test {
 namespace {
@@ -72,7 +72,7 @@ TYPED_TEST(Tangents, IsTheDerivativeOfTheOrdinaryKernel) {
     for (const auto& scene : every_part()) {
       const auto name = std::string(TypeParam::info.name) + " on " + std::string(name_of(level)) + ", inertia " +
                         std::to_string(scene.vector("inertia")[1]) + ", theta " + std::to_string(scene.number("theta"));
-      const auto s = only(bind_rigid_body(scene), TypeParam::info.name);
+      const auto s = only(bind_scene(scene), TypeParam::info.name);
       expect_derivative(s, 200, 0.01, name);
       expect_derivative(s, 6, 0.3, name);
     }
@@ -84,8 +84,9 @@ TYPED_TEST(Tangents, IsTheDerivativeOfTheOrdinaryKernel) {
 TEST(Tangent, IsTheDerivativeOnAnyAlgebra) {
   auto scene = load_scene("paper");
   scene.momentum = {0.6, 0.48, 0.64, -0.3, 0.8, 0.5};
-  const auto make = [](const report::scene&) { return so4_body(); };
+  const auto make = [](const report::scene&) { return coupled_bodies(); };
   const auto s = bind(scene, make, scheme_list<milstein, magnus>{});
+  ASSERT_EQ(s.schemes.size(), 2u);
   for (const auto& e : s.schemes) expect_derivative(only(s, e.info.name), 1, 0.1, std::string(e.info.name));
 }
 

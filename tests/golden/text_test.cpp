@@ -1,7 +1,9 @@
 // Text from outside, made harmless for each format; folder names.
 #include <gtest/gtest.h>
 
+#include "reports/writers/field.hpp"
 #include "reports/writers/folder.hpp"
+#include "reports/writers/latex.hpp"
 #include "reports/writers/numbers.hpp"
 #include "reports/writers/text.hpp"
 
@@ -20,6 +22,8 @@ TEST(text, what_is_not_utf8_is_replaced) {
 TEST(text, marks_are_made_harmless) {
   EXPECT_EQ(escape_html("<a href=\"x\">&'</a>"), "&lt;a href=&quot;x&quot;&gt;&amp;&#39;&lt;/a&gt;");
   EXPECT_EQ(escape_markdown("a|b\n<c> lie_heun _x_ `d` [e]"), "a\\|b &lt;c&gt; lie_heun \\_x\\_ \\`d\\` \\[e\\]");
+  EXPECT_EQ(escape_markdown("a\x1B\r\n b"), "a� b");
+  EXPECT_EQ(escape_latex("a_b\n\tΠ€ \xFF 5 %"), "a\\_b $\\Pi$? ? 5 \\%");
   EXPECT_EQ(shortened("αβγδ", 3), "αβ…");
   EXPECT_EQ(shortened("αβγ", 3), "αβγ");
 }
@@ -31,6 +35,21 @@ TEST(text, numbers_read_as_a_reader_expects) {
   EXPECT_EQ(shown(1e100), "1e100");
   EXPECT_EQ(shown_interval(0.5, std::nullopt), "");
   EXPECT_EQ(shown_duration(83.25), "1 min 23 s");
+}
+
+TEST(text, names_read_as_a_reader_expects) {
+  EXPECT_EQ(as_written("lambda_1 map"), "λ₁ map");
+  EXPECT_EQ(as_written("sigma_of_theta"), "σ of θ");
+  EXPECT_EQ(as_written("energy"), "energy");
+}
+
+TEST(text, a_coordinate_is_a_name_and_a_number) {
+  const auto at = coordinate_of("theta=0.5");
+  ASSERT_TRUE(at);
+  EXPECT_EQ(at->name, "theta");
+  EXPECT_EQ(at->value, 0.5);
+  for (const char* other : {"", "energy", "exp(pi3)", "a=b", "=1", "a=", "a=1 b", "a=1  b=2", "a=1 b=2 c=3"})
+    EXPECT_FALSE(coordinate_of(other)) << other;
 }
 
 TEST(text, a_folder_name_stays_inside_its_folder_and_apart_from_others) {

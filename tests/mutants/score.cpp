@@ -104,6 +104,7 @@ score run_row(const row& r) {
     options.effort = effort::quick;
     for (const auto& v : verify_subject(subject, options).verdicts) {
       if (v.kind == report::verdict_kind::inconclusive) ++out.inconclusive;
+      out.told += v.kind != report::verdict_kind::skipped && v.kind != report::verdict_kind::not_tried;
       if (v.kind == report::verdict_kind::refuted && counts(r, v)) out.refuted.push_back(v);
     }
     if (out.refutes() && r.planted.kind != kind::none) break;

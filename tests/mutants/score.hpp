@@ -14,6 +14,7 @@ struct score {
   row of;
   std::vector<report::verdict> refuted;  ///< claims that count, of the first experiment that refutes
   int inconclusive = 0;
+  int told = 0;  ///< verdicts of any kind on what was tried
   double seconds = 0;
 
   bool refutes() const { return !refuted.empty(); }

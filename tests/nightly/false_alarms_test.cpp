@@ -58,6 +58,12 @@ class alarm_counter {
       ADD_FAILURE() << "seed " << r.provenance.seed << ", " << v.scheme << ": " << v.claim << ": " << v.reason;
     }
   }
+  /// An experiment that says nothing raises no alarm either: some claim has to hold.
+  void judge() const {
+    int holding = 0;
+    for (const auto& [_, c] : counts_) holding += c.holds;
+    EXPECT_GT(holding, 0);
+  }
   void print() const {
     std::printf("| claim | holds | inconclusive | refuted |\n|---|---|---|---|\n");
     for (const auto& [claim, c] : counts_)
@@ -125,6 +131,7 @@ class coverage_record {
   /// The rows of one kind are of the same paths, so that there are no more independent cases than seeds.
   void judge() const {
     std::printf("| experiment, interval | rows | covered |\n|---|---|---|\n");
+    int judged = 0;
     for (const auto& [kind, rows] : kinds_) {
       double share = 0;
       int seeds = 0, counted = 0;
@@ -135,12 +142,14 @@ class coverage_record {
         ++counted;
       }
       if (counted == 0) continue;
+      ++judged;
       share /= counted;
       const auto [low, high] = share_interval(static_cast<int>(std::lround(share * seeds)), seeds);
       std::printf("| %s, %s | %d | %.3f [%.3f, %.3f] |\n", kind.first.c_str(), kind.second.c_str(), counted, share, low,
                   high);
       EXPECT_TRUE(high >= 0.93 && low <= 0.97) << kind.first << ", " << kind.second;
     }
+    EXPECT_GT(judged, 0) << "no interval was drawn";
   }
 
  private:
@@ -159,6 +168,7 @@ void hold_on_fresh_seeds(std::uint64_t first, const std::vector<std::string>& sc
     intervals.add(r);
   });
   alarms.print();
+  alarms.judge();
   intervals.judge();
 }
 

@@ -19,11 +19,15 @@ TEST(Casimir, TenMillionSteps) {
   options.effort = effort::thorough;
   options.threads = 2;
   const auto r = verify(load_scene("paper"), options);
+  ASSERT_FALSE(r.verdicts.empty());
   for (const auto& v : r.verdicts) EXPECT_EQ(v.kind, report::verdict_kind::holds) << v.scheme << ": " << v.reason;
+  int laws = 0;
   for (const auto& f : r.fits)
     if (f.quantity == "drift_over_steps") {
       EXPECT_LT(f.order, 0.8) << f.scheme;
+      ++laws;
     }
+  EXPECT_GT(laws, 0);
 }
 
 // A hundred million steps of 64 paths: what is left of |Pi|'s error is a random walk of roundings, for every scheme.
@@ -32,6 +36,7 @@ TEST(Stability, HundredMillionStepsDriftLikeARandomWalk) {
   std::vector<const scheme_entry*> exact;
   for (const auto& e : s.schemes)
     if (e.info.casimir.exact) exact.push_back(&e);
+  ASSERT_FALSE(exact.empty());
   std::vector<long_drift> found(exact.size());
   parallel_for(2, static_cast<int>(exact.size()), [&](int i) {
     const auto& e = *exact[static_cast<std::size_t>(i)];

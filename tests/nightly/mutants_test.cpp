@@ -14,9 +14,12 @@ void expect_refuted(const std::vector<row>& rows, int threads) {
     std::fflush(stdout);
   });
   std::fputs(('\n' + table_text(all) + '\n' + summary_text(all)).c_str(), stdout);
-  for (const auto& s : all.twins)
+  ASSERT_FALSE(all.defects.empty() || all.twins.empty());
+  for (const auto& s : all.twins) {
+    EXPECT_GT(s.told, 0) << "nothing is said of healthy " << s.of.scheme << " on " << s.of.scene;
     for (const auto& v : s.refuted)
       ADD_FAILURE() << "healthy " << s.of.scheme << " on " << s.of.scene << ": " << v.claim << ": " << v.reason;
+  }
   for (const auto& s : all.defects)
     EXPECT_TRUE(s.refutes() || !s.of.asked)
         << described(s.of.planted) << ", " << s.of.scheme << ", " << s.of.scene << " survives";

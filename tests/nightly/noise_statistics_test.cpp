@@ -10,7 +10,9 @@ class NormalStatistics : public testing::TestWithParam<noise_source> {};
 
 TEST_P(NormalStatistics, TwoBillion) {
   if (GetParam().generator == noise_generator::ars && !ars_usable()) GTEST_SKIP() << "no AES instructions";
-  for (const auto& [what, z] : test::deviations_of_normals(GetParam(), 2'000'000'000)) {
+  const auto found = test::deviations_of_normals(GetParam(), 2'000'000'000);
+  ASSERT_EQ(found.size(), test::tests_a_source);
+  for (const auto& [what, z] : found) {
     EXPECT_LT(std::fabs(z), test::family_bound) << what;
     RecordProperty(what, std::to_string(z));
   }

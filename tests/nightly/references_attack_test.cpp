@@ -40,6 +40,7 @@ TEST_P(ReferencesUnderAttack, AreHonestOrRefuse) {
   }
   fmt::print("{}", attack_table(counts));
   EXPECT_GT(counts[GetParam()].answered, counts[GetParam()].tried / 4);
+  EXPECT_GT(counts[GetParam()].checked, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Quantities, ReferencesUnderAttack,

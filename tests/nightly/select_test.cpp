@@ -20,6 +20,7 @@ int scenes() {
 class EveryTarget : public testing::TestWithParam<std::pair<const char*, double>> {};
 
 TEST_P(EveryTarget, IsMetOnEveryScene) {
+  ASSERT_GT(scenes(), 0);
   std::mt19937_64 random(17);
   for (int i = 0; i < scenes(); ++i) {
     const auto s = random_scene(random, i);

@@ -11,6 +11,7 @@
 
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/verdicts.hpp"
 
 namespace polhode::test {
 
@@ -44,8 +45,9 @@ inline report::scene drawn_body(std::mt19937_64& random) {
 
 /// All of it, to be drawn again.
 inline std::string words(const report::scene& scene) {
-  std::string text = fmt::format("inertia = [{:.17g}]\ntheta = {:.17g}\nmomentum = [{:.17g}]\nsigma = [",
-                                 fmt::join(scene.vector("inertia"), ", "), scene.number("theta"), fmt::join(scene.momentum, ", "));
+  std::string text =
+      fmt::format("inertia = [{:.17g}]\ntheta = {:.17g}\nmomentum = [{:.17g}]\nsigma = [",
+                  fmt::join(scene.vector("inertia"), ", "), scene.number("theta"), fmt::join(scene.momentum, ", "));
   for (const auto& v : scene.vectors("sigma")) text += fmt::format("[{:.17g}], ", fmt::join(v, ", "));
   return text + "]";
 }
@@ -57,11 +59,9 @@ struct modified_count {
 /// Verdicts of `modified` on one drawn scene, of every scheme; those refuted are failures.
 inline void attack_modified(std::mt19937_64& random, modified_count& count) {
   const auto s = bind_scene(drawn_body(random));
-  verify_options options;
-  options.experiments = {"modified"};
-  options.effort = effort::quick;
-  options.threads = 2;
-  for (const auto& v : verify_subject(s, options).verdicts) {
+  const auto r = quick_results(s, {"modified"});
+  EXPECT_FALSE(r.verdicts.empty()) << words(s.scene);
+  for (const auto& v : r.verdicts) {
     count.holding += v.kind == report::verdict_kind::holds;
     count.inconclusive += v.kind == report::verdict_kind::inconclusive;
     count.refuted += v.kind == report::verdict_kind::refuted;

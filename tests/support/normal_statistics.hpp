@@ -29,6 +29,7 @@ struct deviation {
 /// The family, 29 tests a source and four sources, passes |z| < 5 with probability 1 - 7e-5 at least. The seeds are
 /// fixed.
 inline constexpr double family_bound = 5;
+inline constexpr std::size_t tests_a_source = 29;
 
 /// Products of pairs, and of their squares less one: both have mean 0 and, divided by 1 and 2, variance 1.
 struct pair_sums {

@@ -58,7 +58,7 @@ inline Eigen::VectorXd means_again(const subject& s, const scheme_entry& scheme,
 inline double law_error_again(const subject& s, const candidate& who, double dt, double horizon, bool at_equilibrium,
                               const std::string& observable) {
   const auto all = every_observable(s);
-  const auto problem = *sphere_problem_of(s);
+  const auto problem = *s.sphere();
   Eigen::VectorXd means = means_again(s, who.scheme, dt, horizon, all, at_equilibrium, 1);
   if (who.combination) means = (4 * means_again(s, who.scheme, dt / 2, horizon, all, at_equilibrium, 2) - means) / 3;
   const auto law = at_equilibrium ? stationary(problem, 1e-13) : stationary_law{};

@@ -23,6 +23,8 @@ TEST(SharedIncrements, OfAPathAreThoseOfItsLane) {
   increment_buffer buffer(*s.model, 20, true);
   const auto block = buffer.fill(7, 64, 0, 20, 0.1);
   const auto view = one.view(0, 20);
+  ASSERT_EQ(view.dw.size(), 3u * 20u);
+  ASSERT_EQ(view.area.size(), 3u * 20u);
   for (std::size_t i = 0; i < view.dw.size(); ++i) EXPECT_DOUBLE_EQ(view.dw[i], block.dw[i * block_lanes + 3]);
   for (std::size_t i = 0; i < view.area.size(); ++i) EXPECT_DOUBLE_EQ(view.area[i], block.area[i * block_lanes + 3]);
 }
@@ -47,6 +49,7 @@ TEST(SharedIncrements, OfABlockAreThoseOfEachPath) {
 TEST(Pullback, AShorterRunSeesTheLastStepsOfALongerOne) {
   const auto s = paper();
   const shared_increments drawn(*s.model, 3, 100, 0.1, true, 1, {}, 5);
+  ASSERT_FALSE(s.schemes.empty());
   for (const auto& scheme : s.schemes) {
     const auto stepper = scheme.make(0.1);
     const auto table = stepper->share(drawn.view(0, 100));

@@ -112,6 +112,7 @@ TEST(ColourMaps, GrowEvenlyBrighterFromWhatIsEmpty) {
     }
     return 116 * std::cbrt(y) - 16;
   };
+  ASSERT_FALSE(report::colour_maps().empty());
   for (const auto& map : report::colour_maps()) {
     double before = light(map.at(map.first));
     EXPECT_GE(before, 9) << map.name;  // the sphere where no body is: 9
@@ -131,6 +132,7 @@ TEST(DensityPicture, ChangesItsColoursAndNothingElse) {
   shot.side = side;
   shot.picture.resize(hemisphere_bins::count);
   const auto first = report::density_picture(side).paint(s, shot);
+  ASSERT_GT(report::colour_maps().size(), 1u);
   for (const auto& map : report::colour_maps().subspan(1)) {
     const auto other = report::density_picture(side, map).paint(s, shot);
     EXPECT_EQ(other.pixels, first.pixels);

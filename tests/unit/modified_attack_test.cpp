@@ -3,10 +3,9 @@
 // series.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/verdicts.hpp"
 
 namespace polhode::test {
 namespace {
@@ -17,8 +16,8 @@ report::scene slow_gap() {
   s.number("theta") = 0;
   s.momentum = {-1.4446109256723749, 0.089227110170224236, 0.90184683515853481};
   s.vectors("sigma") = {{1.5427163952791048, 0.60833281228091485, -0.98422843785298664},
-             {0.23458550330974198, -0.40415533165589562, -0.64789777871693965},
-             {2.0657415671984696, -0.68642389266476767, 0.10003961400760125}};
+                        {0.23458550330974198, -0.40415533165589562, -0.64789777871693965},
+                        {2.0657415671984696, -0.68642389266476767, 0.10003961400760125}};
   return s;
 }
 
@@ -43,15 +42,10 @@ report::scene crossing_modes() {
 
 void expect_to_hold(const report::scene& scene, std::string_view scheme, std::string_view claim) {
   auto s = bind_scene(scene);
-  std::erase_if(s.schemes, [&](const scheme_entry& e) { return e.info.name != scheme; });
-  verify_options options;
-  options.experiments = {"modified"};
-  options.effort = effort::quick;
-  options.threads = 2;
-  const auto r = verify_subject(s, options);
-  const auto v = std::ranges::find(r.verdicts, claim, &report::verdict::claim);
-  ASSERT_NE(v, r.verdicts.end());
-  EXPECT_EQ(v->kind, report::verdict_kind::holds) << v->reason;
+  s.schemes = {scheme_of(s, scheme)};
+  const auto r = quick_results(s, {"modified"});
+  const auto& v = verdict_of(r, claim);
+  EXPECT_EQ(v.kind, report::verdict_kind::holds) << v.reason;
 }
 
 TEST(ModifiedUnderAttack, SlowGapAtFineSteps) { expect_to_hold(slow_gap(), "strang_weak2", "spectral gap converges"); }

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/text.hpp"
+#include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 
 namespace {
 
@@ -41,6 +42,22 @@ TEST(nearest, half_may_differ_and_no_more) {
 
 TEST(nearest, the_first_of_equals_is_taken) {
   EXPECT_EQ(nearest_name("abcx", std::vector<std::string>{"abcd", "abce"}), "abcd");
+}
+
+TEST(nearest, what_is_chosen_is_a_place_or_is_refused) {
+  using polhode::choose;
+  EXPECT_EQ(choose("--scheme", "lie_heun", names), 2U);
+  const auto refusal = [](std::string_view value, const std::vector<std::string>& known) -> std::string {
+    try {
+      choose("--scheme", value, known);
+    } catch (const polhode::input_error& fault) {
+      return fault.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal("huen", {"heun", "strang"}),
+            "--scheme 'huen': not known; did you mean 'heun'?; accepted: heun, strang");
+  EXPECT_EQ(refusal("a\nb", {"heun", "strang"}), "--scheme 'a b': not known; accepted: heun, strang");
 }
 
 TEST(one_line, folds_and_escapes) {

@@ -15,9 +15,9 @@
 #include <polhode/lie/so3.hpp>
 #include <polhode/systems/constant_noise.hpp>
 
+#include <polhode/lie/so4.hpp>
 #include "algebra/decompositions.hpp"
 #include "support/dense.hpp"
-#include "support/so4_body.hpp"
 
 namespace polhode {
 namespace {
@@ -203,8 +203,8 @@ TEST(WeakOrderTwoOnSo4, DefectFallsLikeTheThirdPower) {
   Eigen::Matrix<double, 6, 6> sigma;
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j) sigma(i, j) = 0.5 * std::sin(1.0 + 3 * i + 5 * j + i * j);
-  const constant_noise<test::so4> noise(sigma);
-  const auto r = tensor(vectors<test::so4>(0), vectors<test::so4>(3));
+  const constant_noise<so4> noise(sigma);
+  const auto r = tensor(vectors<so4>(0), vectors<so4>(3));
   EXPECT_NEAR(slope(
                   r, sigma, 0.02, [&](double h) { return MatrixXd(noise.weak_order_two(h).sigma()); }, 4),
               3, 0.1);

@@ -7,9 +7,10 @@
 
 #include <polhode/integrate.hpp>
 
+#include "run/verify.hpp"
 #include "scene/scene.hpp"
 #include "support/schemes.hpp"
-#include "systems/systems.hpp"
+#include "support/verdicts.hpp"
 
 namespace polhode {
 namespace {
@@ -33,27 +34,24 @@ TEST(ParallelFor, PassesTheFirstExceptionOn) {
 
 // The laboratory's blocks and an outside user's loop see the same noise and take the same steps.
 TEST(Ensemble, IsTheLoopOfTheLibrary) {
-  const auto s = bind_rigid_body(load_scene("paper"));
+  const auto s = bind_scene(load_scene("paper"));
   constexpr int steps = 100;
   constexpr double dt = 0.02;
-  for (const auto& entry : s.schemes) {
-    if (entry.info.name != strang::info.name) continue;
-    increment_buffer noise(*s.model, steps, false);
-    auto states = replicated(s.scene.momentum);
-    entry.make(dt)->advance(states, noise.fill(5, 32, 0, steps, dt));
-    for (int lane = 0; lane < block_lanes; ++lane) {
-      const auto alone = integrate<strang>(test::paper_body(), test::paper_momentum, dt, steps,
-                                           {.seed = 5, .path = static_cast<std::uint64_t>(32 + lane)});
-      const auto here = lane_of(states, lane, 3);
-      for (int k = 0; k < 3; ++k) EXPECT_NEAR(here[static_cast<std::size_t>(k)], alone[k], 1e-13);
-    }
+  increment_buffer noise(*s.model, steps, false);
+  auto states = replicated(s.scene.momentum);
+  test::scheme_of(s, strang::info.name).make(dt)->advance(states, noise.fill(5, 32, 0, steps, dt));
+  for (int lane = 0; lane < block_lanes; ++lane) {
+    const auto alone = integrate<strang>(test::paper_body(), test::paper_momentum, dt, steps,
+                                         {.seed = 5, .path = static_cast<std::uint64_t>(32 + lane)});
+    const auto here = lane_of(states, lane, 3);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(here[static_cast<std::size_t>(k)], alone[k], 1e-13);
   }
 }
 
 // One channel in use draws no more than one, and a scene without noise draws nothing; the numbers stay the same.
 TEST(Increments, UnusedChannelsAreZero) {
   auto scene = load_scene("single");
-  const auto one = bind_rigid_body(scene);
+  const auto one = bind_scene(scene);
   EXPECT_EQ(one.model->active_channels(), 1);
   increment_buffer noise(*one.model, 1, true);
   const auto view = noise.fill(1, 0, 0, 1, 1.0);
@@ -61,7 +59,7 @@ TEST(Increments, UnusedChannelsAreZero) {
   for (int k = block_lanes; k < 3 * block_lanes; ++k) EXPECT_EQ(view.dw[static_cast<std::size_t>(k)], 0.0);
   for (const double area : view.area) EXPECT_EQ(area, 0.0);
   scene.vectors("sigma").clear();
-  EXPECT_EQ(bind_rigid_body(scene).model->active_channels(), 0);
+  EXPECT_EQ(bind_scene(scene).model->active_channels(), 0);
 }
 
 }  // namespace

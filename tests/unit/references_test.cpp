@@ -81,7 +81,7 @@ TEST(DrivenOde, IsOfOrderFour) {
   EXPECT_LT(error(512), 1e-13);
 }
 
-TEST(Gibbs, KnownAnswers) {  // MODEL section 3
+TEST(Gibbs, KnownAnswers) {  // docs/model.md, section 3
   const gibbs_law law({1, 2, 3}, 1, 4);
   EXPECT_NEAR(law.mean_energy(), 0.27662786228, 6e-12);
   EXPECT_NEAR(law.energy_variance(), 0.00637133262, 6e-12);

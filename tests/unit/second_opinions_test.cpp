@@ -17,7 +17,7 @@ const std::vector<sphere_problem> tops{
     body_on_sphere({1, 1, 2.5}, 0, 1.3, Eigen::Vector3d(0.25, 0.25, 0.4).asDiagonal()),
     body_on_sphere({1, 0.4, 1}, 0.5, 1.3, 0.25 * one), body_on_sphere({1.7, 2, 2}, 0.5, 1.3, 0.25 * one)};
 
-TEST(SphereCollocation, KnownAnswers) {  // MODEL section 3
+TEST(SphereCollocation, KnownAnswers) {  // docs/model.md, section 3
   const sphere_collocation grid(13, drift_of(paper), paper.covariance);
   EXPECT_NEAR(grid.mean(energy_of(paper)), 0.27662786228, 2e-9);
   EXPECT_NEAR(sphere_collocation(11, drift_of(paper), paper.covariance).expectation(energy_of(paper), paper_start, 2),

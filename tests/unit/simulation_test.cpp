@@ -80,6 +80,8 @@ TEST(Simulation, SharedIncrementsAreThoseOfPathZero) {
     const shared_increments shared(*s.model, 3, 100, 0.25, true, 2);
     increment_buffer own(*s.model, 10, true);
     const auto here = shared.view(40, 10), there = own.fill(3, 0, 40, 10, 0.25);
+    ASSERT_EQ(here.dw.size(), 3u * 10u) << name;
+    ASSERT_EQ(here.area.size(), 3u * 10u) << name;
     for (std::size_t i = 0; i < here.dw.size(); ++i) EXPECT_NEAR(here.dw[i], there.dw[i * block_lanes], 1e-15);
     for (std::size_t i = 0; i < here.area.size(); ++i) EXPECT_NEAR(here.area[i], there.area[i * block_lanes], 1e-15);
   }

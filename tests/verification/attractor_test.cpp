@@ -90,7 +90,7 @@ void expect_densities_relative_to_the_uniform_one() {
     EXPECT_NEAR(sum, 1, 2e-3) << d.name;
     if (d.time) continue;
     EXPECT_EQ(d.name, "stationary law");
-    EXPECT_NEAR(height2, 0.40576662289, 1e-3);  // MODEL, section 3: E[Pi_3^2]
+    EXPECT_NEAR(height2, 0.40576662289, 1e-3);  // docs/model.md, section 3: E[Pi_3^2]
   }
 }
 
@@ -118,7 +118,7 @@ TEST(Attractor, ClaimsHoldWhereBodiesCollect) {
   for (const char* claim :
        {"slope over noise paths", "mean over noise paths", "pullback converges", "collapse at the rate lambda_1"})
     expect_to_hold(r, claim, 2);
-  EXPECT_NEAR(*row(r, "strang", "collapse rate")->value, -0.04358, 0.1 * 0.04358);  // MODEL, section 5
+  EXPECT_NEAR(*row(r, "strang", "collapse rate")->value, -0.04358, 0.1 * 0.04358);  // docs/model.md, section 5
   expect_the_noise_of(r, {"averages", "pullback", "collapse", "densities"});
 }
 
@@ -216,6 +216,7 @@ TEST(Attractor, IsSkippedWithAReasonWhereItSaysNothing) {
     const auto r = quick(s, {"strang"});
     ASSERT_FALSE(r.skipped.empty());
     EXPECT_TRUE(r.measurements.empty());
+    ASSERT_FALSE(r.verdicts.empty());
     for (const auto& v : r.verdicts) EXPECT_EQ(v.kind, report::verdict_kind::skipped);
   }
 }

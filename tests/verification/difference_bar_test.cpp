@@ -28,7 +28,7 @@ struct known_biases {
   Eigen::VectorXd value, bar;
 };
 known_biases on_degree(const subject& s, const law_observables& all, const Eigen::MatrixXd& step, int degree) {
-  const auto p = *sphere_problem_of(s);
+  const auto p = *s.sphere();
   const Eigen::MatrixXd functions = coefficients_of(all, p.radius, degree);
   const auto generator = project_generator(backward_operator(p, degree), functions);
   const Eigen::MatrixXd corner = step.topLeftCorner(functions.rows(), functions.rows());
@@ -86,7 +86,7 @@ TEST(SampledBias, IsThatOfTheOperatorUnderOneNoiseVector) {
   const auto reference = bias_by_difference(s, true_law(s), reason);
   ASSERT_TRUE(reference) << reason;
   const auto bias = reference->of(s, s.schemes[0], dt, 4);
-  const auto truth = stationary_mean(*sphere_problem_of(s), *named_observable("energy", *sphere_problem_of(s)), 1e-6);
+  const auto truth = stationary_mean(*s.sphere(), *named_observable("energy", *s.sphere()), 1e-6);
   const auto sampled = sampled_energy<lie_euler>(dt);
   EXPECT_LT(bias.uncertainty[0], 0.02 * std::fabs(bias.error[0]));
   EXPECT_NEAR(sampled.value, *truth.value + bias.error[0], 2 * half_width(sampled) + bias.uncertainty[0]);

@@ -125,7 +125,7 @@ double moved(const subject& s, const sphere_function& f, double share) {
   const auto mean = [&](const sphere_problem& p) {
     return *expectation(p, f, Eigen::Vector3d(s.scene.momentum.data()), s.scene.horizon, 1e-11).value;
   };
-  const auto p = *sphere_problem_of(s);
+  const auto p = *s.sphere();
   return share * std::fabs(mean(with_more_noise(p, sensitivity_share)) - mean(p)) / sensitivity_share;
 }
 
@@ -134,11 +134,11 @@ double moved(const subject& s, const sphere_function& f, double share) {
 TEST(ExactDefects, NoiseFarOutChangesNothingOfASmoothStep) {
   for (const char* name : {"paper", "anisotropic", "single"}) {
     const auto s = bind_scene(load_scene(name));
+    ASSERT_FALSE(s.schemes.empty());
     const auto steps = s.scene.steps.back();
     const double dt = s.scene.horizon / static_cast<double>(steps);
     const double radius = Eigen::Vector3d(s.scene.momentum.data()).norm();
-    const std::array functions{*named_observable("energy", *sphere_problem_of(s)),
-                               *named_observable("pi3", *sphere_problem_of(s))};
+    const std::array functions{*named_observable("energy", *s.sphere()), *named_observable("pi3", *s.sphere())};
     double allowed = 0;  // of an observable's size
     for (const auto& f : functions)
       allowed = std::max(allowed, moved(s, f, rare_share(s.model->active_channels())) / size_on_sphere(f, radius));
@@ -175,7 +175,7 @@ TEST(ExactDefects, TheShareOfRareNoiseIsThatOfTheNormalTail) {
 TEST(ExactDefects, FewPathsAreTakenBackToTheShell) {
   const auto s = restricted(bind_scene(load_scene("paper")), {"euler_maruyama", "heun", "lie_euler"});
   const transfer_rule shell{{12, 7, 5}, {5, 2}}, sphere{{12, 1, 0}, {5, 2}};
-  const auto energy = *named_observable("energy", *sphere_problem_of(s));
+  const auto energy = *named_observable("energy", *s.sphere());
   const double most =
       moved(s, energy, noticed_share) / (4 * size_on_sphere(energy, Eigen::Vector3d(s.scene.momentum.data()).norm()));
   EXPECT_EQ(taken_back(s, s.schemes[2], 2.0 / 64, 64, sphere), 0);

@@ -55,16 +55,8 @@ subject body() {
 
 template <class Scheme>
 subject so4() {
-  report::scene scene;
-  scene.name = "so4";
-  scene.vector("inertia") = {1, 2, 3};
-  scene.number("theta") = 0.4;
-  scene.vectors("sigma") = {{0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}};
-  scene.momentum = {0.6, 0.48, 0.64, -0.3, 0.8, 0.5};
-  scene.horizon = 0.5;
-  scene.steps = {2, 4, 8, 16};
   return bind(
-      scene, [](const report::scene&) { return test::so4_body(); }, scheme_list<Scheme>{});
+      load_scene("so4"), [](const report::scene&) { return test::coupled_bodies(); }, scheme_list<Scheme>{});
 }
 
 struct Limit : testing::Test {
@@ -105,8 +97,7 @@ TEST_F(Limit, WeakFallbackIsHeldAgainstTheTruth) {
     const order_question q{
         "weak", "weak order", {{"difference", "energy", 1}}, [](const scheme_entry&) { return 1; }, {}};
     report::results out;
-    report_sampled_orders({s, effort::quick, 2, 5}, s.schemes, q, {*named_observable("energy", *sphere_problem_of(s))},
-                          out);
+    report_sampled_orders({s, effort::quick, 2, 5}, s.schemes, q, {*named_observable("energy", *s.sphere())}, out);
     return of(out, "limit of the law is that of the Stratonovich solution");
   };
   const auto healthy = judged({});

@@ -63,10 +63,10 @@ TEST(LyapunovRows, AreTheExponentsOfTheScene) {
     EXPECT_EQ(m.status, "ok");
     EXPECT_EQ(m.method, "exact");
   }
-  EXPECT_NEAR(*first[0].value, 0.020196, 6e-7);  // MODEL, section 5
+  EXPECT_NEAR(*first[0].value, 0.020196, 6e-7);  // docs/model.md, section 5
 }
 
-// MODEL, section 5: at sigma = 1/2 the sign changes between theta = 1/2 and 1.
+// docs/model.md, section 5: at sigma = 1/2 the sign changes between theta = 1/2 and 1.
 TEST(LyapunovRows, OnTheBorderTheExponentVanishesAndChangesItsSign) {
   int found = 0;
   for (const auto& m : rows("border of chaos")) {
@@ -103,6 +103,7 @@ TEST(LyapunovRows, TheMapHasTheSignsThatTheBorderDraws) {
 
 TEST(LyapunovRows, TheMapIsRightAtItsPlaces) {
   const auto map = rows("lambda_1 map");
+  ASSERT_EQ(map.size(), 36u);
   for (std::size_t i = 0; i < map.size(); i += 7) {
     const auto p = place_of(map[i], 2);
     const auto sharp = at(p.sigma, p.theta);

@@ -10,6 +10,7 @@
 #include "run/run_experiment.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/verdicts.hpp"
 
 namespace polhode {
 namespace {
@@ -22,9 +23,7 @@ report::results modified_of(const subject& s) {
   return out;
 }
 
-const report::verdict& gap_verdict(const report::results& r) {
-  return *std::ranges::find(r.verdicts, claim, &report::verdict::claim);
-}
+const report::verdict& gap_verdict(const report::results& r) { return test::verdict_of(r, claim); }
 
 subject louder(const report::scene& scene, double noise, const std::string& scheme) {
   auto changed = scene;

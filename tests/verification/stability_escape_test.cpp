@@ -43,6 +43,7 @@ TEST(Escape, ScalesAsTheEquationDoes) {
 
 TEST(Escape, IsRarerAtSmallerSteps) {
   const auto in = case_of(load_scene("paper"));
+  ASSERT_EQ(in.bound.schemes.size(), 3u);
   for (const auto& scheme : in.bound.schemes) {
     report::results out;
     report_escape(in, scheme, out);

@@ -82,11 +82,14 @@ TEST(Border, LongerStepsThatAreStableByAccidentDoNotCount) {
 // Nothing moves: c/I is the only rate, and no step of any size changes Pi.
 TEST(Stability, BodyAtRestIsStableAtEveryStep) {
   const auto r = quick(spherical({}), {});
+  std::size_t borders = 0;
   for (const auto& m : r.measurements)
     if (m.quantity == "largest_stable_dt" && m.observable == "scene") {
+      ++borders;
       EXPECT_EQ(m.status, "stable at every dt tried") << m.scheme;
       EXPECT_NEAR(*m.value * row(r, "fastest_rate", "scene"), 32, 1e-12) << m.scheme;
     }
+  EXPECT_EQ(borders, list_schemes().size());
 }
 
 /// The border of |Pi| = c (1 + x)^(n/2) >= 1.05^(1/2) or 1.1 c: dt with n dt = T.
@@ -201,13 +204,16 @@ TEST(Stability, ThreadsAndCompanyChangeNothing) {
 // A random walk of rounding, not a drift: slower than the number of steps, and far below 1e-12 after a million.
 TEST(Stability, LongDriftIsRoundingAlone) {
   const auto s = bind_scene(load_scene("paper"));
+  int tried = 0;
   for (const auto& scheme : s.schemes) {
     if (!scheme.info.casimir.exact) continue;
+    ++tried;
     const auto d = drift_over(s, scheme, 0.03125, 1 << 19, 1, noise_generator::philox);
     ASSERT_EQ(d.steps, (std::vector<double>{1 << 16, 1 << 17, 1 << 18, 1 << 19})) << scheme.info.name;
     EXPECT_LT(d.rms.back(), 1e-12) << scheme.info.name;
     EXPECT_GT(d.rms.back(), 0) << scheme.info.name;
   }
+  EXPECT_GT(tried, 0);
 }
 
 TEST(Stability, RareBreaksAreCountedAmongTheirPaths) {
@@ -225,11 +231,13 @@ TEST(Stability, RareBreaksAreCountedAmongTheirPaths) {
   EXPECT_LT(*m.high - *m.low, 4e-3);
 }
 
-// Figures of the house by counters, not by time: 13 schemes at quick effort.
+// Figures of the house by counters, not by time: 14 schemes at quick effort.
 TEST(Stability, CostsWhatItMay) {
   const auto before = work_so_far();
   quick(load_scene("paper"), {});
   const auto after = work_so_far();
+  EXPECT_GT(after.path_steps, before.path_steps);
+  EXPECT_GT(after.normals, before.normals);
   EXPECT_LT(after.path_steps - before.path_steps, 3'000'000'000u);
   EXPECT_LT(after.normals - before.normals, 4'500'000'000u);  // each run alone: 11e9
 }

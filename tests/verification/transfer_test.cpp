@@ -10,19 +10,18 @@
 #include "run/run_experiment.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/verdicts.hpp"
 #include "transfer/transfer.hpp"
 
 namespace polhode {
 namespace {
 
-const scheme_entry& scheme_of(const subject& s, std::string_view name) {
-  return *std::ranges::find(s.schemes, name, [](const scheme_entry& e) { return e.info.name; });
-}
+using test::scheme_of;
 
 double transferred_energy(const subject& s, const scheme_entry& e, double dt, int steps, const transfer_rule& rule) {
   const auto op = make_transfer(s, e, dt, steps, rule);
   const Eigen::Vector3d start(s.scene.momentum.data());
-  return op.law_after(start, steps).dot(op.basis.coefficients(*named_observable("energy", *sphere_problem_of(s))));
+  return op.law_after(start, steps).dot(op.basis.coefficients(*named_observable("energy", *s.sphere())));
 }
 
 report::results quick(const std::vector<std::string>& schemes, const std::string& experiment, int threads = 2) {
@@ -100,18 +99,17 @@ TEST(Weak, CoupledLevelsFindWhatTheOperatorFinds) {
                          [&](const scheme_entry& e) { return weak_order_on(e.info, s.model->noise()); },
                          {}};
   report::results out;
-  report_sampled_orders({s, effort::quick, 2, 5}, s.schemes, q, {*named_observable("energy", *sphere_problem_of(s))},
-                        out);
+  report_sampled_orders({s, effort::quick, 2, 5}, s.schemes, q, {*named_observable("energy", *s.sphere())}, out);
   int compared = 0;
   for (const auto& m : out.measurements) {
     if (m.quantity != "difference" || m.scheme != "lie_euler" || *m.dt < 0.02) continue;
     const int steps = static_cast<int>(std::lround(asymptotic_levels(s, 64).horizon / *m.dt));
     const auto& e = scheme_of(s, "lie_euler");
     const transfer_rule rule{{16, 1, 0}, {7, 2}};
-    const double time = asymptotic_levels(s, 64).horizon, radius = sphere_problem_of(s)->radius;
-    const auto h = *named_observable("energy", *sphere_problem_of(s));
+    const double time = asymptotic_levels(s, 64).horizon, radius = s.sphere()->radius;
+    const auto h = *named_observable("energy", *s.sphere());
     const Eigen::Vector3d start = radius * Eigen::Vector3d(s.scene.momentum.data()).normalized();
-    const double exact = *expectation(*sphere_problem_of(s), h, start, time, 1e-10).value;
+    const double exact = *expectation(*s.sphere(), h, start, time, 1e-10).value;
     EXPECT_NEAR(*m.value, std::fabs(transferred_energy(s, e, *m.dt, steps, rule) - exact), 2 * (*m.high - *m.value))
         << *m.dt;  // four standard errors
     ++compared;
@@ -127,8 +125,7 @@ TEST(Weak, CoupledLevelsDoNotDependOnTheCompany) {
     const order_question q{
         "weak", "weak order", {{"difference", "energy", 1}}, [](const scheme_entry&) { return 1; }, {}};
     report::results out;
-    report_sampled_orders({s, effort::quick, 2, 5}, schemes, q, {*named_observable("energy", *sphere_problem_of(s))},
-                          out);
+    report_sampled_orders({s, effort::quick, 2, 5}, schemes, q, {*named_observable("energy", *s.sphere())}, out);
     std::vector<double> values;
     for (const auto& m : out.measurements)
       if (m.scheme == "lie_euler") values.push_back(m.value.value_or(NAN));

@@ -7,11 +7,14 @@
 #include "run/run_experiment.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/verdicts.hpp"
 #include "systems/bind.hpp"
 #include "systems/rigid_body/rigid_body.hpp"
 
 namespace polhode {
 namespace {
+
+using test::verdict_of;
 
 constexpr double horizon = 8;
 
@@ -29,10 +32,6 @@ report::results weak_of(const subject& s) {
   report::results out;
   weak_experiment().run({s, effort::quick, 2}, out);
   return out;
-}
-
-const report::verdict& verdict_of(const report::results& r, std::string_view claim) {
-  return *std::ranges::find(r.verdicts, claim, &report::verdict::claim);
 }
 
 /// Of a rotation by sigma sqrt(dt) g on harmonics of degree one, s = sigma^2 dt.

@@ -87,10 +87,15 @@ export interface Density {
   heights: number;
   values: (number | null)[];
 }
+/** A parameter of the scene's system: a number, a vector, or a list of vectors. */
+export interface Parameter {
+  name: string;
+  rows: number[][];
+}
 export interface Scene {
   name: string;
   system: string;
-  inertia: number[];
+  parameters: Parameter[]; // but theta and sigma, which every system has
   theta: number | null;
   sigma: number[][];
   momentum: number[];

@@ -138,13 +138,21 @@ function list<Name extends keyof typeof readers>(document: Json, name: Name, mis
   return objects.map(read);
 }
 
+function rowsOf(value: unknown): number[][] {
+  if (!Array.isArray(value)) return [numbers([value])];
+  return value.some(Array.isArray) ? value.map(numbers) : [numbers(value)];
+}
+
 function sceneOf(x: unknown, missing: string[]): Scene {
   if (!isObject(x)) missing.push('no “scene”');
   const o = isObject(x) ? x : {};
+  const known = new Set(['name', 'system', 'theta', 'sigma', 'momentum', 'horizon', 'steps']);
   return {
     name: text(o.name),
     system: text(o.system),
-    inertia: numbers(o.inertia),
+    parameters: Object.entries(o)
+      .filter(([name]) => !known.has(name))
+      .map(([name, value]) => ({ name, rows: rowsOf(value) })),
     theta: number(o.theta),
     sigma: Array.isArray(o.sigma) ? o.sigma.map(numbers) : [],
     momentum: numbers(o.momentum),

@@ -5,6 +5,8 @@
 
 #include <polhode/noise/address.hpp>
 
+#include "platform/isa_entry.hpp"
+
 namespace polhode {
 
 /// `wanted` of `rows` normals (channels), times `scale`, for every lane of a block and every step: out is
@@ -31,13 +33,5 @@ void fill_normals(const normal_block&);
 
 }  // namespace polhode
 
-extern "C" {
-void polhode_fill_normals_ars_v2(const polhode::normal_block&);
-void polhode_fill_normals_ars_v3(const polhode::normal_block&);
-void polhode_fill_normals_ars_v4(const polhode::normal_block&);
-void polhode_fill_normals_ars_portable(const polhode::normal_block&);
-void polhode_fill_normals_v2(const polhode::normal_block&);
-void polhode_fill_normals_v3(const polhode::normal_block&);
-void polhode_fill_normals_v4(const polhode::normal_block&);
-void polhode_fill_normals_portable(const polhode::normal_block&);
-}
+POLHODE_DECLARE_ENTRIES(polhode_fill_normals_ars_, const polhode::normal_block&);
+POLHODE_DECLARE_ENTRIES(polhode_fill_normals_, const polhode::normal_block&);

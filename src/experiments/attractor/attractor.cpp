@@ -18,11 +18,10 @@ namespace {
 constexpr double exponent_accuracy = 1e-6, gap_accuracy = 1e-4;
 
 std::optional<std::string> cannot_say(const subject& s) {
-  if (!sphere_problem_of(s)) return "the exact laws and exponents are those of the rigid body alone";
+  if (!s.sphere()) return no_exact_law;
   if (s.model->noise() == noise_class::none) return "no noise: the attractor is the set of equilibria";
-  const auto& i = s.scene.vector("inertia");
-  if (i[0] == i[1] && i[1] == i[2]) return "a spherical body turns rigidly: what is uniform stays so";
-  if (s.scene.number("theta") == 0) return "no dissipation: area is kept, so what is uniform stays so";
+  if (s.sphere()->is_spherical()) return "a spherical body turns rigidly: what is uniform stays so";
+  if (dissipation_of(s.scene) == 0) return "no dissipation: area is kept, so what is uniform stays so";
   return std::nullopt;
 }
 
@@ -33,7 +32,7 @@ struct framed {
 };
 
 framed frame_of(const subject& s) {
-  framed out{{*sphere_problem_of(s), true_law(s), {}, 0, 0.25 / fastest_rate(s), {}}, ""};
+  framed out{{*s.sphere(), true_law(s), {}, 0, 0.25 / fastest_rate(s), {}}, ""};
   auto& f = out.frame;
   if (!f.law.density || !f.law.reason.empty()) {
     out.fault = "the true stationary law is " + f.law.reason;

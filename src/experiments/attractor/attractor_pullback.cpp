@@ -22,16 +22,17 @@
 #include "experiments/common/progress_counter.hpp"
 #include "experiments/common/sequential.hpp"
 #include "experiments/common/undecided.hpp"
+#include "statistics/orders/level_choice.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr int degree = 4;
-constexpr int spans = 7;                 // to the longest T, of which six changes are left
-constexpr double span_time = 2.5;        // in the time in which the area of a set shrinks by e
-constexpr double clear_of_zero = 3;      // standard errors that a level must have above zero to be fitted
-constexpr double most_path_steps = 1e8;  // of one scheme at quick effort
-constexpr int least_paths = 24;
+constexpr int spans = 7;                           // to the longest T, of which six changes are left
+constexpr double span_time = 2.5;                  // in the time in which the area of a set shrinks by e
+constexpr double clear_of_zero = 3;                // standard errors that a level must have above zero to be fitted
+constexpr double most_path_steps = 1e8;            // of one scheme at quick effort
+constexpr int least_paths = 24, most_paths = 288;  // the most where too few levels are clear of zero for a fit
 constexpr int least_looks = 4, most_looks = 7;
 constexpr const char* pullback_claim = "pullback converges";
 
@@ -190,8 +191,15 @@ void report_pullback(const context& c, const attractor_frame& f, noise_log& log,
                 [](effort e) { return affordable(e, most_path_steps); }},
                out))
     return;
-  const auto changes = changes_of(c, f, plan, log, log.open({"pullback"}, blocks_of(plan.paths)));
   const double between = static_cast<double>(plan.steps) * f.dt;
+  auto changes = changes_of(c, f, plan, log, log.open({"pullback"}, blocks_of(plan.paths)));
+  const auto open = [&](const squared_errors& of) { return clear_levels(of) < static_cast<int>(least_levels); };
+  const double one_path = work() / plan.paths;
+  const int affordable_paths = std::min(most_paths, static_cast<int>(most / one_path));
+  if (std::ranges::any_of(changes, open) && affordable_paths > plan.paths) {
+    plan.paths = affordable_paths;
+    changes = changes_of(c, f, plan, log, log.open({"pullback, more paths"}, blocks_of(plan.paths)));
+  }
   for (std::size_t s = 0; s < f.schemes.size(); ++s) {
     const std::string name(f.schemes[s].info.name);
     report_changes(name, changes[s], between, out);

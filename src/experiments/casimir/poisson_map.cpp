@@ -67,13 +67,6 @@ Eigen::MatrixXd bracket_at(const model& m, const std::vector<double>& mu) {
   return out;
 }
 
-subject conservative(const subject& s) {
-  auto scene = s.scene;
-  scene.vectors("sigma").clear();
-  scene.number("theta") = 0;
-  return s.with(scene);
-}
-
 report::verdict judge_kept(const claim& c, std::span<const double> defects) {
   const bool finite = std::ranges::all_of(defects, [](double d) { return std::isfinite(d); });
   const double worst = finite ? std::ranges::max(defects) : std::numeric_limits<double>::quiet_NaN();
@@ -107,7 +100,7 @@ double poisson_defect(const subject& s, const scheme_entry& scheme, double dt) {
 }
 
 void report_poisson_map(const context& c, std::string_view name, report::results& out) {
-  const auto s = conservative(c.subject);
+  const auto s = c.subject.without_noise().without_dissipation();
   const auto& scheme = *std::ranges::find(s.schemes, name, [](const scheme_entry& e) { return e.info.name; });
   const series row{"casimir", std::string(name), "Poisson defect", "bracket", "relative", "exact"};
   std::vector<double> dt, defects;

@@ -16,11 +16,8 @@ std::vector<direction> directions_of(const subject& s) {
   const int channels = s.model->active_channels();
   for (int k = 0; k < channels; ++k)
     out.push_back({channels == 1 ? "noise" : fmt::format("noise {}", k + 1), k, false, s.model->reference()});
-  if (s.scene.number("theta") > 0) {
-    auto scene = s.scene;
-    scene.number("theta") *= 1 + more;
-    out.push_back({"dissipation", -1, false, s.with(scene).model->reference()});
-  }
+  if (const double theta = dissipation_of(s.scene); theta > 0)
+    out.push_back({"dissipation", -1, false, s.with(with_dissipation(s.scene, theta * (1 + more))).model->reference()});
   out.push_back({"time", -1, true, s.model->reference()});
   return out;
 }

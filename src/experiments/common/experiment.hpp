@@ -50,6 +50,10 @@ experiment modified_experiment();
 experiment stability_experiment();
 experiment work_precision_experiment();
 
+/// Why exact laws are missing.
+inline constexpr const char* no_exact_law =
+    "the exact law is computed on a sphere of momentum, and this system does not live on one";
+
 /// By effort: quick, standard, thorough.
 template <class T>
 T by_effort(effort e, T quick, T standard, T thorough) {

@@ -12,15 +12,7 @@ constexpr double time_scales = 4;
 
 }  // namespace
 
-double fastest_rate(const subject& s) {
-  double square = 0;
-  for (const double p : s.scene.momentum) square += p * p;
-  const double c = std::sqrt(square);
-  const auto [least, greatest] = std::ranges::minmax(s.scene.vector("inertia"));
-  double noise = 0;
-  for (const auto& v : s.scene.vectors("sigma")) noise += v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  return c / least + s.scene.number("theta") * square * (1 / least - 1 / greatest) + noise;
-}
+double fastest_rate(const subject& s) { return s.offers->rates.fastest(); }
 
 double longest_at_equilibrium(const subject& s) { return time_scales / fastest_rate(s); }
 

@@ -11,7 +11,6 @@
 #include "experiments/energy/energy_trace.hpp"
 #include "experiments/energy/least_energy_axis.hpp"
 #include "problem/vectors.hpp"
-#include "references/free_rotation.hpp"
 #include "references/odeint.hpp"
 
 namespace polhode {
@@ -21,12 +20,6 @@ bool at_rest(const subject& s) {
   std::vector<double> drift(s.scene.momentum.size());
   s.model->drift(s.scene.momentum, drift);
   return length(drift) <= 1e-12 * fastest_rate(s) * length(s.scene.momentum);
-}
-
-subject without_dissipation(const subject& s) {
-  auto scene = s.scene;
-  scene.number("theta") = 0;
-  return s.with(scene);
 }
 
 std::vector<double> true_end(const subject& s, double t) {
@@ -42,13 +35,13 @@ subject over_time_scales(subject s) {
 
 void run(const context& c, report::results& out) {
   const auto damped = c.subject.without_noise();
-  const auto free = without_dissipation(damped);
+  const auto free = damped.without_dissipation();
   const auto grid = asymptotic_levels(over_time_scales(damped), by_effort(c.effort, 256.0, 256.0, 1024.0));
   const auto damped_end = true_end(damped, grid.horizon);
-  const auto &inertia = free.scene.vector("inertia"), &start = free.scene.momentum;
-  const auto free_end =
-      free_rotation({inertia[0], inertia[1], inertia[2]}, {start[0], start[1], start[2]}, grid.horizon);
-  const bool dissipates = damped.scene.number("theta") > 0;
+  const auto& closed_form = free.offers->free;
+  const auto free_end = closed_form ? closed_form->at(grid.horizon) : true_end(free, grid.horizon);
+  const std::string free_method = closed_form ? closed_form->method : "odeint";
+  const bool dissipates = dissipation_of(damped.scene) > 0;
   if (!dissipates)
     out.skipped.push_back(
         {"energy", "", "decay and end point: theta = 0, nothing dissipates; the free rotation is measured"});
@@ -60,7 +53,7 @@ void run(const context& c, report::results& out) {
       report_convergence(damped, damped.schemes[static_cast<std::size_t>(k)], grid, "", "odeint", damped_end, part);
       report_end(damped, damped.schemes[static_cast<std::size_t>(k)], part);
     }
-    report_convergence(free, free.schemes[static_cast<std::size_t>(k)], grid, "free_", "jacobi", free_end, part);
+    report_convergence(free, free.schemes[static_cast<std::size_t>(k)], grid, "free_", free_method, free_end, part);
     const auto& scheme = damped.schemes[static_cast<std::size_t>(k)];
     report_floor({"energy", std::string(scheme.info.name), "energy at the rounding floor"},
                  rounding_floor_of(c, damped, scheme).energy, part);

@@ -97,7 +97,8 @@ void report_convergence(const subject& s, const scheme_entry& scheme, const leve
                what.empty() ? "order of the path" : "order of the free path", path(), order, out);
   report_order({"energy", name, what + "law_residual", "energy", "energy", "deterministic"},
                what.empty() ? "order of the energy law" : "order of the free energy", law(), order, out);
-  if (s.scene.number("theta") > 0) report_monotony(name, runs.finest.energy, runs.grid.dt().back(), rounding * energy, out);
+  if (dissipation_of(s.scene) > 0)
+    report_monotony(name, runs.finest.energy, runs.grid.dt().back(), rounding * energy, out);
 }
 
 }  // namespace polhode

@@ -27,7 +27,7 @@ struct trace_frame {
   Eigen::VectorXd drift;   ///< L h
   Eigen::VectorXd along;   ///< h - m, of mean square one
 
-  explicit trace_frame(const subject& s) : problem(*sphere_problem_of(s)) {
+  explicit trace_frame(const subject& s) : problem(*s.sphere()) {
     energy = *named_observable("energy", problem);
     const auto rule = sphere_quadrature(directions);
     points.resize(rule.points.rows() + 1, 3);
@@ -78,7 +78,7 @@ transfer_answer answer(const trace_frame& frame, const subject& s, const scheme_
   return {frame.columns_of(found), Eigen::Vector3d::Constant(change + floor), true, {{}, rule}};
 }
 
-/// Of schemes that keep the sphere, under isotropic noise.
+/// Of schemes that keep the sphere, under isotropic noise without a field: h - m is an eigenfunction of the noise.
 void report_bound(const trace_frame& frame, const error_table& t, report::results& out) {
   const series s{"energy", t.scheme, "error of E[h] at any time, at most", "energy", "energy", "transfer"};
   const double rate = 3 * frame.problem.covariance(0, 0);
@@ -87,20 +87,13 @@ void report_bound(const trace_frame& frame, const error_table& t, report::result
         measured(s, t.dt[i], (t.error[i][2] + t.uncertainty[i][2]) * t.dt[i] / -std::expm1(-rate * t.dt[i])));
 }
 
-subject undamped(const subject& s) {
-  auto scene = s.scene;
-  scene.number("theta") = 0;
-  return s.with(scene);
-}
-
 }  // namespace
 
 void report_energy_trace(const context& c, report::results& out) {
-  if (!sphere_problem_of(c.subject))
-    return out.skipped.push_back({"energy", "", "trace formula: for the rigid body alone"});
+  if (!c.subject.sphere()) return out.skipped.push_back({"energy", "", std::string("trace formula: ") + no_exact_law});
   if (c.subject.model->noise() == noise_class::none)
     return out.skipped.push_back({"energy", "", "trace formula: no noise, so that nothing moves E[h]"});
-  const auto s = undamped(c.subject);
+  const auto s = c.subject.without_dissipation();
   const trace_frame frame(s);
   if (frame.size_of(frame.drift) <= still * frame.problem.covariance.norm() * frame.greatest_energy())
     return out.skipped.push_back({"energy", "", "trace formula: this noise leaves h as it is"});
@@ -110,7 +103,7 @@ void report_energy_trace(const context& c, report::results& out) {
   const auto tables = answer_all({s, c.effort, c.threads}, s.schemes, scene_levels(s), q);
   for (std::size_t k = 0; k < tables.size(); ++k) {
     report_orders(q, expected(s.schemes[k]), tables[k], out);
-    if (s.schemes[k].info.casimir.exact && s.model->noise() == noise_class::isotropic)
+    if (s.schemes[k].info.casimir.exact && s.model->noise() == noise_class::isotropic && !frame.problem.has_field())
       report_bound(frame, tables[k], out);
   }
 }

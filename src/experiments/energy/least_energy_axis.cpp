@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/judge.hpp"
 #include "experiments/common/levels.hpp"
 #include "experiments/common/undecided.hpp"
-#include "problem/vectors.hpp"
+#include "sphere/equilibria.hpp"
 
 namespace polhode {
 namespace {
@@ -19,17 +20,34 @@ constexpr int least_axis_time_scales = 60;
 constexpr double most_end_steps = 1e6;
 constexpr const char* end_claim = "ends on the axis of least energy";
 
+/// Of what is left of a motion in the flattest well; along a ring of wells nothing decays.
+double slowest_decay(const sphere_problem& p, const std::vector<equilibrium>& all) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& e : all)
+    if (e.is_least()) least = std::min(least, e.curvature[0] > 0 ? e.curvature[0] : e.curvature[1]);
+  return p.damping * p.radius * p.radius * least;
+}
+
+/// Of the energy's range on the sphere that was reached: in a field its wells lie elsewhere than on the scene's.
+double above_nearest_well(sphere_problem p, const Eigen::Vector3d& end) {
+  if (!end.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+  p.radius = end.norm();
+  const auto all = equilibria(p);
+  const double energy = p.energy(end);
+  double above = std::numeric_limits<double>::infinity();
+  for (const auto& e : all)
+    if (e.is_least() && !(std::fabs(energy - e.energy) > std::fabs(above))) above = energy - e.energy;
+  return above / (all.back().energy - all.front().energy);
+}
+
 }  // namespace
 
 void report_end(const subject& s, const scheme_entry& scheme, report::results& out) {
-  const auto [least, greatest] = std::ranges::minmax(s.scene.vector("inertia"));
-  const double c = length(s.scene.momentum), range = 0.5 * c * c * (1 / least - 1 / greatest);
+  if (!s.sphere()) return;
+  const auto& p = *s.sphere();
+  const auto all = equilibria(p);
   const double rate = fastest_rate(s);
-  // The slowest decay: between the two axes of greatest inertia, at rate theta c^2 times their difference of 1/I.
-  auto inertia = s.scene.vector("inertia");
-  std::ranges::sort(inertia);
-  const double gap = inertia[2] > inertia[1] ? 1 / inertia[1] - 1 / inertia[2] : 1 / inertia[0] - 1 / inertia[2];
-  const double time = least_axis_time_scales / (s.scene.number("theta") * c * c * gap), dt = 0.05 / rate;
+  const double time = least_axis_time_scales / slowest_decay(p, all), dt = 0.05 / rate;
   const std::string name(scheme.info.name);
   if (time / dt > most_end_steps) {
     leave_open(
@@ -43,8 +61,7 @@ void report_end(const subject& s, const scheme_entry& scheme, report::results& o
   auto states = replicated(s.scene.momentum);
   stepper->advance(states, silence(steps, dt));
   const auto end = lane_of(states, 0, s.model->dimension());
-  // Energy of the direction reached, above the least on its sphere.
-  const double e = length(end), above = (s.model->energy(end) * c * c / (e * e) - 0.5 * c * c / greatest) / range;
+  const double above = above_nearest_well(p, Eigen::Vector3d(end.data()));
   out.verdicts.push_back(
       judge_distance({"energy", name, end_claim}, {above, above, above}, end_bound,
                      fmt::format("after time {:.3g}: {:.1e} of the energy's range above the least", time, above)));

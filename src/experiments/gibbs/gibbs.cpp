@@ -13,10 +13,10 @@ namespace polhode {
 namespace {
 
 std::optional<std::string> cannot_say(const subject& s) {
-  const auto& i = s.scene.vector("inertia");
   if (s.model->noise() == noise_class::none)
     return "no noise: the law concentrates on the axis of least energy (experiment energy)";
-  if (i[0] == i[1] && i[1] == i[2]) return "equal moments of inertia: h is constant on the sphere";
+  if (!s.sphere()) return no_exact_law;
+  if (s.sphere()->is_spherical()) return "h is constant on the sphere";
   return std::nullopt;
 }
 

@@ -13,9 +13,8 @@
 #include "experiments/common/sequential.hpp"
 #include "experiments/common/undecided.hpp"
 #include "experiments/gibbs/gibbs_moments.hpp"
-#include "problem/noise_covariance.hpp"
 #include "problem/vectors.hpp"
-#include "transfer/transfer.hpp"
+#include "sphere/equilibria.hpp"
 
 namespace polhode {
 namespace {
@@ -23,18 +22,15 @@ namespace {
 constexpr double most_steps = 10'000;  // of a path, before sampling is too dear to be offered
 
 /// The least eigenvalue of sum sigma_i sigma_i^T: sigma^2 where the noise is isotropic, else its weakest direction.
-double noise_strength(const report::scene& s) {
-  return std::max(0.0, symmetric_eigenpairs_of(noise_covariance(s)).values[0]);
+double noise_strength(const subject& s) {
+  return std::max(0.0, symmetric_eigenpairs_of(s.sphere()->covariance).values[0]);
 }
 
 /// Time to forget the start: relaxation on the sphere (rate sigma^2), slowed by the barrier between the wells of h.
 /// Damping and rotation only help; the factor five is a choice.
-double burn_in(const report::scene& s) {
-  auto inertia = s.vector("inertia");
-  std::ranges::sort(inertia);
-  const double c = length(s.momentum), sigma2 = noise_strength(s);
-  const double barrier = 0.5 * c * c * (1 / inertia[1] - 1 / inertia[2]);
-  return 5 / sigma2 * std::exp(2 * s.number("theta") / sigma2 * barrier);
+double burn_in(const subject& s) {
+  const double sigma2 = noise_strength(s);
+  return 5 / sigma2 * std::exp(2 * dissipation_of(s.scene) / sigma2 * barrier_between_wells(*s.sphere()));
 }
 
 double step_size(const subject& s) { return 0.04 / fastest_rate(s); }
@@ -44,8 +40,8 @@ struct design {
 };
 
 design plan(const context& c) {
-  const auto& s = c.subject.scene;
-  return {step_size(c.subject), burn_in(s), 1 / noise_strength(s)};
+  const auto& s = c.subject;
+  return {step_size(s), burn_in(s), 1 / noise_strength(s)};
 }
 
 /// Runs one block of paths of the open schemes through the same noise.
@@ -80,7 +76,7 @@ void run_block(const context& c, const design& d, std::span<const scheme_entry> 
 void report_samples(const context& c, const std::vector<scheme_entry>& schemes, report::results& out) {
   const auto& s = c.subject;
   const double radius = length(s.scene.momentum);
-  const gibbs_law law(*sphere_problem_of(s));
+  const gibbs_law law = s.offers->gibbs ? s.offers->gibbs() : gibbs_law::by_quadrature(*s.sphere());
   const auto d = plan(c);
   std::vector<std::unique_ptr<kernel>> kernels;
   for (const auto& scheme : schemes) kernels.push_back(scheme.make(d.dt));
@@ -108,9 +104,9 @@ void report_samples(const context& c, const std::vector<scheme_entry>& schemes, 
 
 /// Why no law is claimed that could be sampled; empty: one is.
 std::optional<std::string> no_law(const subject& s) {
-  if (s.model->noise() != noise_class::isotropic && s.scene.number("theta") > 0)
+  if (s.model->noise() != noise_class::isotropic && dissipation_of(s.scene) > 0)
     return "the noise is not isotropic: no Gibbs law is claimed for it";
-  if (noise_strength(s.scene) <= 1e-12 * fastest_rate(s)) return "the noise does not reach every direction by itself";
+  if (noise_strength(s) <= 1e-12 * fastest_rate(s)) return "the noise does not reach every direction by itself";
   return std::nullopt;
 }
 
@@ -128,7 +124,7 @@ void report_sampled_law(const context& c, report::results& out) {
                        "mean of energy",
                        "the wells of h are deep: forgetting the start",
                        "steps a path",
-                       burn_in(c.subject.scene) / step_size(c.subject),
+                       burn_in(c.subject) / step_size(c.subject),
                        [](effort) { return most_steps; }};
   if (affords(c, schemes, law, out)) report_samples(c, schemes, out);
 }

@@ -31,7 +31,7 @@ Eigen::VectorXd with_one_more(const Eigen::VectorXd& v, double last) {
 /// With what moves the means: difference quotients, no better than their share need be.
 std::vector<error_column> columns_of(const subject& s, const law_observables& all, const Eigen::VectorXd& mean,
                                      double density) {
-  const auto p = *sphere_problem_of(s);
+  const auto p = *s.sphere();
   const auto moved = [&](const sphere_problem& other) -> Eigen::VectorXd {
     const auto law = law_of(other, s.model->noise() == noise_class::isotropic, sensitivity_accuracy);
     if (!is_usable(law)) return Eigen::VectorXd::Zero(all.count());
@@ -51,7 +51,7 @@ std::vector<error_column> columns_of(const subject& s, const law_observables& al
 bias_reference bias_by_density(const subject& s, const stationary_law& law) {
   const auto all = bias_observables(s);
   const auto& density = *law.density;
-  const Eigen::VectorXd mean = means_under(all, sphere_problem_of(s)->radius, density);
+  const Eigen::VectorXd mean = means_under(all, s.sphere()->radius, density);
   const Eigen::VectorXd scale = with_one_more(all.size, density.norm());
   return {columns_of(s, all, mean, density.norm()),
           {[density, all](const transfer_operator& op) {

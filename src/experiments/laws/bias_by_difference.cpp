@@ -77,7 +77,7 @@ std::vector<error_column> columns_of(const sphere_problem& p, const law_observab
 }  // namespace
 
 std::optional<bias_reference> bias_by_difference(const subject& s, const stationary_law& law, std::string& reason) {
-  const auto p = *sphere_problem_of(s);
+  const auto p = *s.sphere();
   const auto all = bias_observables(s);
   reason = law.density ? unknown_mean(p, law) : law.reason;
   if (!reason.empty()) return std::nullopt;

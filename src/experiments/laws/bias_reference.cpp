@@ -6,7 +6,8 @@ namespace polhode {
 
 law_observables bias_observables(const subject& s) {
   const auto all = every_observable(s);
-  const auto energy = *named_observable("energy", *sphere_problem_of(s));
+  const auto& problem = *s.sphere();
+  const auto energy = *named_observable("energy", problem);
   law_observables out{
       {"energy", "energy^2"}, {energy, [energy](const Eigen::Vector3d& pi) { return energy(pi) * energy(pi); }}, {}};
   for (std::size_t i = 0; i < all.names.size(); ++i) {
@@ -14,7 +15,7 @@ law_observables bias_observables(const subject& s) {
     out.names.push_back(all.names[i]);
     out.functions.push_back(all.functions[i]);
   }
-  const double radius = sphere_problem_of(s)->radius;
+  const double radius = problem.radius;
   out.size.resize(std::ssize(out.names));
   std::ranges::transform(out.functions, out.size.begin(), [&](const auto& f) { return size_on_sphere(f, radius); });
   return out;

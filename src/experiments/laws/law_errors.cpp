@@ -102,11 +102,11 @@ Eigen::MatrixXd means_after(const transfer_operator& op, const Eigen::Vector3d& 
 
 law_observables every_observable(const subject& s) {
   law_observables out;
-  const double radius = sphere_problem_of(s)->radius;
+  const auto& problem = *s.sphere();
   out.size.resize(names.size());
   for (const char* name : names) {
-    out.functions.push_back(*named_observable(name, *sphere_problem_of(s)));
-    out.size[static_cast<Eigen::Index>(out.names.size())] = size_on_sphere(out.functions.back(), radius);
+    out.functions.push_back(*named_observable(name, problem));
+    out.size[static_cast<Eigen::Index>(out.names.size())] = size_on_sphere(out.functions.back(), problem.radius);
     out.names.emplace_back(name);
   }
   return out;
@@ -136,7 +136,7 @@ weak_law::weak_law(const subject& s, double horizon, double accuracy, operator_s
       horizon_(horizon),
       observables_(every_observable(s)),
       start_(start_of(s)),
-      truth_(expectations(*sphere_problem_of(s), observables_.functions, observables_.size, start_, horizon, accuracy)),
+      truth_(expectations(*s.sphere(), observables_.functions, observables_.size, start_, horizon, accuracy)),
       kept_(kept) {}
 
 law_error weak_law::error(const scheme_entry& scheme, double dt, double tolerance, std::int64_t finer) const {
@@ -163,7 +163,7 @@ law_error weak_law::error(const scheme_entry& scheme, double dt, double toleranc
 
 equilibrium_law::equilibrium_law(const subject& s, double accuracy, operator_store* kept)
     : subject_(s), observables_(every_observable(s)), kept_(kept) {
-  const auto problem = *sphere_problem_of(s);
+  const auto problem = *s.sphere();
   const auto law = stationary(problem, accuracy);
   mean_.resize(observables_.count());
   uncertainty_.resize(observables_.count());

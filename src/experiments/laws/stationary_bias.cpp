@@ -32,14 +32,14 @@ bool is_usable(const stationary_law& law) {
 }
 
 stationary_law true_law(const subject& s) {
-  return law_of(*sphere_problem_of(s), s.model->noise() == noise_class::isotropic, density_accuracy);
+  return law_of(*s.sphere(), s.model->noise() == noise_class::isotropic, density_accuracy);
 }
 
 void report_stationary_bias(const context& c, report::results& out) {
   const auto& s = c.subject;
-  const auto problem = sphere_problem_of(s);
+  const auto& problem = s.sphere();
   if (!problem) {
-    out.skipped.push_back({"gibbs", "", "bias by transfer operators: for the rigid body alone"});
+    out.skipped.push_back({"gibbs", "", std::string("bias by transfer operators: ") + no_exact_law});
     return;
   }
   if (const auto reason = no_unique_law(*problem); !reason.empty()) {

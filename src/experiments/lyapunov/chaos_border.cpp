@@ -34,7 +34,7 @@ double as_printed(double x) { return std::stod(fmt::format("{:.4g}", x)); }
 /// Strengths and dissipations around those at which noise, dissipation and the free motion are of one size. Weaker
 /// noise needs degrees beyond what a map can afford.
 axes axes_of(const sphere_problem& p, effort e) {
-  const double rate = p.radius * p.spread();
+  const double rate = p.radius * p.spread() + p.field.norm();
   const int n = by_effort(e, 6, 9, 13);
   axes out;
   for (int i = 0; i < n; ++i) {
@@ -113,7 +113,7 @@ void report_chaos_border(const context& c, const sphere_problem& p, report::resu
       const auto found = border(p, sigma, grid.theta.back());
       curve[static_cast<std::size_t>(i - n * n)] = exact_row(
           "border of chaos", fmt::format("sigma={:.4g}", sigma), found ? std::optional(found->theta) : std::nullopt,
-          found ? found->uncertainty : 0, "theta",
+          found ? found->uncertainty : 0, std::string(dissipation_key),
           found ? "" : fmt::format("lambda_1 is not known to change its sign for theta up to {:g}", grid.theta.back()));
     }
     done.add();

@@ -93,7 +93,7 @@ void report_schemes(const context& c, const sphere_problem& p, const lyapunov_ex
 }
 
 void run(const context& c, report::results& out) {
-  const auto p = *sphere_problem_of(c.subject);
+  const auto p = *c.subject.sphere();
   const auto exact = exact_exponents(p);
   report_exponents(exact, out);
   report_schemes(part_of(c, 0, 0.5), p, exact, out);
@@ -101,10 +101,9 @@ void run(const context& c, report::results& out) {
 }
 
 std::optional<std::string> cannot_say(const subject& s) {
-  if (!sphere_problem_of(s)) return "the exponents are computed for the rigid body alone";
+  if (!s.sphere()) return no_exact_law;
   if (s.model->noise() == noise_class::none) return "no noise: there is no random flow";
-  const auto& i = s.scene.vector("inertia");
-  if (i[0] == i[1] && i[1] == i[2]) return "a spherical body turns rigidly: both exponents are 0";
+  if (s.sphere()->is_spherical()) return "a spherical body turns rigidly: both exponents are 0";
   return std::nullopt;
 }
 

@@ -24,7 +24,7 @@ void report_own_exponents(const context& c, const std::vector<scheme_entry>& sch
   const double rate = fastest_rate(s);
   const double tolerance = by_effort(c.effort, 4e-3, 4e-3, 1e-3);  // of an error
   const transfer_target target{Eigen::Vector2d(*exact.lambda1, exact.sum), Eigen::Vector2d::Constant(rate), tolerance};
-  const auto problem = *sphere_problem_of(s);
+  const auto problem = *s.sphere();
   const Eigen::Vector2d noise = moved(exact, with_more_noise(problem, sensitivity_share)),
                         dissipation = moved(exact, with_more_dissipation(problem, sensitivity_share));
   const order_question q{

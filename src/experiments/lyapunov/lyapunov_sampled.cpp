@@ -78,7 +78,7 @@ void report_controls(const std::string& scheme, const control_means& found, bool
 /// Of each path until it is observed; empty, and the report says why, if that is unknown or too long.
 std::optional<double> time_to_forget(const context& c, std::span<const scheme_entry> schemes, double rate,
                                      report::results& out) {
-  const auto p = *sphere_problem_of(c.subject);
+  const auto p = *c.subject.sphere();
   const auto gap = spectral_gap(p, 1e-3 * p.covariance.trace());
   if (!gap.converged()) {
     leave_open(schemes, "lyapunov", length_claim,

@@ -131,7 +131,7 @@ void run_tangents(const context& c, const run_length& run, int block, std::span<
   const auto first_path = static_cast<std::uint64_t>(first);
   increment_buffer noise(*c.subject.model, chunk, with_areas, {c.generator, noise_quality::fast});
   std::vector<constant_noise<so3>::column> vectors;
-  for (const auto& v : c.subject.scene.vectors("sigma")) vectors.push_back({{v[0], v[1], v[2]}});
+  for (const auto& v : noise_vectors_of(c.subject.scene)) vectors.push_back({{v[0], v[1], v[2]}});
   const tangent_block start(c.seed, first_path, length(c.subject.scene.momentum),
                             constant_noise<so3>::from_vectors(vectors));
   std::vector<tangent_block> blocks(kernels.size(), start);

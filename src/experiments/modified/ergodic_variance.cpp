@@ -59,7 +59,7 @@ Eigen::VectorXd of_equation(const sphere_problem& p, const Eigen::VectorXd& dens
 exact_averages ergodic_variances(const subject& s, const law_averages& averages) {
   exact_averages out = averages.stationary;
   if (out.count() == 0) return out;
-  const auto p = *sphere_problem_of(s);
+  const auto p = *s.sphere();
   const auto law = true_law(s);
   const int degree = std::max(least_degree, law.degree);
   const Eigen::VectorXd before = of_equation(p, *law.density, averages.stationary, degree);

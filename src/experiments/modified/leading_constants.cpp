@@ -78,7 +78,7 @@ Eigen::MatrixXd poisson_solutions(const sparse_matrix& generator, const Eigen::M
 
 expansion_frame::expansion_frame(const subject& s, const law_averages& averages, int degree, std::vector<double> dt)
     : degree_(degree), dt_(std::move(dt)) {
-  const auto p = *sphere_problem_of(s);
+  const auto p = *s.sphere();
   const sparse_matrix generator = backward_operator(p, degree), forward = generator.transpose();
   for (const double t : dt_) exact_step_.push_back(corner_of_exponential(p, degree, t));
   const time_rule times(s.scene.horizon, fastest_rate(s));

@@ -113,7 +113,7 @@ void report_missing_gap(const std::vector<scheme_entry>& schemes, const known_ga
 
 void run(const context& c, report::results& out) {
   const auto& s = c.subject;
-  const auto columns = columns_on(*sphere_problem_of(s));
+  const auto columns = columns_on(*s.sphere());
   std::vector<scheme_entry> schemes;
   for (const auto& e : s.schemes) out.verdicts.push_back(judge_steps(c, e));
   for (const auto& e : s.schemes) {
@@ -151,9 +151,10 @@ void run(const context& c, report::results& out) {
 }
 
 std::optional<std::string> cannot_say(const subject& s) {
-  if (!sphere_problem_of(s)) return "the family of equations is that of the rigid body";
-  const auto& i = s.scene.vector("inertia");
-  if (s.model->noise() == noise_class::none && i[0] == i[1] && i[1] == i[2])
+  if (!s.sphere()) return no_exact_law;
+  if (!s.sphere()->quadratic.isDiagonal(0) || s.sphere()->has_field())
+    return "the family of effective equations has principal axes along the coordinates and no field";
+  if (s.model->noise() == noise_class::none && s.sphere()->is_spherical())
     return "a spherical body without noise turns uniformly about a fixed axis: nothing that a function could see";
   return std::nullopt;
 }

@@ -164,7 +164,7 @@ void keep_affordable(const context& c, const std::vector<scheme_entry>& schemes,
                                        out);
   };
   const bool noisy = c.subject.model->noise() != noise_class::none,
-             one_law = noisy && no_unique_law(*sphere_problem_of(c.subject)).empty();
+             one_law = noisy && no_unique_law(*c.subject.sphere()).empty();
   if (!keep(averages.at_horizon, averages.no_horizon, noisy, weak_constant)) averages.at_horizon = {};
   const bool bias = keep(averages.stationary, averages.no_law, one_law, bias_constant),
              variance = keep(averages.stationary, averages.no_law, one_law, variance_claim);

@@ -145,8 +145,8 @@ std::vector<error_table> modified_tables(const context& c, const std::vector<sch
   const auto& s = c.subject;
   const auto& gap = known.gap;
   const operator_questions questions{
-      generator_family(sphere_problem_of(s)->radius), columns,         averages,       variances, gap, known.mode,
-      Eigen::Vector3d(s.scene.momentum.data()),       s.scene.horizon, fastest_rate(s)};
+      generator_family(s.sphere()->radius),     columns,         averages,       variances, gap, known.mode,
+      Eigen::Vector3d(s.scene.momentum.data()), s.scene.horizon, fastest_rate(s)};
   const auto grid = modified_levels(s);
   std::vector<error_table> out(schemes.size());
   progress_counter done(static_cast<int>(schemes.size()) * levels, c.progress);

@@ -48,7 +48,7 @@ double likeness(const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
 }  // namespace
 
 known_gap true_gap(const subject& s) {
-  const auto problem = *sphere_problem_of(s);
+  const auto problem = *s.sphere();
   const auto found = spectral_gap(problem, accuracy);
   if (!found.value) return {{}, found.reason, false};
   if (*found.value == 0) return {{}, "a function besides the Casimir is conserved", false};

@@ -12,7 +12,8 @@
 #include "experiments/common/judge.hpp"
 #include "experiments/common/levels.hpp"
 #include "problem/vectors.hpp"
-#include "sphere/closed_forms/linearised_body.hpp"
+#include "sphere/closed_forms/linearised.hpp"
+#include "sphere/equilibria.hpp"
 #include "transfer/noise_nodes.hpp"
 
 namespace polhode {
@@ -28,19 +29,21 @@ constexpr int per_octave = 8;
 constexpr const char* growth_quantity = "mean_square_growth";
 constexpr const char* claim_text = "growth of mean squares at the equilibria";
 
-double strength_along(const report::scene& s, std::size_t axis) {
+double strength_along(const report::scene& s, const Eigen::Vector3d& direction) {
   double square = 0;
-  for (const auto& v : s.vectors("sigma")) square += v[axis] * v[axis];
+  for (const auto& v : noise_vectors_of(s))
+    square += std::pow(direction.dot(Eigen::Map<const Eigen::Vector3d>(v.data())), 2);
   return std::sqrt(square);
 }
 
-/// One step, every lane with the noise of a node: Jacobians in the plane across the axis.
+/// One step, every lane with the noise of a node: Jacobians in the plane across the direction.
 struct noisy_jacobians {
   std::vector<Eigen::Matrix2d> at;
   std::vector<double> weight;
 };
 
-noisy_jacobians jacobians_of(const subject& s, const scheme_entry& scheme, int axis, double dt) {
+noisy_jacobians jacobians_of(const subject& s, const scheme_entry& scheme, const Eigen::Vector3d& direction,
+                             double dt) {
   const auto rule = nodes_of(*s.model, scheme.needs_areas, dt, {nodes, 1});
   const auto channels = static_cast<std::size_t>(s.model->channels());
   std::vector<double> dw(channels * block_lanes, 0.0), area(channels * (channels - 1) / 2 * block_lanes, 0.0);
@@ -48,24 +51,26 @@ noisy_jacobians jacobians_of(const subject& s, const scheme_entry& scheme, int a
     for (std::size_t k = 0; k < channels; ++k) dw[k * block_lanes + i] = rule.dw[i * channels + k];
   auto states = replicated(s.scene.momentum);
   std::vector<double> tangents(tangent_vectors * states.size(), 0.0);
-  const auto row = [&](int t) { return static_cast<std::size_t>((axis + 1 + t) % 3) * block_lanes; };
+  const auto frame = tangent_frame(direction);
+  const auto entry = [&](int t, int k) -> double* {
+    return tangents.data() + static_cast<std::size_t>(t) * states.size() + static_cast<std::size_t>(k) * block_lanes;
+  };
   for (int t = 0; t < 2; ++t)
-    std::fill_n(tangents.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(t) * states.size() + row(t)),
-                block_lanes, 1.0);
+    for (int k = 0; k < 3; ++k) std::fill_n(entry(t, k), block_lanes, frame(k, t));
   scheme.tangent(dt)->advance(states, tangents, {dt, 1, dw, area});
   noisy_jacobians out{{}, rule.weight};
   for (std::size_t i = 0; i < rule.weight.size(); ++i) {
-    Eigen::Matrix2d j;
+    Eigen::Matrix<double, 3, 2> moved;
     for (int t = 0; t < 2; ++t)
-      for (int k = 0; k < 2; ++k) j(k, t) = tangents[static_cast<std::size_t>(t) * states.size() + row(k) + i];
-    out.at.push_back(j);
+      for (int k = 0; k < 3; ++k) moved(k, t) = entry(t, k)[i];
+    out.at.emplace_back(frame.transpose() * moved);
   }
   return out;
 }
 
-/// One axis of one scheme.
-struct axis_finding {
-  int axis;
+/// One equilibrium of one scheme.
+struct growth_finding {
+  noisy_equilibrium at;
   double truth;
   std::optional<order_fit> fit;
   bool exact;                              ///< every error at rounding
@@ -73,11 +78,11 @@ struct axis_finding {
 };
 
 /// From short steps to long ones, up to the first at which scheme and equation disagree.
-void find_agreement(const subject& s, const scheme_entry& scheme, double rate, axis_finding& out) {
+void find_agreement(const subject& s, const scheme_entry& scheme, double rate, growth_finding& out) {
   if (std::fabs(out.truth) <= neutral * rate) return;
   for (int i = 5 * per_octave; i >= 0; --i) {
     const double dt = longest / rate * std::exp2(-static_cast<double>(i) / per_octave);
-    const double own = own_mean_square_growth(s, scheme, out.axis, dt);
+    const double own = own_mean_square_growth(s, scheme, out.at.direction, dt);
     if (!(own * out.truth > 0)) {
       out.disagrees_at = dt;
       return;
@@ -90,26 +95,21 @@ void find_agreement(const subject& s, const scheme_entry& scheme, double rate, a
 /// does not bend a slope.
 double floor_at(double dt) { return 30 * 16 * std::numeric_limits<double>::epsilon() / dt; }
 
-std::string name_of_axis(int axis) { return fmt::format("axis {}", axis + 1); }
-
-double true_growth(const report::scene& s, int axis) {
-  const auto& i = s.vector("inertia");
-  return mean_square_growth(linearised_about(axis, {i[0], i[1], i[2]}, s.number("theta"), length(s.momentum),
-                                             strength_along(s, static_cast<std::size_t>(axis))));
+double true_growth(const sphere_problem& p, const noisy_equilibrium& e) {
+  return mean_square_growth(linearised_about(p, e.direction, e.strength));
 }
 
-axis_finding find(const subject& s, const scheme_entry& scheme, int axis, report::results& out) {
+growth_finding find(const subject& s, const scheme_entry& scheme, const noisy_equilibrium& e, report::results& out) {
   const double rate = fastest_rate(s);
-  const auto observable = name_of_axis(axis);
-  const series growth{"stability", std::string(scheme.info.name), growth_quantity, observable, "1/time", "transfer"};
+  const series growth{"stability", std::string(scheme.info.name), growth_quantity, e.name, "1/time", "transfer"};
   auto error = growth;
   error.quantity = "mean_square_error";
-  axis_finding found{axis, true_growth(s.scene, axis), {}, true};
+  growth_finding found{e, true_growth(*s.sphere(), e), {}, true};
   std::vector<double> dt, errors;
   std::vector<report::measurement> points;
   for (int l = 0; l < levels; ++l) {
     dt.push_back(std::exp2(-2 - l) / rate);
-    const double own = own_mean_square_growth(s, scheme, axis, dt.back());
+    const double own = own_mean_square_growth(s, scheme, e.direction, dt.back());
     errors.push_back(std::fabs(own - found.truth));
     out.measurements.push_back(measured(growth, dt.back(), own));
     points.push_back(measured(error, dt.back(), errors.back()));
@@ -124,50 +124,68 @@ axis_finding find(const subject& s, const scheme_entry& scheme, int axis, report
   find_agreement(s, scheme, rate, found);
   if (found.agrees_to > 0)
     out.measurements.push_back(measured(
-        {growth.experiment, growth.scheme, "mean_square_agreement", observable, "time", "transfer"}, {},
-        found.agrees_to, found.agrees_to, found.disagrees_at > 0 ? std::optional(found.disagrees_at) : std::nullopt));
+        {growth.experiment, growth.scheme, "mean_square_agreement", e.name, "time", "transfer"}, {}, found.agrees_to,
+        found.agrees_to, found.disagrees_at > 0 ? std::optional(found.disagrees_at) : std::nullopt));
   return found;
 }
 
-report::verdict judge_axis(const scheme_entry& scheme, const axis_finding& f) {
+report::verdict judge_growth(const scheme_entry& scheme, const growth_finding& f) {
   auto v = judge_order({"stability", std::string(scheme.info.name), claim_text}, scheme.info.weak_order.one_vector,
                        f.fit, true);
   if (f.exact) {
     v.kind = verdict_kind::holds;
     v.reason = "exact on this scene";
   }
-  v.reason = fmt::format("axis {}: rate {:.4g}, {}", f.axis + 1, f.truth, v.reason);
+  v.reason = fmt::format("{}: rate {:.4g}, {}", f.at.name, f.truth, v.reason);
   if (f.agrees_to > 0)
     v.reason += fmt::format(", {} up to dt = {:.3g}", f.truth < 0 ? "stable" : "unstable", f.agrees_to);
   return v;
 }
 
-/// The worst of the axes, with what is said of each.
-report::verdict worst_of(std::vector<report::verdict> axes) {
+/// The worst of them, with what is said of each.
+report::verdict worst_of(const std::vector<report::verdict>& all) {
   const auto badness = [](const report::verdict& v) {
     return v.kind == verdict_kind::refuted ? 2 : v.kind == verdict_kind::inconclusive ? 1 : 0;
   };
-  auto worst = *std::ranges::max_element(axes, {}, badness);
+  auto worst = *std::ranges::max_element(all, {}, badness);
   std::vector<std::string> reasons;
-  for (const auto& v : axes) reasons.push_back(v.reason);
+  for (const auto& v : all) reasons.push_back(v.reason);
   worst.reason = fmt::format("{}", fmt::join(reasons, "; "));
   return worst;
 }
 
 }  // namespace
 
-report::scene beside_axis(const report::scene& s, int axis) {
-  auto out = s;
-  const auto j = static_cast<std::size_t>(axis);
-  out.momentum.assign(3, 0.0);
-  out.momentum[j] = length(s.momentum);
-  out.vectors("sigma") = {{0, 0, 0}};
-  out.vectors("sigma")[0][j] = strength_along(s, j);
+std::vector<noisy_equilibrium> noisy_equilibria(const subject& s) {
+  const auto& p = *s.sphere();
+  std::vector<noisy_equilibrium> out;
+  const auto add = [&](const char* what, std::size_t number, const Eigen::Vector3d& direction) {
+    const double strength = strength_along(s.scene, direction);
+    if (strength > 0) out.push_back({fmt::format("{} {}", what, number), direction, strength});
+  };
+  if (p.has_field()) {
+    const auto all = equilibria(p);
+    for (std::size_t i = 0; i < all.size(); ++i) add("equilibrium", i + 1, all[i].direction);
+    return out;
+  }
+  const Eigen::Matrix3d axes = principal_axes(p);
+  for (Eigen::Index k = 0; k < 3; ++k) add("axis", static_cast<std::size_t>(k) + 1, axes.col(k));
   return out;
 }
 
-double own_mean_square_growth(const subject& beside, const scheme_entry& scheme, int axis, double dt) {
-  const auto j = jacobians_of(beside, scheme, axis, dt);
+report::scene beside(const report::scene& s, const noisy_equilibrium& e) {
+  const auto times = [&](double x) {
+    const Eigen::Vector3d v = x * e.direction;
+    return std::vector<double>{v[0], v[1], v[2]};
+  };
+  auto out = with_noise_vectors(s, {times(e.strength)});
+  out.momentum = times(length(s.momentum));
+  return out;
+}
+
+double own_mean_square_growth(const subject& beside, const scheme_entry& scheme, const Eigen::Vector3d& direction,
+                              double dt) {
+  const auto j = jacobians_of(beside, scheme, direction, dt);
   Eigen::Matrix4d squares = Eigen::Matrix4d::Zero();
   for (std::size_t i = 0; i < j.at.size(); ++i)
     for (int a = 0; a < 2; ++a)
@@ -177,21 +195,19 @@ double own_mean_square_growth(const subject& beside, const scheme_entry& scheme,
 }
 
 void report_true_growth(const subject& s, report::results& out) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (strength_along(s.scene, static_cast<std::size_t>(axis)) > 0)
-      out.measurements.push_back(measured({"stability", "", growth_quantity, name_of_axis(axis), "1/time", "exact"}, {},
-                                          true_growth(s.scene, axis)));
+  for (const auto& e : noisy_equilibria(s))
+    out.measurements.push_back(
+        measured({"stability", "", growth_quantity, e.name, "1/time", "exact"}, {}, true_growth(*s.sphere(), e)));
 }
 
 void report_mean_square(const context& c, std::string_view name, report::results& out) {
-  std::vector<report::verdict> axes;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!(strength_along(c.subject.scene, static_cast<std::size_t>(axis)) > 0)) continue;
-    const auto s = c.subject.with(beside_axis(c.subject.scene, axis));
-    const auto& scheme = *std::ranges::find(s.schemes, name, [](const scheme_entry& e) { return e.info.name; });
-    axes.push_back(judge_axis(scheme, find(s, scheme, axis, out)));
+  std::vector<report::verdict> all;
+  for (const auto& e : noisy_equilibria(c.subject)) {
+    const auto s = c.subject.with(beside(c.subject.scene, e));
+    const auto& scheme = *std::ranges::find(s.schemes, name, [](const scheme_entry& x) { return x.info.name; });
+    all.push_back(judge_growth(scheme, find(s, scheme, e, out)));
   }
-  if (!axes.empty()) out.verdicts.push_back(worst_of(std::move(axes)));
+  if (!all.empty()) out.verdicts.push_back(worst_of(all));
 }
 
 }  // namespace polhode

@@ -1,29 +1,41 @@
 // Do mean squares beside an equilibrium grow or shrink as those of the equation do?
 //
-// The axes of the body are equilibria of the equation without noise, and of that with noise along the axis alone
-// (sphere/closed_forms/linearised_body.hpp). One step of a scheme has the Jacobian J there, by dual numbers, and E[J x
+// Where h is stationary the equation without noise stands still, and so does that with noise along the direction alone
+// (sphere/closed_forms/linearised.hpp). One step of a scheme has the Jacobian J there, by dual numbers, and E[J x
 // J], by Gauss-Hermite nodes of the noise, takes mean squares one step on: log of its spectral radius over dt is the
 // scheme's own rate of growth. Nothing is sampled. As mean squares are expectations its error falls at the weak order
 // for one noise vector.
 #pragma once
 
+#include <Eigen/Core>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "experiments/common/experiment.hpp"
 
 namespace polhode {
 
-/// The scene with the momentum on that axis (0 to 2) and, of the noise, what acts along the axis.
-report::scene beside_axis(const report::scene&, int axis);
+/// An equilibrium that some noise acts along.
+struct noisy_equilibrium {
+  std::string name;  ///< "axis 1": in the order of the axes; in a field "equilibrium 1": in order of energy
+  Eigen::Vector3d direction;
+  double strength;  ///< of the noise along it
+};
+std::vector<noisy_equilibrium> noisy_equilibria(const subject&);
 
-/// Rate of growth of mean squares under steps of dt of the scheme, on a scene beside the axis.
-double own_mean_square_growth(const subject& beside, const scheme_entry&, int axis, double dt);
+/// The scene with the momentum there and, of the noise, what acts along it.
+report::scene beside(const report::scene&, const noisy_equilibrium&);
+
+/// Rate of growth of mean squares under steps of dt of the scheme, on a scene beside the equilibrium.
+double own_mean_square_growth(const subject& beside, const scheme_entry&, const Eigen::Vector3d& direction, double dt);
 
 /// Of no scheme: the rates of the equation.
 void report_true_growth(const subject&, report::results&);
 
-/// Of one scheme: rates and their errors on each axis, the largest dt up to which equation and scheme agree on
-/// stability, and the order of the errors. Nothing where no noise acts along any axis.
+/// Of one scheme: rates and their errors at each equilibrium, the largest dt up to which equation and scheme agree on
+/// stability, and the order of the errors. Nothing where no noise acts along any of
+/// them.
 void report_mean_square(const context&, std::string_view scheme, report::results&);
 
 }  // namespace polhode

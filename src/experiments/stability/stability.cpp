@@ -65,7 +65,7 @@ void run(const context& c, report::results& out) {
 }
 
 std::optional<std::string> cannot_say(const subject& s) {
-  if (!sphere_problem_of(s)) return "the cases are those of the rigid body alone";
+  if (!s.sphere()) return no_exact_law;
   if (const double rate = fastest_rate(s); !std::isfinite(rate) || !(rate > 0))
     return "the rates of the scene are not numbers that double precision holds";
   return std::nullopt;
@@ -82,7 +82,9 @@ std::vector<std::string> notes() {
           100 * casimir_share, 100 * energy_share, 100 * broken_share, 100 * mean_energy_share),
       fmt::format(
           "Largest stable dt: from dt = 1/({1:g} rate) by octaves, then by halves of log dt to 5 %, up to dt = "
-          "{0:g}/rate; rate = c/I_min + theta c^2 (1/I_min - 1/I_max) + sum |sigma_i|^2. The interval reaches to "
+          "{0:g}/rate; rate: bounds of the free motion, the dissipation and the noise, added; of a body c/I_min + "
+          "theta "
+          "c^2 (1/I_min - 1/I_max) + sum |sigma_i|^2. The interval reaches to "
           "the shortest dt that broke. Horizon: the scene's, but at least 64 of 1/rate and at most 128, 256 or 1024 by "
           "effort. Runs of "
           "different dt have different noise; 512, 2048 or 8192 paths by effort, up to four times as many where the "
@@ -92,8 +94,9 @@ std::vector<std::string> notes() {
           longest_stable_step, 1 / first_stable_step),
       "True mean of h: the Kolmogorov operator, or where low degrees do not suffice the driven ordinary differential "
       "equation at 16 steps to 1/rate. Left out where the range of h is below 0.1 % of h.",
-      "One parameter is moved at a time; inertia ratio keeps the smallest inertia. Separatrix: start near the middle "
-      "axis. Stiff: dissipation 10^4 times as fast as the rest. Denormal: numbers below 1e-308 are taken as zero by "
+      "One parameter is moved at a time; inertia ratio keeps the smallest inertia. Separatrix: start near an unstable "
+      "equilibrium, of a body on the middle axis. Stiff: dissipation 10^4 times as fast as the rest. Denormal: numbers "
+      "below 1e-308 are taken as zero by "
       "design, so |Pi| itself is lost there, and no claim is made.",
       fmt::format(
           "Map: the share of {} paths that stay whole, over dt and theta; marked where that is all but their mean "

@@ -3,22 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/levels.hpp"
 #include "experiments/stability/stability_run.hpp"
-#include "transfer/transfer.hpp"
+#include "sphere/equilibria.hpp"
+#include "sphere/kolmogorov.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr double least_scales = 64;        // of the horizon
 constexpr double negligible_range = 1e-3;  // of h, relative: then h is nearly the Casimir
-constexpr double greatest_ratio = 1e6;
-constexpr double stiffness = 1e4;  // of the dissipation against everything else
+constexpr double stiffness = 1e4;          // of the dissipation against everything else
 constexpr double denormal = 1e-310;
 constexpr int low_degree = 20, fine_paths = 4096;
 constexpr double exact_accuracy = 0.02;  // of what a mean energy may be off
@@ -36,62 +35,35 @@ double factor(effort e) { return by_effort(e, 16.0, 8.0, 4.0); }
 
 double radius_of(const scene& s) { return std::hypot(s.momentum[0], s.momentum[1], s.momentum[2]); }
 
-std::array<std::size_t, 3> by_inertia(const scene& s) {
-  std::array<std::size_t, 3> axis{0, 1, 2};
-  std::ranges::sort(axis, {}, [&](std::size_t k) { return s.vector("inertia")[k]; });
-  return axis;
-}
-
-/// c (1/I_min - 1/I_max), the rate of the dissipation per theta c.
-double spread(const scene& s) {
-  const auto [least, most] = std::ranges::minmax(s.vector("inertia"));
-  return radius_of(s) * (1 / least - 1 / most);
-}
-
-/// The same smallest inertia and, where there is one, the same place of the middle one between the two others.
-scene with_ratio(scene s, double ratio) {
-  const auto axis = by_inertia(s);
-  auto& inertia = s.vector("inertia");
-  const double own = inertia[axis[2]] / inertia[axis[0]];
-  const double place = own > 1 ? std::log(inertia[axis[1]] / inertia[axis[0]]) / std::log(own) : 0.5;
-  inertia[axis[1]] = inertia[axis[0]] * std::pow(ratio, place);
-  inertia[axis[2]] = inertia[axis[0]] * ratio;
+/// On an equilibrium that is neither a well nor a peak, or else of middle energy, but for a part `aside` of the length:
+/// near the separatrix.
+scene near_saddle(scene s, const sphere_problem& p, double aside) {
+  auto all = equilibria(p);
+  std::ranges::stable_sort(all, std::ranges::greater{}, &equilibrium::energy);
+  const auto saddle = std::ranges::find_if(all, [](const auto& e) { return e.curvature[0] < 0 && e.curvature[1] > 0; });
+  const auto& at = saddle != all.end() ? saddle->direction : all[(all.size() - 1) / 2].direction;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double x = at[static_cast<Eigen::Index>(k)];
+    s.momentum[k] = p.radius * (x != 0 ? x : aside);
+  }
   return s;
 }
 
-/// On the middle axis but for a part `aside` of the length along the others: near the separatrix.
-scene near_middle_axis(scene s, double aside) {
-  const double c = radius_of(s);
-  std::ranges::fill(s.momentum, aside * c);
-  s.momentum[by_inertia(s)[1]] = c;
-  return s;
-}
-
-scene with_noise(scene s, double by) {
-  for (auto& v : s.vectors("sigma"))
-    for (double& x : v) x *= by;
-  return s;
-}
 scene with_momentum(scene s, double by) {
   for (double& x : s.momentum) x *= by;
   return s;
 }
-scene with_theta(scene s, double theta) {
-  s.number("theta") = theta;
-  return s;
-}
-
 /// Below it the squares of small components are lost, and with them digits of |Pi|.
 const double least_radius = std::sqrt(std::numeric_limits<double>::min()) / std::numeric_limits<double>::epsilon();
 
 stability_case bound_case(std::string name, const subject& own, const scene& changed, effort e) {
   stability_case c{.name = std::move(name), .bound = own.with(changed)};
-  const auto [least, most] = std::ranges::minmax(changed.vector("inertia"));
+  const auto extremes = equilibria(*c.bound.sphere());
   c.rate = fastest_rate(c.bound);
   c.horizon = std::clamp(changed.horizon, least_scales / c.rate, by_effort(e, 128, 256, 1024) / c.rate);
   c.radius = radius_of(changed);
-  c.least_energy = c.radius * c.radius / (2 * most);
-  c.greatest_energy = c.radius * c.radius / (2 * least);
+  c.least_energy = extremes.front().energy;
+  c.greatest_energy = extremes.back().energy;
   c.normal = c.radius >= least_radius;
   return c;
 }
@@ -101,26 +73,30 @@ void add_axes(const subject& s, effort e, std::vector<stability_case>& out) {
   const auto steps = around(points(e), factor(e));
   for (const double by : steps)
     if (by != 1 && s.model->noise() != noise_class::none)
-      out.push_back(bound_case(fmt::format("sigma x {:.4g}", std::sqrt(by)), s, with_noise(own, std::sqrt(by)), e));
+      out.push_back(
+          bound_case(fmt::format("sigma x {:.4g}", std::sqrt(by)), s, with_noise_times(own, std::sqrt(by)), e));
   for (const double theta : stiffness_axis(s, e))
-    out.push_back(bound_case(stiffness_name(theta), s, with_theta(own, theta), e));
+    out.push_back(bound_case(stiffness_name(theta), s, with_dissipation(own, theta), e));
   for (const double by : steps)
     if (by != 1) out.push_back(bound_case(fmt::format("c={:.4g}", by * radius_of(own)), s, with_momentum(own, by), e));
-  for (int i = 0, n = points(e); i < n; ++i) {
-    const double ratio = std::pow(greatest_ratio, static_cast<double>(i) / (n - 1));
-    out.push_back(bound_case(fmt::format("inertia ratio={:.4g}", ratio), s, with_ratio(own, ratio), e));
+  const auto& shape = s.offers->shape;
+  for (int i = 0, n = points(e); shape && i < n; ++i) {
+    const double x = shape->least * std::pow(shape->greatest / shape->least, static_cast<double>(i) / (n - 1));
+    out.push_back(bound_case(fmt::format("{}={:.4g}", shape->name, x), s, shape->at(x), e));
   }
 }
 
 void add_corners(const subject& s, effort e, std::vector<stability_case>& out) {
   const auto& own = s.scene;
-  out.push_back(bound_case("separatrix", s, near_middle_axis(own, 1e-6), e));
-  out.push_back(bound_case("near-equal inertias", s, with_ratio(own, 1 + 1e-8), e));
-  if (spread(own) > 0) {
-    const double rest = fastest_rate(s) - own.number("theta") * radius_of(own) * spread(own);
-    out.push_back(bound_case("stiff", s, with_theta(own, stiffness * rest / (radius_of(own) * spread(own))), e));
-  }
-  out.push_back(bound_case("denormal components", s, near_middle_axis(own, denormal), e));
+  const auto& p = *s.sphere();
+  const auto& rates = s.offers->rates;
+  const auto& shape = s.offers->shape;
+  out.push_back(bound_case("separatrix", s, near_saddle(own, p, 1e-6), e));
+  if (shape) out.push_back(bound_case(shape->name_of_nearly_none, s, shape->nearly_none, e));
+  if (rates.damping > 0)
+    out.push_back(bound_case(
+        "stiff", s, with_dissipation(own, stiffness * (rates.fastest() - rates.dissipation) / rates.damping), e));
+  out.push_back(bound_case("denormal components", s, near_saddle(own, p, denormal), e));
   out.push_back(bound_case("denormal c", s, with_momentum(own, denormal / radius_of(own)), e));
   out.back().rate = out.front().rate;  // without noise it has no rate of its own
   out.back().horizon = out.front().horizon;
@@ -128,8 +104,8 @@ void add_corners(const subject& s, effort e, std::vector<stability_case>& out) {
 
 /// By harmonics of low degree, as higher ones can cost seconds; empty where that is not enough.
 std::optional<double> exact_mean_energy(const stability_case& of, double tolerance) {
-  const auto problem = *sphere_problem_of(of.bound);
-  const auto energy = *named_observable("energy", *sphere_problem_of(of.bound));
+  const auto& problem = *of.bound.sphere();
+  const auto energy = *named_observable("energy", problem);
   const Eigen::Map<const Eigen::Vector3d> start(of.bound.scene.momentum.data());
   const auto found = expectation(problem, energy, start, of.horizon, tolerance, low_degree);
   return found.converged() ? found.value : std::nullopt;
@@ -138,7 +114,7 @@ std::optional<double> exact_mean_energy(const stability_case& of, double toleran
 /// Where h is not nearly the Casimir.
 void find_exact_mean_energy(stability_case& of) {
   const double range = of.greatest_energy - of.least_energy;
-  if (!of.normal || range <= negligible_range * of.greatest_energy) return;
+  if (!of.normal || range <= negligible_range * of.energy_size()) return;
   of.mean_energy = exact_mean_energy(of, exact_accuracy * mean_energy_share * range);
   of.mean_energy_method = of.mean_energy ? "exact" : "reference";
 }
@@ -151,14 +127,14 @@ void sample_mean_energy(const context& c, const block_listener& hear, stability_
 }  // namespace
 
 std::vector<double> stiffness_axis(const subject& s, effort e) {
-  if (spread(s.scene) == 0) return {};
-  const double middle = s.scene.number("theta") > 0 ? s.scene.number("theta") : 1 / radius_of(s.scene);
+  if (!(s.offers->rates.damping > 0)) return {};
+  const double theta = dissipation_of(s.scene), middle = theta > 0 ? theta : 1 / radius_of(s.scene);
   std::vector<double> out = around(points(e), factor(e));
-  for (double& theta : out) theta *= middle;
+  for (double& x : out) x *= middle;
   return out;
 }
 
-std::string stiffness_name(double theta) { return fmt::format("theta={:.4g}", theta); }
+std::string stiffness_name(double theta) { return fmt::format("{}={:.4g}", dissipation_key, theta); }
 
 report::measurement stability_row(std::string_view scheme, std::string quantity, std::string observable,
                                   std::optional<double> value, std::string unit, std::string method) {

@@ -2,6 +2,8 @@
 // the equation.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -21,18 +23,19 @@ struct stability_case {
   double rate = 0;     ///< the fastest of its rates (experiments/common/levels.hpp)
   double horizon = 0;  ///< T: of the scene, but at least 64 of 1/rate and at most 128 … 1024
   double radius = 0;
-  double least_energy = 0, greatest_energy = 0;  ///< |Pi|^2 / 2 I at the largest and the smallest I
+  double least_energy = 0, greatest_energy = 0;  ///< of h on the sphere
   bool normal = true;                            ///< false: |Pi| below the range in which its square keeps all digits
   std::optional<double> mean_energy = {};        ///< E[h(Pi_T)]; absent where h is nearly the Casimir, or not known
   std::string mean_energy_method = {};           ///< exact or reference
 
+  double energy_size() const { return std::max(std::fabs(least_energy), std::fabs(greatest_energy)); }
   double dt(std::int64_t steps) const { return horizon / static_cast<double>(steps); }
 };
 
 /// dt times the fastest rate: the longest that is tried, and that with which the search for the border begins.
 inline constexpr double longest_stable_step = 32, first_stable_step = 1.0 / 8;
 
-/// The values of theta, increasing: the axis of the map; of a body that no dissipation moves none.
+/// The values of theta, increasing: the axis of the map; where no dissipation moves anything none.
 std::vector<double> stiffness_axis(const subject&, effort);
 std::string stiffness_name(double theta);
 

@@ -18,18 +18,9 @@ constexpr double resolution = 16;  // steps to a time scale
 constexpr int steps = 64;
 constexpr double bound = 1e-9, decades = 150;
 
-/// |Pi| times 4^power: by even powers of two all scalings are exact, and so is the comparison.
-report::scene scaled(report::scene s, int power) {
-  for (double& x : s.momentum) x = std::ldexp(x, 2 * power);
-  for (auto& v : s.vectors("sigma"))
-    for (double& x : v) x = std::ldexp(x, power);
-  s.number("theta") = std::ldexp(s.number("theta"), -2 * power);
-  return s;
-}
-
 /// One block of paths after 64 steps at |Pi| times 4^power, as they would be times 4^unit.
 std::vector<double> states_at(const context& c, const scheme_entry& named, int power, int unit) {
-  const auto s = c.subject.with(scaled(c.subject.scene, power));
+  const auto s = c.subject.with(c.subject.offers->in_unit(power));
   const auto& scheme = *std::ranges::find(s.schemes, named.info.name, [](const auto& e) { return e.info.name; });
   const double dt = std::ldexp(1 / (resolution * fastest_rate(c.subject)), -2 * power);
   increment_buffer noise(*s.model, steps, scheme.needs_areas, {c.generator, noise_quality::fast});

@@ -64,7 +64,7 @@ double watched_block::beyond(double h) const {
 bool watched_block::all_whole(stability_outcome& out) const {
   const Eigen::Map<const Eigen::Array<double, block_lanes, 1>> h(energy_.data()), c(casimir_.data());
   if (!std::isfinite(h.sum() + c.sum())) return false;
-  const double worst = std::max(off(c.minCoeff()), off(c.maxCoeff())), most = case_.greatest_energy,
+  const double worst = std::max(off(c.minCoeff()), off(c.maxCoeff())), most = case_.energy_size(),
                excess = std::max(beyond(h.minCoeff()), beyond(h.maxCoeff()));
   if (!(worst <= casimir_share && excess <= energy_share * most)) return false;
   out.worst_casimir = std::max(out.worst_casimir, worst);
@@ -78,7 +78,7 @@ breakage watched_block::judge(std::size_t lane, stability_outcome& out) const {
     if (!implicit_) out.worst_casimir = std::numeric_limits<double>::infinity();
     return implicit_ ? breakage::not_solved : breakage::not_finite;
   }
-  const double most = case_.greatest_energy;
+  const double most = case_.energy_size();
   out.worst_casimir = std::max(out.worst_casimir, off(c));
   if (most > 0) out.worst_energy = std::max(out.worst_energy, beyond(h) / most);
   if (off(c) > casimir_share) return breakage::casimir;

@@ -48,10 +48,10 @@ error_column column_of(const subject& s, const sphere_problem& p, const char* na
 }
 
 truths true_expectations(const subject& s, report::results& out) {
-  const auto problem = *sphere_problem_of(s);
+  const auto problem = *s.sphere();
   truths t;
   for (const char* name : observables) {
-    const auto f = *named_observable(name, *sphere_problem_of(s));
+    const auto f = *named_observable(name, problem);
     const double scale = size_on_sphere(f, problem.radius);
     const auto value = expectation(problem, f, start_of(s), s.scene.horizon, reference_accuracy * scale);
     if (!value.value || value.uncertainty > usable * scale) {
@@ -98,64 +98,105 @@ void report_extrapolations(const order_question& q, const error_table& t, const 
   }
 }
 
-void run(const context& c, report::results& out) {
-  const auto& s = c.subject;
-  const auto expected = [&](const scheme_entry& e) { return weak_order_on(e.info, s.model->noise()); };
-  const auto t = true_expectations(s, out);
-  const auto grid = scene_levels(s);
-  const weak_course course(s, t.columns, t.functions, grid, course_accuracy);
-  order_question q{"weak",
-                   "weak order",
-                   t.columns,
-                   expected,
-                   [&](const scheme_entry& e, double dt, std::int64_t steps) {
-                     const bool fitted = steps * fitted_range >= grid.steps.back();
-                     const bool tight = fitted && e.info.name == extrapolated_from;
-                     return course.answer(s, e, dt, steps, target_on(t, tight ? extrapolated_tolerance : tolerance));
-                   },
-                   [&](const scheme_entry& e, double dt, std::int64_t steps) {
-                     return change_by_far_noise(s, e, dt, steps, [&](const transfer_operator& op) -> Eigen::VectorXd {
-                       return means_after(op, start_of(s), t.functions, {steps});
-                     });
-                   }};
-  auto at_all_times = q;
-  at_all_times.columns = course.decisive();
-  std::vector<scheme_entry> sampled;
-  if (t.columns.empty()) sampled = s.schemes;
-  auto tables = answer_all(c, t.columns.empty() ? std::vector<scheme_entry>{} : s.schemes, grid, at_all_times);
-  for (auto& table : tables)
-    for (auto& u : table.uncertainty)
-      u.head(static_cast<Eigen::Index>(t.columns.size())) +=
-          Eigen::Map<const Eigen::VectorXd>(t.uncertainty.data(), static_cast<Eigen::Index>(t.columns.size()));
-  for (std::size_t k = 0; k < tables.size(); ++k) {
-    if (unresolved(tables[k], t.columns)) {
-      sampled.push_back(s.schemes[k]);
-      continue;
-    }
-    const auto name = s.schemes[k].info.name;
-    report_orders(q, expected(s.schemes[k]), tables[k], out);
-    if (course.reason().empty())
-      course.report(q, expected(s.schemes[k]), tables[k], out);
-    else
-      leave_open({&s.schemes[k], 1}, "weak", weak_course::claim, "the true means at all times are " + course.reason(),
-                 out);
-    if (name == extrapolated_from || name == beside)
-      report_cost(tables[k], t, s.scene.horizon, expected(s.schemes[k]), 1, out);
-    if (name == extrapolated_from) report_extrapolations(q, tables[k], t, s.scene.horizon, out);
+/// Every scheme's errors on one grid of steps.
+class weak_tables {
+ public:
+  weak_tables(const context& c, const truths& t, std::vector<scheme_entry> asked, level_grid levels)
+      : schemes(std::move(asked)),
+        known_(t),
+        grid_(std::move(levels)),
+        course_(c.subject, t.columns, t.functions, grid_, course_accuracy) {
+    auto at_all_times = question(c.subject);
+    at_all_times.columns = course_.decisive();
+    tables_ = answer_all(c, schemes, grid_, at_all_times);
+    const auto count = static_cast<Eigen::Index>(t.columns.size());
+    for (auto& table : tables_)
+      for (auto& u : table.uncertainty) u.head(count) += Eigen::Map<const Eigen::VectorXd>(t.uncertainty.data(), count);
   }
-  if (sampled.empty()) return;
-  leave_open(sampled, "weak", weak_course::claim, "no operator is resolved, and only the end point is sampled", out);
+  weak_tables(const weak_tables&) = delete;
+  weak_tables& operator=(const weak_tables&) = delete;
+
+  /// All but the schemes that are not resolved, which it returns.
+  std::vector<scheme_entry> report(const subject& s, report::results& out) const {
+    std::vector<scheme_entry> left;
+    for (std::size_t k = 0; k < tables_.size(); ++k)
+      if (unresolved(tables_[k], known_.columns))
+        left.push_back(schemes[k]);
+      else
+        report_one(s, schemes[k], tables_[k], out);
+    return left;
+  }
+
+  order_question question(const subject& s) const {
+    return {"weak",
+            "weak order",
+            known_.columns,
+            [noise = s.model->noise()](const scheme_entry& e) { return weak_order_on(e.info, noise); },
+            [this, &s](const scheme_entry& e, double dt, std::int64_t steps) {
+              const bool fitted = steps * fitted_range >= grid_.steps.back();
+              const bool tight = fitted && e.info.name == extrapolated_from;
+              return course_.answer(s, e, dt, steps, target_on(known_, tight ? extrapolated_tolerance : tolerance));
+            },
+            [this, &s](const scheme_entry& e, double dt, std::int64_t steps) {
+              return change_by_far_noise(s, e, dt, steps, [&](const transfer_operator& op) -> Eigen::VectorXd {
+                return means_after(op, start_of(s), known_.functions, {steps});
+              });
+            }};
+  }
+
+  const std::vector<scheme_entry> schemes;
+
+ private:
+  void report_one(const subject& s, const scheme_entry& scheme, const error_table& table, report::results& out) const {
+    const auto q = question(s);
+    const double expected = weak_order_on(scheme.info, s.model->noise());
+    const auto name = scheme.info.name;
+    report_orders(q, expected, table, out);
+    if (course_.reason().empty())
+      course_.report(q, expected, table, out);
+    else
+      leave_open({&scheme, 1}, "weak", weak_course::claim, "the true means at all times are " + course_.reason(), out);
+    if (name == extrapolated_from || name == beside) report_cost(table, known_, s.scene.horizon, expected, 1, out);
+    if (name == extrapolated_from) report_extrapolations(q, table, known_, s.scene.horizon, out);
+  }
+
+  const truths& known_;
+  level_grid grid_;
+  weak_course course_;
+  std::vector<error_table> tables_;
+};
+
+/// Two levels more, for schemes of which too many coarse ones run off the shell.
+level_grid with_finer(level_grid grid) {
+  for (int i = 0; i < 2; ++i) grid.steps.push_back(2 * grid.steps.back());
+  return grid;
+}
+
+/// Of schemes of which no operator is resolved.
+void report_sampled(const context& c, const std::vector<scheme_entry>& schemes, order_question q,
+                    report::results& out) {
+  leave_open(schemes, "weak", weak_course::claim, "no operator is resolved, and only the end point is sampled", out);
   std::vector<sphere_function> functions;
   q.columns.clear();
   for (const char* name : observables) {
     q.columns.push_back({"difference", name, 1});
-    functions.push_back(*named_observable(name, *sphere_problem_of(s)));
+    functions.push_back(*named_observable(name, *c.subject.sphere()));
   }
-  report_sampled_orders(c, sampled, q, functions, out);
+  report_sampled_orders(c, schemes, q, functions, out);
+}
+
+void run(const context& c, report::results& out) {
+  const auto& s = c.subject;
+  const auto t = true_expectations(s, out);
+  const auto grid = scene_levels(s);
+  const weak_tables all(c, t, t.columns.empty() ? std::vector<scheme_entry>{} : s.schemes, grid);
+  auto left = t.columns.empty() ? s.schemes : all.report(s, out);
+  if (!left.empty() && !t.columns.empty()) left = weak_tables(c, t, left, with_finer(grid)).report(s, out);
+  if (!left.empty()) report_sampled(c, left, all.question(s), out);
 }
 
 std::optional<std::string> cannot_say(const subject& s) {
-  if (!sphere_problem_of(s)) return "the exact law is computed for the rigid body alone";
+  if (!s.sphere()) return no_exact_law;
   if (s.model->noise() == noise_class::none)
     return "no noise: the error of the law is that of the path (experiment energy)";
   return std::nullopt;

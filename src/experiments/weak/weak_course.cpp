@@ -32,7 +32,7 @@ expectation_curve curve(const subject& s, const std::vector<sphere_function>& fu
                         double accuracy) {
   const Eigen::Vector3d start(s.scene.momentum.data());
   if (functions.empty()) return {s.scene.horizon, {}, {}, "no observable's mean is known at the horizon"};
-  return expectations(*sphere_problem_of(s), functions, scale, start, s.scene.horizon, accuracy);
+  return expectations(*s.sphere(), functions, scale, start, s.scene.horizon, accuracy);
 }
 
 error_table part_of(const error_table& t, Eigen::Index first, Eigen::Index count) {

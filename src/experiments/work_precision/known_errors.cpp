@@ -47,14 +47,12 @@ unit_of_row constant(std::string quantity, double unit) {
 
 /// In units of the observable's root mean square over the sphere.
 unit_of_row by_observable(const subject& s, std::string quantity) {
-  return [&s, quantity](const report::measurement& m) -> std::optional<double> {
-    if (m.quantity != quantity) return std::nullopt;
-    const double radius = length(s.scene.momentum);
-    const auto energy = *named_observable("energy", *sphere_problem_of(s));
+  return [problem = s.sphere(), quantity](const report::measurement& m) -> std::optional<double> {
+    if (m.quantity != quantity || !problem) return std::nullopt;
     if (m.observable == "energy^2")
-      return size_on_sphere([&](const Eigen::Vector3d& x) { return energy(x) * energy(x); }, radius);
-    const auto f = named_observable(m.observable, *sphere_problem_of(s));
-    return f ? std::optional(size_on_sphere(*f, radius)) : std::nullopt;
+      return size_on_sphere([&](const Eigen::Vector3d& x) { return std::pow(problem->energy(x), 2); }, problem->radius);
+    const auto f = named_observable(m.observable, *problem);
+    return f ? std::optional(size_on_sphere(*f, problem->radius)) : std::nullopt;
   };
 }
 

@@ -44,7 +44,7 @@ double relaxed_energy(const sphere_problem& p, double energy, double time) {
 mean_energies energy_without_dissipation(const sphere_problem& problem, const points_on_sphere& from, double time) {
   const auto p = without_dissipation(problem);
   Eigen::VectorXd value = energies(p, from);
-  const double floor = rounding * value.maxCoeff();
+  const double floor = rounding * value.cwiseAbs().maxCoeff();
   if (is_isotropic(p.covariance) && !p.has_field() && p.varying.empty()) {
     for (double& h : value) h = relaxed_energy(p, h, time);
     return {value, floor};

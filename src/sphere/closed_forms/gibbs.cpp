@@ -6,8 +6,11 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <cmath>
+#include <utility>
 
 #include "sphere/closed_forms/gibbs_moments.hpp"
+#include "sphere/equilibria.hpp"
+#include "sphere/harmonics.hpp"
 
 namespace polhode {
 namespace {
@@ -31,6 +34,33 @@ double period(const std::array<double, 3>& i, const std::array<double, 3>& from,
   return 4 * boost::math::ellint_1(std::sqrt(m)) * std::sqrt(i[0] * i[1] * i[2] / (near * from[other]));
 }
 
+/// Points of the sphere by their energy above the least, with their probability.
+struct weighed_points {
+  std::vector<std::pair<double, double>> points;
+  double mean = 0, variance = 0;  ///< of that energy
+  Eigen::Vector3d square = Eigen::Vector3d::Zero();
+};
+
+weighed_points weighed(const sphere_problem& p, double least, int degree) {
+  const double beta = 2 * p.damping / p.covariance(0, 0);
+  const auto rule = sphere_quadrature(degree);
+  weighed_points out;
+  double total = 0;
+  for (Eigen::Index i = 0; i < rule.weights.size(); ++i) {
+    const Eigen::Vector3d pi = p.radius * rule.points.row(i).transpose();
+    const double above = std::max(0.0, p.energy(pi) - least), mass = rule.weights[i] * std::exp(-beta * above);
+    out.points.emplace_back(above, mass);
+    out.square += mass * pi.cwiseAbs2();
+    out.mean += mass * above;
+    total += mass;
+  }
+  out.square /= total;
+  out.mean /= total;
+  for (auto& [above, mass] : out.points) out.variance += (mass /= total) * std::pow(above - out.mean, 2);
+  std::ranges::sort(out.points);
+  return out;
+}
+
 }  // namespace
 
 struct gibbs_law::piece {
@@ -38,9 +68,6 @@ struct gibbs_law::piece {
   std::vector<double> s, mass;  // cumulative probability at s, h = low + (high - low) clustered(s)
 };
 
-gibbs_law::gibbs_law(const sphere_problem& p)
-    : gibbs_law({1 / p.quadratic(0, 0), 1 / p.quadratic(1, 1), 1 / p.quadratic(2, 2)}, p.radius,
-                2 * p.damping / p.covariance(0, 0)) {}
 gibbs_law::~gibbs_law() = default;
 gibbs_law::gibbs_law(gibbs_law&&) noexcept = default;
 
@@ -88,6 +115,33 @@ void gibbs_law::add_piece(const std::array<double, 3>& i, double beta, double lo
     p.mass.push_back(p.mass.back() + mass);
   }
   pieces_.push_back(std::move(p));
+}
+
+gibbs_law gibbs_law::by_quadrature(const sphere_problem& p) {
+  constexpr int degree = 800;
+  const auto extremes = equilibria(p);
+  const auto coarse = weighed(p, extremes.front().energy, degree / 2),
+             fine = weighed(p, extremes.front().energy, degree);
+  gibbs_law out;
+  out.least_ = extremes.front().energy;
+  out.greatest_ = extremes.back().energy;
+  out.excess_ = fine.mean;
+  out.variance_ = fine.variance;
+  for (int k = 0; k < 3; ++k) out.squares_[static_cast<std::size_t>(k)] = fine.square[k];
+  const double change = std::max(std::fabs(fine.mean / coarse.mean - 1),
+                                 (fine.square.array() / coarse.square.array() - 1).abs().maxCoeff());
+  out.relative_uncertainty_ = std::max(change, 1e-15);
+  piece all{out.least_, out.greatest_, {0}, {0}};
+  auto next = fine.points.begin();
+  for (int n = 1; n <= panels; ++n) {
+    const double s = n / double(panels), above = (out.greatest_ - out.least_) * clustered(s);
+    double mass = all.mass.back();
+    for (; next != fine.points.end() && (next->first <= above || n == panels); ++next) mass += next->second;
+    all.s.push_back(s);
+    all.mass.push_back(mass);
+  }
+  out.pieces_.push_back(std::move(all));
+  return out;
 }
 
 double gibbs_law::energy_cdf(double h) const {

@@ -16,8 +16,9 @@ namespace polhode {
 class gibbs_law {
  public:
   gibbs_law(const std::array<double, 3>& inertia, double c, double beta);
-  /// Of a body: `quadratic` diagonal and positive, no field, isotropic noise.
-  explicit gibbs_law(const sphere_problem&);
+  /// Of any h, under isotropic noise: sums over some 10^5 points of the sphere. Moments are uncertain by what half as
+  /// many in a direction change, the distribution by about 1e-4.
+  static gibbs_law by_quadrature(const sphere_problem&);
   ~gibbs_law();
   gibbs_law(gibbs_law&&) noexcept;
 
@@ -34,9 +35,10 @@ class gibbs_law {
 
  private:
   struct piece;  // the law between two energies
+  gibbs_law() = default;
   void add_piece(const std::array<double, 3>& inertia, double beta, double low, double high, bool round_last);
 
-  double least_, greatest_, excess_ = 0, variance_ = 0, relative_uncertainty_ = 0;
+  double least_ = 0, greatest_ = 0, excess_ = 0, variance_ = 0, relative_uncertainty_ = 0;
   std::array<double, 3> squares_{};
   std::array<double, 3> critical_{};  // energies of the axes, decreasing
   std::vector<piece> pieces_;

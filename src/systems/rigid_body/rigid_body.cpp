@@ -1,21 +1,97 @@
 #include "systems/rigid_body/rigid_body.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "platform/isa_entry.hpp"
+#include "problem/noise_covariance.hpp"
+#include "problem/vectors.hpp"
+#include "references/free_rotation.hpp"
 #include "systems/systems.hpp"
 
 namespace polhode {
+namespace {
 
-std::vector<parameter_rule> rigid_body_parameters() {
-  auto damping = number_from_zero("theta", "time / inertia", "dissipation: dh/dt = -theta |Pi x Omega|^2");
-  damping.role = role::dissipation;
-  return {positive_vector_of("inertia", 3, "inertia", "principal moments of inertia"), damping,
-          noise_vectors(3, "1 / time^(1/2)")};
+constexpr double greatest_ratio = 1e6;
+
+std::array<double, 3> inertia_of(const report::scene& s) { return three(s.vector("inertia")); }
+
+rate_bounds rates_of(const report::scene& s) {
+  const double c = length(s.momentum), square = c * c;
+  const auto [least, greatest] = std::ranges::minmax(s.vector("inertia"));
+  rate_bounds out;
+  out.motion = c / least;
+  out.damping = square * (1 / least - 1 / greatest);
+  out.dissipation = dissipation_of(s) * out.damping;
+  out.noise = noise_covariance(s).trace();
+  return out;
 }
 
-subject bind_rigid_body(const report::scene& scene) {
+/// The same smallest inertia and, where there is one, the same place of the middle one between the two others.
+report::scene with_ratio(report::scene s, double ratio) {
+  auto& inertia = s.vector("inertia");
+  std::array<std::size_t, 3> axis{0, 1, 2};
+  std::ranges::sort(axis, {}, [&](std::size_t k) { return inertia[k]; });
+  const double own = inertia[axis[2]] / inertia[axis[0]];
+  const double place = own > 1 ? std::log(inertia[axis[1]] / inertia[axis[0]]) / std::log(own) : 0.5;
+  inertia[axis[1]] = inertia[axis[0]] * std::pow(ratio, place);
+  inertia[axis[2]] = inertia[axis[0]] * ratio;
+  return s;
+}
+
+std::string in_cpp(const report::scene& s) {
+  std::vector<std::string> vectors;
+  for (const auto& v : noise_vectors_of(s)) vectors.push_back(fmt::format("{{{{{}}}}}", fmt::join(v, ", ")));
+  const std::string head =
+      fmt::format("  const rigid_body body({{{}}}, {}, ", fmt::join(s.vector("inertia"), ", "), dissipation_of(s));
+  if (vectors.empty()) return head + "rigid_body::isotropic(0));\n";
+  return fmt::format("  const vec<double, 3> sigma[] = {{{}}};\n{}rigid_body::from_vectors(sigma));\n",
+                     fmt::join(vectors, ", "), head);
+}
+
+capabilities offers(const report::scene& s) {
+  const auto inertia = inertia_of(s), start = three(s.momentum);
+  const double c = length(s.momentum), theta = dissipation_of(s);
+  const auto q = noise_covariance(s);
+  capabilities out{.rates = rates_of(s), .sphere = body_on_sphere(inertia, theta, c, q)};
+  out.free = {"jacobi", [=](double time) {
+                const auto end = free_rotation(inertia, start, time);
+                return std::vector(end.begin(), end.end());
+              }};
+  out.shape = {"inertia ratio",       1,
+               greatest_ratio,        [=](double ratio) { return with_ratio(s, ratio); },
+               "near-equal inertias", with_ratio(s, 1 + 1e-8)};
+  out.in_unit = [=](int power) { return with_momentum_unit(s, power); };
+  out.in_cpp = in_cpp(s);
+  out.gibbs = [=] { return gibbs_law(inertia, c, 2 * theta / q(0, 0)); };
+  return out;
+}
+
+subject bind_to_schemes(const report::scene& scene) {
   subject out;
   by_isa(POLHODE_ENTRIES(polhode_bind_rigid_body_))(scene, out);
   return out;
+}
+
+}  // namespace
+
+system_entry rigid_body_system();
+
+system_entry rigid_body_system() {
+  return {.name = "rigid_body",
+          .title = "Dissipative stochastic rigid body on so(3)*, one Casimir |Pi|",
+          .dimension = 3,
+          .unit = "inertia / time",
+          .parameters = {positive_vector_of("inertia", 3, "inertia", "principal moments of inertia"),
+                         dissipation_strength("time / inertia", "dissipation: dh/dt = -theta |Pi x Omega|^2"),
+                         noise_vectors(3, "1 / time^(1/2)")},
+          .observables = named_observables(),
+          .bind = bind_to_schemes,
+          .offers = offers};
 }
 
 }  // namespace polhode

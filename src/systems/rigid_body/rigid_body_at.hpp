@@ -1,5 +1,5 @@
-// The rigid body bound to a step size and an orbit: the same mathematics as systems/rigid_body.hpp, with everything
-// that does not change from step to step computed once, absent parts absent, and no division in the step.
+// The rigid body bound to a step size and an orbit: the same mathematics as polhode/systems/rigid_body.hpp, with
+// everything that does not change from step to step computed once, absent parts absent, and no division in the step.
 //
 // For states on the orbit |Pi| = c for which it was made; others are integrated with this orbit's dissipation factors.
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace polhode {
 
-/// parts, size: systems/body_parts.hpp; Noise: systems/noise_at.hpp.
+/// parts, size: systems/rigid_body/body_parts.hpp; Noise: ensemble/noise_at.hpp.
 template <body_parts parts, rotation_size size, class Noise>
 class rigid_body_at : public Noise {
  public:

@@ -69,12 +69,13 @@ struct so3 {
     return {{square_root(dot(mu, mu))}};
   }
 
-  /// The point of the orbit of `onto` nearest to mu: |onto|/|mu| mu. Near the orbit it is written as a small correction of
-  /// mu, as a factor near 1 would be rounded to the same side step after step and let the orbit drift like the number of
-  /// steps; far from it that would cancel.
+  /// The point of the orbit of `onto` nearest to mu: |onto|/|mu| mu. Near the orbit it is written as a small correction
+  /// of mu, as a factor near 1 would be rounded to the same side step after step and let the orbit drift like the
+  /// number of steps; far from it that would cancel. Of the zero vector itself.
   template <class S>
   static vec<S, 3> orbit_projection(const vec<S, 3>& mu, const vec<S, 3>& onto) {
-    const S square = dot(mu, mu);
+    const S own = dot(mu, mu);
+    const S square = select(own == S(0.0), S(1.0), own);
     const S excess = dot(onto - mu, onto + mu) / square;  // |onto|^2/|mu|^2 - 1
     const S correction = excess / (S(1.0) + square_root(S(1.0) + excess));
     const S factor = square_root(dot(onto, onto) / square);

@@ -118,7 +118,10 @@ struct implicit_midpoint {
   /// Without a question in between: a branch that packs take or do not would cost more than one too many.
   template <class System, class S>
   static constexpr int usual_corrections =
-      std::same_as<decltype(std::declval<const System&>().noise(vec<S, System::channels>{})), zero_vector> ? 2 : 3;
+      std::same_as<decltype(noise(std::declval<const System&>(), state_of<System, S>{}, wiener<S, System::channels>{})),
+                   zero_vector>
+          ? 2
+          : 3;
 
   /// DF(m)^-1.
   template <quotient q, class S, int n>

@@ -22,7 +22,7 @@ struct lie_euler {
                                     .casimir = keeps_casimirs,
                                     .action = group_action::exponential};
 
-  template <lie_poisson_system System, class S>
+  template <constant_noise_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
     return System::algebra::exp_action(generator(system, mu, w), mu);
   }

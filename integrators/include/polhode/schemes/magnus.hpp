@@ -27,13 +27,13 @@ struct magnus {
                                     .casimir = keeps_casimirs,
                                     .action = group_action::exponential};
 
-  template <lie_poisson_system System, class S>
+  template <constant_noise_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu,
                    const wiener_levy<S, System::channels>& w) {
     using g = typename System::algebra;
     const auto first = generator(system, mu, w);
     const auto second = generator(system, g::exp_action(first, mu), w);
-    return g::exp_action(S(0.5) * (first + second) + system.area_noise(w.area), mu);
+    return g::exp_action(S(0.5) * (first + second) + area_noise(system, w), mu);
   }
 };
 

@@ -23,10 +23,10 @@ struct milstein {
                                     .deterministic_order = 1,
                                     .casimir = casimirs_drift(1, 1)};
 
-  template <lie_poisson_system System, class S>
+  template <constant_noise_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu,
                    const wiener_levy<S, System::channels>& w) {
-    return milstein_no_area::step(system, mu, w) + System::algebra::coad(system.area_noise(w.area), mu);
+    return milstein_no_area::step(system, mu, w) + System::algebra::coad(area_noise(system, w), mu);
   }
 };
 

@@ -21,10 +21,10 @@ struct milstein_no_area {
                                     .deterministic_order = 1,
                                     .casimir = casimirs_drift(1, 1)};
 
-  template <lie_poisson_system System, class S>
+  template <constant_noise_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
     using g = typename System::algebra;
-    const auto b = system.noise(w.dw);
+    const auto b = noise(system, mu, w);
     return mu + motion(system, mu, w) + S(0.5) * g::coad(b, g::coad(b, mu));
   }
 };

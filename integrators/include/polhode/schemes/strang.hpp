@@ -31,7 +31,10 @@ struct strang {
                                     .action = group_action::exponential,
                                     .poisson = true};
 
-  /// Two of these in a row are one of the sum of their times.
+  /// Two of `outer` in a row are one of the sum of their times.
+  template <class System>
+  static constexpr bool merges = true;
+
   template <turning_system System, class S, class Time>
   static auto outer(const System& system, const vec<S, System::dimension>& mu, Time t) {
     return system.first_turn(mu, t);

@@ -28,9 +28,15 @@ struct strang_two_turns : strang {
                                     .action = group_action::exponential,
                                     .poisson = true};
 
-  template <splittable_system System>
+  template <constant_noise_system System>
   static System prepare(const System& system, double dt) {
     return system.with_noise(system.weak_order_two(dt));
+  }
+
+  template <turning_system System, class S>
+  requires constant_noise_system<System>
+  static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
+    return strang::step(system, mu, w);
   }
 };
 

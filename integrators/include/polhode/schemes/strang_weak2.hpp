@@ -5,8 +5,8 @@
 //
 // Q and R: systems/constant_noise.hpp, weak_order_two. Isotropic noise on so(3): T = sigma sqrt(1 - sigma^2 dt/12).
 //
-// Source: Strang, SIAM J. Numer. Anal. 5 (1968) 506-517; the noise step is derived where it stands. Keeps every Casimir.
-// Cost a step: five flows, the dissipation merged with the next step's; one increment.
+// Source: Strang, SIAM J. Numer. Anal. 5 (1968) 506-517; the noise step is derived where it stands. Keeps every
+// Casimir. Cost a step: five flows, the dissipation merged with the next step's; one increment.
 #pragma once
 
 #include <polhode/schemes/scheme_info.hpp>
@@ -25,12 +25,15 @@ struct strang_weak2 {
                                     .action = group_action::exponential,
                                     .poisson = true};
 
-  template <splittable_system System>
+  template <constant_noise_system System>
   static System prepare(const System& system, double dt) {
     return system.with_noise(system.weak_order_two(dt));
   }
 
-  /// Two of these in a row are one of the sum of their times.
+  /// Two of `outer` in a row are one of the sum of their times.
+  template <class System>
+  static constexpr bool merges = exact_dissipation<System>;
+
   template <splittable_system System, class S, class Time>
   static auto outer(const System& system, const vec<S, System::dimension>& mu, Time t) {
     return system.dissipation_flow(mu, t);
@@ -43,6 +46,7 @@ struct strang_weak2 {
   }
 
   template <splittable_system System, class S>
+  requires constant_noise_system<System>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
     const half_step half{w.dt};
     return outer(system, inner(system, outer(system, mu, half), w), half);

@@ -33,10 +33,22 @@ template <class System>
 concept lie_poisson_system = lie_algebra<typename System::algebra> &&
     requires(const System& system, const state_of<System>& mu, const wiener_levy<double, System::channels>& w) {
   { system.generator(mu) } -> std::same_as<state_of<System>>;
-  { system.noise(w.dw) } -> element_of<System>;
-  { system.area_noise(w.area) } -> element_of<System>;
   { system.ito_drift(mu) } -> element_of<System>;
   { system.energy(mu) } -> std::same_as<double>;
+} &&(
+    requires(const System& system, const wiener_levy<double, System::channels>& w) {
+      { system.noise(w.dw) } -> element_of<System>;
+      { system.area_noise(w.area) } -> element_of<System>;
+    } ||
+    requires(const System& system, const state_of<System>& mu, const wiener<double, System::channels>& w) {
+      { system.noise_at(mu, w) } -> element_of<System>;
+    });
+
+/// One whose noise vectors are the same at every state.
+template <class System>
+concept constant_noise_system = lie_poisson_system<System> &&
+    requires(const System& system, const wiener<double, System::channels>& w) {
+  system.noise(w.dw);
 };
 
 /// A system that splits into parts with flows of their own; splitting schemes need it.
@@ -45,6 +57,13 @@ concept splittable_system = lie_poisson_system<System> &&
     requires(const System& system, const state_of<System>& mu, half_step t) {
   { system.free_flow(mu, t) } -> std::same_as<state_of<System>>;
   { system.dissipation_flow(mu, t) } -> std::same_as<state_of<System>>;
+};
+
+/// Whether two of the system's dissipation flows in a row are one of the sum of their times. A system that has but a
+/// flow of second order says `approximate_dissipation`.
+template <class System>
+inline constexpr bool exact_dissipation = !requires {
+  requires System::approximate_dissipation;
 };
 
 /// One whose free motion splits into two turns, each the exact flow of its part of h plus a Casimir.
@@ -58,14 +77,30 @@ concept turning_system = splittable_system<System> &&
 // What a step is built of. A system that knows better (a term that is not there, a constant that is computed once) says
 // so by a member of the same name.
 
-/// xi = a(mu) dt + sum sigma_i dW^i over one step, a taken at mu.
+/// sum sigma_i dW^i over one step, sigma_i taken at mu where they depend on the state. Of an increment this and
+/// area_noise are all that a scheme may ask: what stands in it is between the system and the loop.
+template <class System, class S>
+auto noise(const System& system, const state_of<System, S>& mu, const wiener<S, System::channels>& w) {
+  if constexpr (requires { system.noise_at(mu, w); })
+    return system.noise_at(mu, w);
+  else
+    return system.noise(w.dw);
+}
+
+/// sum_{i<j} A^ij [sigma_i, sigma_j] over one step.
+template <constant_noise_system System, class S>
+auto area_noise(const System& system, const wiener_levy<S, System::channels>& w) {
+  return system.area_noise(w.area);
+}
+
+/// xi = a(mu) dt + sum sigma_i dW^i over one step, both taken at mu.
 template <class System, class S>
 state_of<System, S> generator(const System& system, const state_of<System, S>& mu,
                               const wiener<S, System::channels>& w) {
   if constexpr (requires { system.generator_over(mu, w); })
     return system.generator_over(mu, w);
   else
-    return S(w.dt) * system.generator(mu) + system.noise(w.dw);
+    return S(w.dt) * system.generator(mu) + noise(system, mu, w);
 }
 
 /// The part a(mu) dt of the same.
@@ -115,14 +150,21 @@ linearised<S, System::dimension> linearised_motion(const System& system, const s
   }
 }
 
-/// The noise alone, as one exponential: Ad*_exp(sum sigma_i dW^i) mu.
+/// The noise alone, as one exponential: Ad*_exp(sum sigma_i dW^i) mu; of sigma_i that depend on the state the mean of
+/// both ends, as Stratonovich's calculus asks.
 template <class System, class S>
 state_of<System, S> noise_flow(const System& system, const state_of<System, S>& mu,
                                const wiener<S, System::channels>& w) {
-  if constexpr (requires { system.noise_flow(mu, w); })
+  if constexpr (requires { system.noise_flow(mu, w); }) {
     return system.noise_flow(mu, w);
-  else
-    return System::algebra::exp_action(system.noise(w.dw), mu);
+  } else {
+    using g = typename System::algebra;
+    const auto first = noise(system, mu, w);
+    if constexpr (constant_noise_system<System>)
+      return g::exp_action(first, mu);
+    else
+      return g::exp_action(S(0.5) * (first + noise(system, g::exp_action(first, mu), w)), mu);
+  }
 }
 
 /// Half the dissipation, the noise, half the dissipation.

@@ -1,5 +1,5 @@
 // The top of the first screen: the verdict, the scene and its equation.
-import type { Results, Scene } from '../data';
+import type { Parameter, Results, Scene } from '../data';
 import { h, type Child } from '../dom';
 import { shown } from '../numbers';
 import { classOf, headline, sentence, symbols, tally, worst } from '../order';
@@ -39,7 +39,7 @@ function noiseTerm(before: Element[]): Element[] {
 }
 
 /** On the rotations; the sign with which the energy falls and the Gibbs law is stationary. */
-function rigidBody(s: Scene): HTMLElement {
+function onSphere(s: Scene): HTMLElement {
   const pi = (): Element => upright('Π'),
     omega = (): Element => upright('Ω');
   const quiet = s.sigma.every((v) => v.every((x) => x === 0));
@@ -58,7 +58,7 @@ function rigidBody(s: Scene): HTMLElement {
       ...(quiet ? [] : noiseTerm([pi(), op('×')])),
       op(','),
     ),
-    row(omega(), op('='), m('msup', id('I'), row(op('−'), m('mn', '1'))), pi()),
+    row(omega(), op('='), op('∂'), id('h'), op('/'), op('∂'), pi()),
   );
 }
 
@@ -103,6 +103,9 @@ function noiseOf(s: Scene): string {
   );
 }
 
+const valueOf = (p: Parameter): string =>
+  p.rows.length === 1 && p.rows[0]?.length === 1 ? shown(p.rows[0][0] ?? null) : p.rows.map((row) => tuple(row)).join(' ');
+
 const fact = (term: Child[], value: string): Child => h('div', {}, h('dt', {}, ...term), h('dd', {}, value || '–'));
 const letter = (name: string, index = ''): Child =>
   h('span', {}, h('i', {}, name), index !== '' && h('sub', {}, index));
@@ -112,10 +115,10 @@ function sceneFacts(s: Scene): HTMLElement {
     'dl',
     { class: 'facts' },
     fact(['system'], s.system.replace(/_/g, ' ')),
-    fact(['inertia ', letter('I')], tuple(s.inertia)),
+    ...s.parameters.map((p) => fact([p.name.replace(/_/g, ' ')], valueOf(p))),
     fact(['dissipation ', letter('θ')], shown(s.theta)),
     fact(['noise ', letter('σ', 'i')], noiseOf(s)),
-    fact([s.system === 'rigid_body' ? 'momentum Π' : 'momentum μ', h('sub', {}, '0')], tuple(s.momentum)),
+    fact([s.momentum.length === 3 ? 'momentum Π' : 'momentum μ', h('sub', {}, '0')], tuple(s.momentum)),
     fact(['horizon ', letter('T')], shown(s.horizon)),
     s.steps.length > 0 &&
       fact(['steps to ', letter('T')], s.steps.slice(0, 12).join(', ') + (s.steps.length > 12 ? ', …' : '')),
@@ -171,7 +174,7 @@ export function header(r: Results): HTMLElement {
     h(
       'div',
       { class: 'scene' },
-      r.scene.system === 'rigid_body' || r.scene.system === '' ? rigidBody(r.scene) : coadjoint(),
+      r.scene.momentum.length === 3 ? onSphere(r.scene) : coadjoint(),
       sceneFacts(r.scene),
     ),
   );

@@ -1,0 +1,51 @@
+// What a system offers the experiments beyond its equation, on one scene. What it leaves empty they do without, and say
+// so.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/model/scene.hpp"
+#include "sphere/closed_forms/gibbs.hpp"
+#include "sphere/sphere_problem.hpp"
+
+namespace polhode {
+
+/// Per time, at the initial momentum: bounds on how fast each part of the equation turns it.
+struct rate_bounds {
+  double motion = 0;       ///< without dissipation and noise
+  double dissipation = 0;  ///< all of it, at the scene's theta
+  double damping = 0;      ///< of it per theta; 0: theta moves nothing
+  double noise = 0;        ///< sum |sigma_i|^2
+  double fastest() const { return motion + dissipation + noise; }
+};
+
+/// The motion without dissipation and noise, known in closed form.
+struct free_motion {
+  std::string method;
+  std::function<std::vector<double>(double time)> at;
+};
+
+/// A shape of h that is moved to extremes: at(x) for x from least to greatest, in equal ratios; and one next to none.
+struct shape_axis {
+  std::string name;
+  double least, greatest;
+  std::function<report::scene(double)> at;
+  std::string name_of_nearly_none;
+  report::scene nearly_none;
+};
+
+struct capabilities {
+  rate_bounds rates;
+  std::optional<sphere_problem> sphere =
+      {};  ///< the diffusion, where it lives on a sphere: all that is exact there follows
+  std::optional<free_motion> free = {};
+  std::optional<shape_axis> shape = {};
+  std::function<report::scene(int power)> in_unit = {};  ///< the same solutions at |mu| times 4^power, t over it
+  std::string in_cpp = {};  ///< declares `body`, of the type that polhode/systems/NAME.hpp has under the system's name
+  std::function<gibbs_law()> gibbs = {};  ///< of an isotropically driven system, in closed form
+};
+
+}  // namespace polhode

@@ -1,0 +1,98 @@
+// The pair of coupled bodies: its table, what it offers, and its meeting with the schemes.
+#include <polhode/systems/so4_body.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "problem/vectors.hpp"
+#include "systems/system_source.hpp"
+#include "systems/systems.hpp"
+
+namespace polhode {
+namespace {
+
+[[maybe_unused]] so4_body make_so4_body(const report::scene& s) {
+  std::array<double, 6> inertia{};
+  std::ranges::copy(s.vector("inertia"), inertia.begin());
+  std::vector<so4_body::column> vectors;
+  for (const auto& v : noise_vectors_of(s)) std::ranges::copy(v, vectors.emplace_back().c.begin());
+  return {inertia, s.number("coupling"), dissipation_of(s), so4_body::from_vectors(vectors)};
+}
+
+}  // namespace
+}  // namespace polhode
+
+POLHODE_MEETS_SCHEMES(so4_body, polhode::make_so4_body);
+
+#if POLHODE_COMPILED_ONCE
+namespace polhode {
+namespace {
+
+/// The faster of both parts decides.
+rate_bounds rates_of(const report::scene& s) {
+  const double coupling = std::fabs(s.number("coupling"));
+  rate_bounds out;
+  for (const std::size_t part : {0U, 3U}) {
+    const auto of_part = [&](const std::vector<double>& v, std::size_t from) { return std::span(v).subspan(from, 3); };
+    const auto [least, greatest] = std::ranges::minmax(of_part(s.vector("inertia"), part));
+    const double own = length(of_part(s.momentum, part)), other = length(of_part(s.momentum, 3 - part));
+    out.motion = std::max(out.motion, own / least + coupling * other);
+    out.damping = std::max(out.damping, own * (own * (1 / least - 1 / greatest) + coupling * other));
+    double noise = 0;
+    for (const auto& v : noise_vectors_of(s)) noise += std::pow(length(of_part(v, part)), 2);
+    out.noise = std::max(out.noise, noise);
+  }
+  out.dissipation = dissipation_of(s) * out.damping;
+  return out;
+}
+
+std::string in_cpp(const report::scene& s) {
+  std::vector<std::string> vectors;
+  for (const auto& v : noise_vectors_of(s)) vectors.push_back(fmt::format("{{{{{}}}}}", fmt::join(v, ", ")));
+  const std::string head = fmt::format("  const so4_body body({{{}}}, {}, {}, ", fmt::join(s.vector("inertia"), ", "),
+                                       s.number("coupling"), dissipation_of(s));
+  if (vectors.empty()) return head + "so4_body::isotropic(0));\n";
+  return fmt::format("  const vec<double, 6> sigma[] = {{{}}};\n{}so4_body::from_vectors(sigma));\n",
+                     fmt::join(vectors, ", "), head);
+}
+
+capabilities offers(const report::scene& s) {
+  capabilities out{.rates = rates_of(s)};
+  out.in_unit = [=](int power) { return with_momentum_unit(s, power); };
+  out.in_cpp = in_cpp(s);
+  return out;
+}
+
+std::vector<observable_entry> observables() {
+  std::vector<observable_entry> out{{"energy", "h"}};
+  for (int k = 1; k <= 6; ++k) out.push_back({fmt::format("mu_{}", k), fmt::format("component {}", k)});
+  return out;
+}
+
+}  // namespace
+
+system_entry so4_body_system();
+
+system_entry so4_body_system() {
+  return {.name = "so4_body",
+          .title =
+              "Two dissipative stochastic bodies on so(4)* = so(3)* + so(3)*, coupled through the energy; two Casimirs",
+          .dimension = 6,
+          .unit = "inertia / time",
+          .parameters = {positive_vector_of("inertia", 6, "inertia", "moments of inertia, three of each body"),
+                         number_of("coupling", "1 / inertia", "k in h = sum mu_k^2 / 2 I_k + k Pi_1.Pi_2"),
+                         dissipation_strength("time / inertia", "dissipation: dh/dt = -theta |ad*_Omega mu|^2"),
+                         noise_vectors(6, "1 / time^(1/2)")},
+          .observables = observables(),
+          .bind = POLHODE_BOUND_BY_ISA(so4_body),
+          .offers = offers};
+}
+
+}  // namespace polhode
+#endif

@@ -1,0 +1,134 @@
+// Where h is stationary on the sphere: closed forms, and topology on problems drawn at random.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "sphere/closed_forms/gibbs.hpp"
+#include "sphere/closed_forms/linearised.hpp"
+#include "sphere/equilibria.hpp"
+
+namespace polhode::test {
+namespace {
+
+using matrix = Eigen::Matrix3d;
+using vector = Eigen::Vector3d;
+
+sphere_problem drawn(std::mt19937& bits, double field) {
+  std::normal_distribution<double> normal;
+  const auto any = [&] { return normal(bits); };
+  const matrix a = matrix::NullaryExpr(any);
+  return {.quadratic = a + a.transpose(),
+          .damping = 0.5,
+          .radius = std::exp(any()),
+          .covariance = matrix::Identity(),
+          .field = field * vector(vector::NullaryExpr(any))};
+}
+
+// Pi x Omega = 0; wells less passes plus peaks is the Euler characteristic of the sphere.
+TEST(Equilibria, AreAllThereAre) {
+  std::mt19937 bits(7);
+  for (const double field : {0.0, 0.01, 0.3, 1.0, 3.0, 100.0})
+    for (int i = 0; i < 200; ++i) {
+      const auto p = drawn(bits, field);
+      int characteristic = 0;
+      const auto all = equilibria(p);
+      for (const auto& e : all) {
+        const vector pi = p.radius * e.direction;
+        EXPECT_LE(pi.cross(p.rate(pi)).norm(), 1e-10 * p.radius * greatest_rate_on(p)) << field << ' ' << i;
+        EXPECT_NEAR(e.energy, p.energy(pi), 1e-14 * greatest_energy_on(p));
+        characteristic += e.curvature[0] * e.curvature[1] > 0 ? 1 : -1;
+      }
+      EXPECT_EQ(characteristic, 2) << field << ' ' << i << ": " << all.size();
+      EXPECT_TRUE(std::ranges::is_sorted(all, {}, &equilibrium::energy));
+      EXPECT_TRUE(all.front().is_least());
+    }
+}
+
+TEST(Equilibria, OfABodyAreItsAxes) {
+  const auto p = body_on_sphere({1, 2, 3}, 0.5, 2, matrix::Identity());
+  const auto all = equilibria(p);
+  ASSERT_EQ(all.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto axis = static_cast<Eigen::Index>(2 - i / 2);
+    EXPECT_EQ(all[i].direction, (i % 2 == 0 ? 1 : -1) * vector::Unit(axis));
+    EXPECT_DOUBLE_EQ(all[i].energy, 2.0 / static_cast<double>(axis + 1));
+  }
+  EXPECT_DOUBLE_EQ(barrier_between_wells(p), 1.0 - 2.0 / 3);
+}
+
+// Stoner and Wohlfarth's particle: h = -k z^2/2 + b z has wells at z = -1 and 1 and a ring of passes at z = b/k; from
+// the upper well (k - b)^2/2k is to be climbed. Beyond b = k one well is left.
+TEST(Equilibria, OfAUniaxialSpinInAField) {
+  const auto spin = [](double k, double b) {
+    return sphere_problem{.quadratic = vector(0, 0, -k).asDiagonal(),
+                          .damping = 0.5,
+                          .radius = 1,
+                          .covariance = matrix::Identity(),
+                          .field = vector(0, 0, b)};
+  };
+  for (const double b : {0.0, 0.1, 0.7, 1.9}) {
+    EXPECT_NEAR(barrier_between_wells(spin(2, b)), (2 - b) * (2 - b) / 4, 1e-14) << b;
+    EXPECT_NEAR(equilibria(spin(2, b)).back().energy, b * b / 4, 1e-14) << b;
+  }
+  EXPECT_EQ(barrier_between_wells(spin(2, 2.1)), 0);
+  EXPECT_EQ(equilibria(spin(2, 2.1)).size(), 2u);
+  EXPECT_EQ(barrier_between_wells(spin(-2, 0.3)), 0);  // an easy plane: a ring of wells
+}
+
+// The drift's own derivative, by differences.
+TEST(Equilibria, TheLinearisedEquationIsTheDriftsDerivative) {
+  std::mt19937 bits(11);
+  for (int i = 0; i < 50; ++i) {
+    const auto p = drawn(bits, 0.5);
+    const auto drift = [&](const vector& pi) -> vector {
+      const vector w = p.rate(pi);
+      return pi.cross(w + p.damping * pi.cross(w));
+    };
+    for (const auto& e : equilibria(p)) {
+      const auto frame = tangent_frame(e.direction);
+      Eigen::Matrix2d slope;
+      const double step = 1e-5 * p.radius;
+      for (int k = 0; k < 2; ++k) {
+        const vector pi = p.radius * e.direction, d = step * frame.col(k);
+        slope.col(k) = frame.transpose() * (drift(pi + d) - drift(pi - d)) / (2 * step);
+      }
+      const auto exact = linearised_about(p, e.direction, 0).drift;
+      EXPECT_LE((slope - exact).norm(), 1e-6 * (1 + exact.norm())) << i;
+    }
+  }
+}
+
+// The law that sums over the sphere against the body's closed form.
+TEST(Gibbs, ByQuadratureIsTheClosedForm) {
+  for (const double beta : {0.5, 4.0, 60.0}) {
+    const gibbs_law exact({1, 2, 3}, 1.2, beta);
+    const auto found = gibbs_law::by_quadrature(body_on_sphere({1, 2, 3}, beta / 2, 1.2, matrix::Identity()));
+    EXPECT_NEAR(found.mean_energy(), exact.mean_energy(), 1e-12);
+    EXPECT_NEAR(found.energy_variance(), exact.energy_variance(), 1e-12);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(found.mean_square(k), exact.mean_square(k), 1e-12);
+    double worst = 0;
+    for (int i = 1; i < 200; ++i) {
+      const double h = std::lerp(exact.least_energy(), exact.greatest_energy(), i / 200.0);
+      worst = std::max(worst, std::fabs(found.energy_cdf(h) - exact.energy_cdf(h)));
+    }
+    EXPECT_LT(worst, 2e-3) << beta;
+  }
+}
+
+// A field alone: h = b c z with z of density exp(-x z), x = beta b c (Langevin).
+TEST(Gibbs, InAFieldAloneIsLangevins) {
+  const double theta = 0.4, sigma2 = 0.36, b = 0.7, c = 1.5, x = 2 * theta / sigma2 * b * c;
+  const auto law = gibbs_law::by_quadrature({.quadratic = matrix::Zero(),
+                                             .damping = theta,
+                                             .radius = c,
+                                             .covariance = sigma2 * matrix::Identity(),
+                                             .field = vector(0, 0, b)});
+  EXPECT_NEAR(law.mean_energy(), b * c * (1 / x - 1 / std::tanh(x)), 1e-12);
+  for (const double z : {-0.9, -0.3, 0.4})
+    EXPECT_NEAR(law.energy_cdf(b * c * z), std::expm1(-x * (z + 1)) / std::expm1(-2 * x), 2e-3);
+}
+
+}  // namespace
+}  // namespace polhode::test

@@ -1,0 +1,150 @@
+// Scenes of every system: what is read, a system's own units, and each fault refused in one line.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "run/reference.hpp"
+#include "run/verify.hpp"
+#include "scene_files.hpp"
+
+namespace {
+
+using polhode::bind_scene;
+using polhode::load_scene;
+using polhode::testing::scene_files;
+using rows = polhode::report::number_rows;
+
+struct system_scenes : scene_files {
+  using keys = std::map<std::string, std::string>;
+  static std::string text(const keys& given) {
+    std::string out;
+    for (const auto& [key, value] : given)
+      if (!value.empty()) out += key + " = " + value + "\n";
+    return out;
+  }
+  static keys spin() {
+    return {{"system", "'spin'"}, {"quadratic", "[1, -2, 0.5]"},    {"theta", "0.5"}, {"sigma", "0.5"},
+            {"horizon", "2.0"},   {"momentum", "[0.6, 0.48, 0.64]"}};
+  }
+  static keys own_units() {
+    return {{"system", "'spin'"},
+            {"anisotropy", "1.5"},
+            {"damping", "0.2"},
+            {"temperature", "0.4"},
+            {"horizon", "2.0"},
+            {"field", "[0, 0, 2]"},
+            {"momentum", "[0.6, 0.48, 0.64]"}};
+  }
+  static keys so4() {
+    return {{"system", "'so4_body'"},
+            {"inertia", "[1, 2, 3, 4, 5, 6]"},
+            {"coupling", "-0.3"},
+            {"theta", "0.5"},
+            {"sigma", "0.5"},
+            {"horizon", "2.0"},
+            {"momentum", "[1, 0, 0, 0, 2, 0]"}};
+  }
+  void refuse(keys given, const std::string& key, const std::string& value,
+              const std::vector<std::string>& said = {"accepted: "}) {
+    SCOPED_TRACE(key + " = " + value);
+    given[key] = value;
+    expect_refused(write(text(given)), said);
+  }
+};
+
+TEST_F(system_scenes, a_spin_may_give_its_matrix_as_a_diagonal_and_no_field) {
+  const auto s = load_scene(write(text(spin())));
+  EXPECT_EQ(s.vectors("quadratic"), (rows{{1, 0, 0}, {0, -2, 0}, {0, 0, 0.5}}));
+  EXPECT_EQ(s.vector("field"), (std::vector<double>{0, 0, 0}));
+}
+
+// E = -K S_3^2 - B S_3 at damping alpha and temperature T: theta = alpha, sigma = sqrt(2 alpha T).
+TEST_F(system_scenes, a_spin_in_its_own_units) {
+  const auto s = load_scene(write(text(own_units())));
+  EXPECT_EQ(s.vectors("quadratic"), (rows{{0, 0, 0}, {0, 0, 0}, {0, 0, -3}}));
+  EXPECT_EQ(s.vector("field"), (std::vector<double>{0, 0, -2}));
+  EXPECT_EQ(s.number("theta"), 0.2);
+  ASSERT_EQ(s.vectors("sigma").size(), 3u);
+  EXPECT_EQ(s.vectors("sigma")[0][0], std::sqrt(2 * 0.2 * 0.4));
+  const auto cold = [&] {
+    auto given = own_units();
+    given["temperature"] = "0";
+    return load_scene(write(text(given)));
+  }();
+  EXPECT_TRUE(cold.vectors("sigma").empty());
+}
+
+// The law is exp(-E/T): E[S_3] against an integral over S_3 alone.
+TEST_F(system_scenes, a_spin_in_its_own_units_has_boltzmanns_law) {
+  const auto s = load_scene(write(text(own_units())));
+  double mean = 0, total = 0;
+  const double c = std::sqrt(0.6 * 0.6 + 0.48 * 0.48 + 0.64 * 0.64);
+  constexpr int n = 20000;
+  for (int i = 0; i < n; ++i) {
+    const double z = c * (2 * (i + 0.5) / n - 1), weight = std::exp((1.5 * z * z + 2 * z) / 0.4);
+    mean += weight * z;
+    total += weight;
+  }
+  EXPECT_NEAR(polhode::reference(s, {"gibbs", "pi3", {}, 0}).value, mean / total, 1e-7);
+}
+
+// In a field along e_3, without dissipation, dS = -S x B dt: S_1' = -S_2 B, S_2' = S_1 B.
+TEST_F(system_scenes, a_spin_in_its_own_units_precesses_as_landau_and_lifshitz_say) {
+  auto given = own_units();
+  given["anisotropy"] = "0.0";
+  given["damping"] = "0.0";
+  const auto s = load_scene(write(text(given)));
+  std::vector<double> drift(3);
+  bind_scene(s).model->drift(s.momentum, drift);
+  EXPECT_DOUBLE_EQ(drift[0], -0.48 * 2);
+  EXPECT_DOUBLE_EQ(drift[1], 0.6 * 2);
+  EXPECT_EQ(drift[2], 0);
+}
+
+TEST_F(system_scenes, faults_of_a_spin_are_refused) {
+  for (const auto* bad :
+       {"[1, 2]", "1.0", "[[1, 2, 0], [3, 1, 0], [0, 0, 1]]", "[[1, 0], [0, 1]]", "[1, nan, 2]", "'x'", "[]"})
+    refuse(spin(), "quadratic", bad, {"quadratic = ", "three finite numbers, or a symmetric 3 x 3 matrix"});
+  for (const auto* bad : {"[1, inf, 2]", "[1, 2]", "1.0", "[[1, 2, 3]]"}) refuse(spin(), "field", bad, {"field = "});
+  refuse(spin(), "theta", "-1.0", {"theta = -1.0", ">= 0"});
+  refuse(spin(), "inertia", "[1, 2, 3]", {"inertia = ", "unknown key"});
+  refuse(spin(), "momentum", "[1, 0, 0, 0, 0, 0]", {"momentum = ", "three finite numbers"});
+  refuse(spin(), "quadratic", "", {"quadratic is missing"});
+}
+
+TEST_F(system_scenes, faults_of_a_spins_own_units_are_refused) {
+  for (const auto* key : {"damping", "temperature"}) {
+    refuse(own_units(), key, "-0.1", {std::string(key) + " = -0.1", ">= 0"});
+    refuse(own_units(), key, "", {std::string(key) + " is missing"});
+  }
+  refuse(own_units(), "anisotropy", "[[1, 2], [2, 1]]", {"anisotropy = "});
+  for (const auto* other : {"theta", "sigma"}) refuse(own_units(), other, "0.5", {"unknown key", "temperature"});
+  refuse(own_units(), "quadratic", "[1, 2, 3]", {"quadratic = ", "unknown key"});
+}
+
+TEST_F(system_scenes, faults_of_coupled_bodies_are_refused) {
+  for (const auto* bad : {"[1, 2, 3]", "[1, 2, 3, 4, 5, 0]", "[1, 2, 3, 4, 5, -6]", "1.0"})
+    refuse(so4(), "inertia", bad, {"inertia = ", "six finite numbers > 0"});
+  for (const auto* bad : {"[0.3]", "nan", "'x'"}) refuse(so4(), "coupling", bad, {"coupling = ", "a finite number"});
+  refuse(so4(), "sigma", "[1, 2, 3]", {"sigma = ", "six of them"});
+  refuse(so4(), "momentum", "[1, 2, 3]", {"momentum = ", "six finite numbers, not all zero"});
+  refuse(so4(), "quadratic", "[1, 2, 3]", {"unknown key"});
+}
+
+// An experiment that is asked for by name and cannot answer says why.
+TEST_F(system_scenes, what_has_no_exact_law_says_so) {
+  const auto r = polhode::verify(load_scene("so4"), {.schemes = {"heun"}, .experiments = {"lyapunov", "weak"}});
+  ASSERT_EQ(r.skipped.size(), 2u);
+  for (const auto& s : r.skipped) EXPECT_NE(s.reason.find("does not live on one"), std::string::npos) << s.reason;
+  for (const auto& v : r.verdicts) EXPECT_EQ(v.kind, polhode::report::verdict_kind::skipped) << v.claim;
+  try {
+    polhode::reference(load_scene("so4"), {"gibbs", "energy", {}, 0});
+    FAIL();
+  } catch (const polhode::input_error& e) {
+    EXPECT_NE(std::string(e.what()).find("so4_body"), std::string::npos) << e.what();
+  }
+}
+
+}  // namespace

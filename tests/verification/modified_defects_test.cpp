@@ -1,0 +1,130 @@
+// Which equation a scheme solves: defects and over-claims that have to be refuted.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <ostream>
+#include <span>
+
+#include "experiments/modified/modified_steps.hpp"
+#include "run/verify.hpp"
+#include "scene/scene.hpp"
+#include "support/verdicts.hpp"
+
+namespace polhode {
+namespace {
+
+using test::scheme_of, test::verdict_of;
+
+report::results quick(const subject& s) { return test::quick_results(s, {"modified"}); }
+
+constexpr std::string_view parameters = "parameters converge to the scene's",
+                           residual = "residual falls at the weak order";
+
+using change = void (*)(report::scene&);
+
+/// The scheme as it is on one scene, held to another: what a wrong number in its code would be.
+subject planted(const report::scene& scene, std::string_view scheme, change wrong) {
+  auto changed = scene;
+  wrong(changed);
+  auto s = bind_scene(scene);
+  s.schemes = {scheme_of(bind_scene(changed), scheme)};
+  s.with = [s](const report::scene&) { return s; };
+  return s;
+}
+
+template <int Percent>
+void stronger_noise(report::scene& s) {
+  for (auto& v : s.vectors("sigma"))
+    for (auto& x : v) x *= 1 + Percent / 1000.0;
+}
+
+struct defect {
+  const char *name, *scheme;
+  change wrong;
+};
+void PrintTo(const defect& d, std::ostream* out) { *out << d.name << ", " << d.scheme; }
+
+struct ModifiedDefects : testing::TestWithParam<defect> {};
+
+TEST_P(ModifiedDefects, AreRefuted) {
+  const auto r = quick(planted(load_scene("paper"), GetParam().scheme, GetParam().wrong));
+  EXPECT_EQ(verdict_of(r, parameters).kind, report::verdict_kind::refuted) << verdict_of(r, parameters).reason;
+}
+
+constexpr change noise_strong = stronger_noise<1>, noise_weak = stronger_noise<-1>,
+                 theta_large = [](report::scene&s) { s.number("theta") *= 1.001; },
+                 inertia_one = [](report::scene&s) { s.vector("inertia")[0] *= 1.01; },
+                 inertia_two = [](report::scene&s) { s.vector("inertia")[1] *= 0.999; },
+                 inertia_three = [](report::scene&s) { s.vector("inertia")[2] *= 1.001; },
+                 turned_noise = [](report::scene&s) {
+                   s.vectors("sigma")[0] = {0.5, 0.0005, 0};
+                 };
+
+INSTANTIATE_TEST_SUITE_P(Planted, ModifiedDefects,
+                         testing::Values(defect{"noise 0.1 % strong", "lie_euler", noise_strong},
+                                         defect{"noise 0.1 % strong", "strang_weak2", noise_strong},
+                                         defect{"noise 0.1 % weak", "lie_euler", noise_weak},
+                                         defect{"noise 0.1 % weak", "strang_weak2", noise_weak},
+                                         defect{"theta 0.1 % large", "lie_euler", theta_large},
+                                         defect{"theta 0.1 % large", "strang_weak2", theta_large},
+                                         defect{"I_1 1 % large", "lie_euler", inertia_one},
+                                         defect{"I_1 1 % large", "strang_weak2", inertia_one},
+                                         defect{"I_2 0.1 % small", "lie_euler", inertia_two},
+                                         defect{"I_2 0.1 % small", "strang_weak2", inertia_two},
+                                         defect{"I_3 0.1 % large", "lie_euler", inertia_three},
+                                         defect{"I_3 0.1 % large", "strang_weak2", inertia_three},
+                                         defect{"channels correlated by 0.001", "lie_heun", turned_noise},
+                                         defect{"channels correlated by 0.001", "implicit_midpoint", turned_noise}));
+
+// Weak noise hides dt behind dt^2 in every slope; the coefficient of dt is seen all the same.
+TEST(Modified, WeakOrderTwoOverclaimedIsRefutedUnderWeakNoise) {
+  for (const double sigma : {0.1, 0.05}) {
+    auto scene = load_scene("paper");
+    scene.vectors("sigma") = {{sigma, 0, 0}, {0, sigma, 0}, {0, 0, sigma}};
+    auto s = bind_scene(scene);
+    const auto healthy = scheme_of(s, "strang_weak2");
+    auto poser = scheme_of(s, "strang");
+    poser.info = healthy.info;
+    s.schemes = {poser};
+    const auto r = quick(s);
+    EXPECT_EQ(verdict_of(r, parameters).kind, report::verdict_kind::refuted)
+        << sigma << ": " << verdict_of(r, parameters).reason;
+    s.schemes = {healthy};
+    const auto of_healthy = quick(s);
+    for (const auto claim : {parameters, residual})
+      EXPECT_EQ(verdict_of(of_healthy, claim).kind, report::verdict_kind::holds) << sigma << ": " << claim;
+  }
+}
+
+/// Leaves out the last step of every run of more than one.
+class forgetful final : public kernel {
+ public:
+  explicit forgetful(std::unique_ptr<kernel> k) : k_(std::move(k)) {}
+  void advance(std::span<double> states, const increment_view& v, piece p) const override {
+    auto fewer = v;
+    if (v.steps > 1) --fewer.steps;
+    k_->advance(states, fewer, p);
+  }
+  shared_steps share(const increment_view& v) const override { return k_->share(v); }
+  void advance(std::span<double> states, const shared_steps& v, std::int64_t first, std::int64_t steps,
+               piece p) const override {
+    k_->advance(states, v, first, steps, p);
+  }
+  void finish(std::span<double> states, double dt) const override { k_->finish(states, dt); }
+
+ private:
+  std::unique_ptr<kernel> k_;
+};
+
+TEST(Modified, ALoopThatLeavesOutItsLastStepIsRefuted) {
+  const auto s = bind_scene(load_scene("paper"));
+  ASSERT_FALSE(s.schemes.empty());
+  for (auto scheme : s.schemes) {
+    EXPECT_EQ(judge_steps({s}, scheme).kind, report::verdict_kind::holds) << judge_steps({s}, scheme).reason;
+    scheme.make = [inner = scheme.make](double dt) { return std::make_unique<forgetful>(inner(dt)); };
+    EXPECT_EQ(judge_steps({s}, scheme).kind, report::verdict_kind::refuted) << scheme.info.name;
+  }
+}
+
+}  // namespace
+}  // namespace polhode
