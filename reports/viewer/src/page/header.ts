@@ -104,7 +104,9 @@ function noiseOf(s: Scene): string {
 }
 
 const valueOf = (p: Parameter): string =>
-  p.rows.length === 1 && p.rows[0]?.length === 1 ? shown(p.rows[0][0] ?? null) : p.rows.map((row) => tuple(row)).join(' ');
+  p.rows.length === 1 && p.rows[0]?.length === 1
+    ? shown(p.rows[0][0] ?? null)
+    : p.rows.map((row) => tuple(row)).join(' ');
 
 const fact = (term: Child[], value: string): Child => h('div', {}, h('dt', {}, ...term), h('dd', {}, value || '–'));
 const letter = (name: string, index = ''): Child =>
@@ -171,11 +173,6 @@ export function header(r: Results): HTMLElement {
         ),
         h('ul', {}, ...r.missing.slice(0, 30).map((what) => h('li', {}, what))),
       ),
-    h(
-      'div',
-      { class: 'scene' },
-      r.scene.momentum.length === 3 ? onSphere(r.scene) : coadjoint(),
-      sceneFacts(r.scene),
-    ),
+    h('div', { class: 'scene' }, r.scene.momentum.length === 3 ? onSphere(r.scene) : coadjoint(), sceneFacts(r.scene)),
   );
 }
