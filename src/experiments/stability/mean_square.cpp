@@ -91,9 +91,11 @@ void find_agreement(const subject& s, const scheme_entry& scheme, double rate, g
   }
 }
 
-/// What rounding leaves of a rate, the logarithm of a radius known to some 16 units over dt, thirty times: so that it
-/// does not bend a slope.
-double floor_at(double dt) { return 30 * 16 * std::numeric_limits<double>::epsilon() / dt; }
+/// What rounding leaves of a rate: the logarithm of a radius known to some 16 units over dt.
+double rounding_at(double dt) { return 16 * std::numeric_limits<double>::epsilon() / dt; }
+
+/// Thirty times that, so that it does not bend a slope.
+double floor_at(double dt) { return 30 * rounding_at(dt); }
 
 double true_growth(const sphere_problem& p, const noisy_equilibrium& e) {
   return mean_square_growth(linearised_about(p, e.direction, e.strength));
@@ -111,8 +113,9 @@ growth_finding find(const subject& s, const scheme_entry& scheme, const noisy_eq
     dt.push_back(std::exp2(-2 - l) / rate);
     const double own = own_mean_square_growth(s, scheme, e.direction, dt.back());
     errors.push_back(std::fabs(own - found.truth));
-    out.measurements.push_back(measured(growth, dt.back(), own));
-    points.push_back(measured(error, dt.back(), errors.back()));
+    const double size = errors.back(), rounding = rounding_at(dt.back());
+    out.measurements.push_back(measured(growth, dt.back(), own, own - rounding, own + rounding));
+    points.push_back(measured(error, dt.back(), size, std::max(0.0, size - rounding), size + rounding));
   }
   for (std::size_t l = 0; l < dt.size(); ++l)
     if (errors[l] <= floor_at(dt[l]))
