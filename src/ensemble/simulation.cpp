@@ -7,10 +7,10 @@
 
 #include "ensemble/noise_at.hpp"
 
-#include "ensemble/direction_bins.hpp"
 #include "ensemble/noise/paths.hpp"
 #include "ensemble/noise/shared_increments.hpp"
-#include "ensemble/sphere_bins.hpp"
+#include "ensemble/observing/direction_bins.hpp"
+#include "ensemble/observing/sphere_bins.hpp"
 #include "ensemble/uniform_start.hpp"
 
 namespace polhode {

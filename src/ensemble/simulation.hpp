@@ -9,7 +9,7 @@
 
 #include "ensemble/kernel.hpp"
 #include "ensemble/model.hpp"
-#include "ensemble/observation.hpp"
+#include "ensemble/observing/observation.hpp"
 
 namespace polhode {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <ctime>
 
+#include "ensemble/observing/sphere_bins.hpp"
 #include "ensemble/simulation.hpp"
-#include "ensemble/sphere_bins.hpp"
 #include "platform/isa.hpp"
 #include "platform/memory.hpp"
 #include "run/machine_options.hpp"

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "ensemble/sphere_bins.hpp"
+#include "ensemble/observing/sphere_bins.hpp"
 
 namespace polhode {
 namespace {

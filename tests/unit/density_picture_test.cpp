@@ -10,7 +10,7 @@
 
 #include <polhode/vec.hpp>
 
-#include "ensemble/sphere_bins.hpp"
+#include "ensemble/observing/sphere_bins.hpp"
 #include "reports/writers/npy.hpp"
 
 namespace polhode {

@@ -1,4 +1,4 @@
-#include "ensemble/observation.hpp"
+#include "ensemble/observing/observation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 
 #include <polhode/noise/normal.hpp>
 
-#include "ensemble/angle.hpp"
-#include "ensemble/direction_bins.hpp"
-#include "ensemble/sphere_bins.hpp"
+#include "ensemble/observing/angle.hpp"
+#include "ensemble/observing/direction_bins.hpp"
+#include "ensemble/observing/sphere_bins.hpp"
 #include "platform/isa.hpp"
 #include "run/verify.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "ensemble/noise/paths.hpp"
 #include "ensemble/noise/shared_increments.hpp"
-#include "ensemble/sphere_bins.hpp"
+#include "ensemble/observing/sphere_bins.hpp"
 #include "run/verify.hpp"
 #include "support/schemes.hpp"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ensemble/sphere_bins.hpp"
+#include "ensemble/observing/sphere_bins.hpp"
 #include "experiments/attractor/attractor.hpp"
 #include "sphere/harmonics.hpp"
 

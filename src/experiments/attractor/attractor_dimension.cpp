@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "ensemble/sphere_bins.hpp"
+#include "ensemble/observing/sphere_bins.hpp"
 #include "experiments/attractor/attractor.hpp"
 #include "experiments/common/progress_counter.hpp"
 #include "experiments/common/sequential.hpp"

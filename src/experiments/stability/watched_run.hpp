@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ensemble/noise/paths.hpp"
-#include "ensemble/running_moments.hpp"
+#include "ensemble/observing/running_moments.hpp"
 #include "experiments/stability/stability_run.hpp"
 
 namespace polhode {

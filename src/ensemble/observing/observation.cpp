@@ -1,4 +1,4 @@
-#include "ensemble/observation.hpp"
+#include "ensemble/observing/observation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ensemble/direction_bins.hpp"
+#include "ensemble/observing/direction_bins.hpp"
 
 #include "platform/isa_entry.hpp"
 

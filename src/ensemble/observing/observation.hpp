@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ensemble/model.hpp"
-#include "ensemble/running_moments.hpp"
+#include "ensemble/observing/running_moments.hpp"
 
 namespace polhode {
 

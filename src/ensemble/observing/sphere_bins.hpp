@@ -8,7 +8,7 @@
 
 #include <polhode/scalar.hpp>
 
-#include "ensemble/angle.hpp"
+#include "ensemble/observing/angle.hpp"
 
 namespace polhode {
 

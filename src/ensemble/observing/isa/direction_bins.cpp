@@ -1,10 +1,10 @@
 // Compiled once per instruction set, without contraction of products and sums, so that every one finds the same bins.
-#include "ensemble/direction_bins.hpp"
+#include "ensemble/observing/direction_bins.hpp"
 
 #include <limits>
 
 #include "ensemble/kernel_of.hpp"
-#include "ensemble/sphere_bins.hpp"
+#include "ensemble/observing/sphere_bins.hpp"
 #include "platform/flatten.hpp"
 #include "platform/isa_entry.hpp"
 
