@@ -4,17 +4,15 @@
 #include <utility>
 
 #include <polhode/lie/so3.hpp>
-#include <polhode/systems/constant_noise.hpp>
-#include <polhode/systems/lie_poisson.hpp>
+#include <polhode/systems/double_bracket.hpp>
 
 namespace polhode {
 
-struct toy_system : constant_noise<so3> {
-  using algebra = so3;
+struct toy_system : double_bracket<toy_system, so3> {
   toy_system(double stiffness, double dissipation, constant_noise<so3> vectors)
-      : constant_noise(std::move(vectors)), k(stiffness), theta(dissipation) {}
+      : double_bracket(dissipation, std::move(vectors)), k(stiffness) {}
 
-  double k, theta;
+  double k;
 
   template <class S>
   vec<S, 3> omega(const vec<S, 3>& pi) const {
@@ -24,17 +22,6 @@ struct toy_system : constant_noise<so3> {
   S energy(const vec<S, 3>& pi) const {
     return S(0.25 * k) * (pi[2] * pi[2]) * (pi[2] * pi[2]);
   }
-  template <class S>
-  S dissipation_rate(const vec<S, 3>& pi) const {
-    const auto c = cross(pi, omega(pi));
-    return S(theta) * dot(c, c);
-  }
-  template <class S>
-  vec<S, 3> generator(const vec<S, 3>& pi) const {
-    const auto w = omega(pi);
-    return w + S(theta) * cross(pi, w);
-  }
-  toy_system with_noise(constant_noise<so3> other) const { return {k, theta, std::move(other)}; }
 };
 
 }  // namespace polhode

@@ -11,29 +11,18 @@
 #include <utility>
 
 #include <polhode/lie/so3.hpp>
-#include <polhode/systems/constant_noise.hpp>
-#include <polhode/systems/lie_poisson.hpp>
+#include <polhode/systems/double_bracket.hpp>
 #include <polhode/systems/principal_quadratic.hpp>
 
 namespace polhode {
 
-struct rigid_body : constant_noise<so3> {
-  using algebra = so3;
-
+struct rigid_body : double_bracket<rigid_body, so3> {
   /// Moments of inertia > 0, theta >= 0.
   rigid_body(const std::array<double, 3>& inertia, double dissipation, constant_noise<so3> noise_vectors)
-      : constant_noise(std::move(noise_vectors)),
-        inverse_inertia{{1 / inertia[0], 1 / inertia[1], 1 / inertia[2]}},
-        theta(dissipation) {}
+      : double_bracket(dissipation, std::move(noise_vectors)),
+        inverse_inertia{{1 / inertia[0], 1 / inertia[1], 1 / inertia[2]}} {}
 
   vec<double, 3> inverse_inertia;
-  double theta;
-
-  rigid_body with_noise(constant_noise<so3> other) const {
-    rigid_body copy = *this;
-    static_cast<constant_noise<so3>&>(copy) = std::move(other);
-    return copy;
-  }
 
   template <class S>
   vec<S, 3> omega(const vec<S, 3>& pi) const {
@@ -43,20 +32,6 @@ struct rigid_body : constant_noise<so3> {
   template <class S>
   S energy(const vec<S, 3>& pi) const {
     return S(0.5) * dot(pi, omega(pi));
-  }
-
-  /// -dh/dt without noise: theta |Pi x Omega|^2 (eq. 3.5).
-  template <class S>
-  S dissipation_rate(const vec<S, 3>& pi) const {
-    const auto c = cross(pi, omega(pi));
-    return S(theta) * dot(c, c);
-  }
-
-  /// a(Pi) = Omega + theta Pi x Omega.
-  template <class S>
-  vec<S, 3> generator(const vec<S, 3>& pi) const {
-    const auto w = omega(pi);
-    return w + S(theta) * cross(pi, w);
   }
 
   /// The parts' flows: see principal_quadratic.

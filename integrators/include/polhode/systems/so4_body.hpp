@@ -1,7 +1,8 @@
 // Two bodies, or two spins, coupled through the energy: the dissipative stochastic top on so(4)* = so(3)* + so(3)*.
 //
-//   dmu = ad*_{Omega + theta ad*_Omega mu} mu dt + sum_i ad*_{sigma_i} mu o dW^i,   Omega = grad h (Stratonovich) h =
-//   1/2 sum_k mu_k^2 / I_k + coupling (mu_1, mu_2, mu_3) . (mu_4, mu_5, mu_6)
+//   dmu = ad*_{Omega + theta ad*_Omega mu} mu dt + sum_i ad*_{sigma_i} mu o dW^i,   Omega = grad h   (Stratonovich)
+//
+//   h = 1/2 sum_k mu_k^2 / I_k + coupling (mu_1, mu_2, mu_3) . (mu_4, mu_5, mu_6)
 //
 // Source: Arnaudon, De Castro, Holm, arXiv:1601.02249 (noise and dissipation on coadjoint orbits).
 #pragma once
@@ -11,31 +12,23 @@
 #include <utility>
 
 #include <polhode/lie/so4.hpp>
-#include <polhode/systems/constant_noise.hpp>
-#include <polhode/systems/lie_poisson.hpp>
+#include <polhode/systems/double_bracket.hpp>
 #include <polhode/systems/principal_quadratic.hpp>
 
 namespace polhode {
 
-struct so4_body : constant_noise<so4> {
-  using algebra = so4;
+struct so4_body : double_bracket<so4_body, so4> {
   static constexpr bool approximate_dissipation = true;  ///< where the bodies are coupled
 
   /// Moments of inertia > 0, any coupling, theta >= 0.
   so4_body(const std::array<double, 6>& inertia, double coupling_constant, double dissipation,
            constant_noise<so4> noise_vectors)
-      : constant_noise(std::move(noise_vectors)), coupling(coupling_constant), theta(dissipation) {
+      : double_bracket(dissipation, std::move(noise_vectors)), coupling(coupling_constant) {
     for (int k = 0; k < 6; ++k) inverse_inertia[k] = 1 / inertia[static_cast<std::size_t>(k)];
   }
 
   vec<double, 6> inverse_inertia{};
-  double coupling, theta;
-
-  so4_body with_noise(constant_noise<so4> other) const {
-    so4_body copy = *this;
-    static_cast<constant_noise<so4>&>(copy) = std::move(other);
-    return copy;
-  }
+  double coupling;
 
   template <class S>
   vec<S, 6> omega(const vec<S, 6>& mu) const {
@@ -44,18 +37,6 @@ struct so4_body : constant_noise<so4> {
   template <class S>
   S energy(const vec<S, 6>& mu) const {
     return S(0.5) * dot(mu, omega(mu));
-  }
-  /// -dh/dt without noise: theta |ad*_Omega mu|^2.
-  template <class S>
-  S dissipation_rate(const vec<S, 6>& mu) const {
-    const auto c = so4::coad(omega(mu), mu);
-    return S(theta) * dot(c, c);
-  }
-  /// a(mu) = Omega + theta ad*_Omega mu.
-  template <class S>
-  vec<S, 6> generator(const vec<S, 6>& mu) const {
-    const auto w = omega(mu);
-    return w + S(theta) * so4::coad(w, mu);
   }
 
   /// The dissipation alone, to second order: half of the coupling's, that of each body, half of the coupling's.

@@ -15,22 +15,19 @@
 #include <utility>
 
 #include <polhode/lie/so3.hpp>
-#include <polhode/systems/constant_noise.hpp>
-#include <polhode/systems/lie_poisson.hpp>
+#include <polhode/systems/double_bracket.hpp>
 #include <polhode/systems/principal_quadratic.hpp>
 
 namespace polhode {
 
-struct spin : constant_noise<so3> {
-  using algebra = so3;
+struct spin : double_bracket<spin, so3> {
   static constexpr bool approximate_dissipation = true;  ///< in a field that is not all of h
 
   /// quadratic symmetric, theta >= 0.
   spin(const Eigen::Matrix3d& quadratic, const std::array<double, 3>& field_vector, double dissipation,
        constant_noise<so3> noise_vectors)
-      : constant_noise(std::move(noise_vectors)),
+      : double_bracket(dissipation, std::move(noise_vectors)),
         field{{field_vector[0], field_vector[1], field_vector[2]}},
-        theta(dissipation),
         diagonal_(quadratic.isDiagonal(0)),
         has_field_(field[0] != 0 || field[1] != 0 || field[2] != 0) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(quadratic);
@@ -48,13 +45,6 @@ struct spin : constant_noise<so3> {
   }
 
   vec<double, 3> field;
-  double theta;
-
-  spin with_noise(constant_noise<so3> other) const {
-    spin copy = *this;
-    static_cast<constant_noise<so3>&>(copy) = std::move(other);
-    return copy;
-  }
 
   template <class S>
   vec<S, 3> omega(const vec<S, 3>& pi) const {
@@ -64,20 +54,6 @@ struct spin : constant_noise<so3> {
   template <class S>
   S energy(const vec<S, 3>& pi) const {
     return dot(pi, S(0.5) * linear(pi) + lifted<S>(field));
-  }
-
-  /// -dh/dt without noise: theta |Pi x Omega|^2.
-  template <class S>
-  S dissipation_rate(const vec<S, 3>& pi) const {
-    const auto c = cross(pi, omega(pi));
-    return S(theta) * dot(c, c);
-  }
-
-  /// a(Pi) = Omega + theta Pi x Omega.
-  template <class S>
-  vec<S, 3> generator(const vec<S, 3>& pi) const {
-    const auto w = omega(pi);
-    return w + S(theta) * cross(pi, w);
   }
 
   /// The dissipation alone: exact where there is no field or nothing but a field, else both flows in a palindrome, to
