@@ -39,8 +39,8 @@ struct shape_axis {
 
 struct capabilities {
   rate_bounds rates;
-  std::optional<sphere_problem> sphere =
-      {};  ///< the diffusion, where it lives on a sphere: all that is exact there follows
+  /// The diffusion, where it lives on a sphere: all that is exact there follows.
+  std::optional<sphere_problem> sphere = {};
   std::optional<free_motion> free = {};
   std::optional<shape_axis> shape = {};
   std::function<report::scene(int power)> in_unit = {};  ///< the same solutions at |mu| times 4^power, t over it

@@ -18,14 +18,17 @@
 namespace polhode {
 namespace {
 
+Eigen::Matrix3d matrix_of(const report::number_rows& rows) {
+  Eigen::Matrix3d out;
+  for (Eigen::Index i = 0; i < 3; ++i)
+    out.row(i) = Eigen::Map<const Eigen::RowVector3d>(rows[static_cast<std::size_t>(i)].data());
+  return out;
+}
+
 [[maybe_unused]] spin make_spin(const report::scene& s) {
-  Eigen::Matrix3d quadratic;
-  const auto& rows = s.vectors("quadratic");
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) quadratic(i, k) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
   std::vector<spin::column> vectors;
   for (const auto& v : noise_vectors_of(s)) vectors.push_back({{v[0], v[1], v[2]}});
-  return {quadratic, three(s.vector("field")), dissipation_of(s), spin::from_vectors(vectors)};
+  return {matrix_of(s.vectors("quadratic")), three(s.vector("field")), dissipation_of(s), spin::from_vectors(vectors)};
 }
 
 }  // namespace
@@ -42,12 +45,6 @@ using report::shape;
 
 constexpr double least_anisotropy = 1e-3, greatest_anisotropy = 1e3, next_to_none = 1e-8;
 
-Eigen::Matrix3d matrix_of(const number_rows& rows) {
-  Eigen::Matrix3d out;
-  for (Eigen::Index i = 0; i < 3; ++i)
-    out.row(i) = Eigen::Map<const Eigen::RowVector3d>(rows[static_cast<std::size_t>(i)].data());
-  return out;
-}
 number_rows rows_of(const Eigen::Matrix3d& m) {
   number_rows out;
   for (Eigen::Index i = 0; i < 3; ++i) out.push_back({m(i, 0), m(i, 1), m(i, 2)});
