@@ -16,7 +16,6 @@ inline constexpr int block_lanes = 64;
 /// Increments of a block over a chunk of steps, [step][channel][lane] and [step][pair i<j][lane]; or of one path,
 /// [step][channel] and [step][pair]. Neither dw nor singles: no noise.
 struct increment_view {
-  double dt = 0;
   int steps = 0;
   std::span<const double> dw;
   std::span<const double> area;      ///< empty where nobody asks for areas
@@ -24,11 +23,22 @@ struct increment_view {
   double scale = 1;
 
   bool silent() const { return dw.empty() && singles.empty(); }
+
+  /// `count` of the steps, from `first` on.
+  increment_view part(int first, int count) const {
+    const auto cut = [&]<class Real>(std::span<const Real> all) {
+      const auto each = all.size() / static_cast<std::size_t>(steps);
+      return all.subspan(static_cast<std::size_t>(first) * each, static_cast<std::size_t>(count) * each);
+    };
+    return {count, cut(dw), cut(area), cut(singles), scale};
+  }
 };
+
+/// No noise at all: nothing is stored, and nothing drawn.
+inline increment_view silence(int steps) { return {steps, {}, {}}; }
 
 /// What one common noise does at each step, in a form that belongs to the kernel which made it.
 struct shared_steps {
-  double dt = 0;
   std::size_t words = 0;  ///< per step
   std::vector<double> table;
 };
@@ -42,6 +52,10 @@ struct piece {
 class kernel {
  public:
   virtual ~kernel() = default;
+
+  /// The time step for which it was made: increments are those of such steps, and nobody else says how long they are.
+  virtual double dt() const = 0;
+
   /// Advances the states, [component][lane], through all steps of the view: every lane has its own noise, or there is
   /// none.
   virtual void advance(std::span<double> states, const increment_view&, piece = {}) const = 0;
@@ -52,7 +66,7 @@ class kernel {
                        piece = {}) const = 0;
 
   /// Of states between two pieces: the states as they would be if the run ended here.
-  virtual void finish(std::span<double> states, double dt) const = 0;
+  virtual void finish(std::span<double> states) const = 0;
 };
 
 }  // namespace polhode

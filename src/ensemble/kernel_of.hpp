@@ -55,7 +55,7 @@ concept merges_on = requires {
   Scheme::outer(system, Scheme::inner(system, mu, w), half_step{});
 };
 
-/// Forms: a system in the forms in which the loops need it (plain_forms below is the simplest).
+/// Forms: a system in the forms in which the loops need it (plain_forms.hpp is the simplest).
 ///   own(unit): for paths with increments of their own, in units of `unit`; take(view, scratch) brings them into the
 ///   form it expects
 ///   silent(): without noise
@@ -65,10 +65,13 @@ concept merges_on = requires {
 template <class Scheme, class Forms, class S>
 class kernel_of final : public kernel {
  public:
-  explicit kernel_of(Forms forms) : forms_(std::move(forms)) {}
+  /// dt: of every step, and of all that the forms hold ready for one.
+  kernel_of(Forms forms, double dt) : forms_(std::move(forms)), dt_(dt) {}
+
+  double dt() const override { return dt_; }
 
   POLHODE_FLATTEN void advance(std::span<double> states, const increment_view& given, piece p) const override {
-    const double dt = given.dt;
+    const double dt = dt_;
     count_path_steps(static_cast<std::uint64_t>(given.steps) * block_lanes, Scheme::info.name.data());
     if (given.silent()) {
       const auto system = forms_.silent();
@@ -95,16 +98,17 @@ class kernel_of final : public kernel {
   POLHODE_FLATTEN void advance(std::span<double> states, const shared_steps& noise, std::int64_t first_step,
                                std::int64_t steps, piece p) const override {
     count_path_steps(static_cast<std::uint64_t>(steps) * block_lanes, Scheme::info.name.data());
+    const double dt = dt_;
     const double* row = noise.table.data() + static_cast<std::size_t>(first_step) * noise.words;
     auto system = forms_.common();
-    run(rows_of(states), steps, noise.dt, p, [&](std::int64_t, auto&& pass) {
-      const auto w = forms_.template enter<S>(system, row, noise.dt);
+    run(rows_of(states), steps, dt, p, [&](std::int64_t, auto&& pass) {
+      const auto w = forms_.template enter<S>(system, row, dt);
       row += noise.words;
       pass(system, [w = w](int) { return w; });
     });
   }
 
-  POLHODE_FLATTEN void finish(std::span<double> states, double dt) const override { close(rows_of(states), dt); }
+  POLHODE_FLATTEN void finish(std::span<double> states) const override { close(rows_of(states), dt_); }
 
  private:
   using own_system = std::remove_cvref_t<decltype(std::declval<const Forms&>().own(1.0))>;
@@ -172,49 +176,7 @@ class kernel_of final : public kernel {
   }
 
   Forms forms_;
-};
-
-/// The forms of any system: increments as they come, one branch-free zero where there is no noise.
-template <class System>
-class plain_forms {
- public:
-  static constexpr int channels = System::channels, pairs = pairs_of<channels>;
-  explicit plain_forms(System system) : system_(std::move(system)) {}
-
-  int axis(int k) const { return k; }
-  const System& own(double) const { return system_; }
-  const System& silent() const { return system_; }
-  /// As doubles, in units of 1.
-  increment_view take(const increment_view& view, std::vector<double>& scratch) const {
-    if (view.singles.empty()) return view;
-    scratch.assign(view.singles.begin(), view.singles.end());
-    for (double& dw : scratch) dw *= view.scale;
-    return {view.dt, view.steps, scratch, view.area};
-  }
-
-  shared_steps share(const increment_view& path) const {
-    shared_steps out{path.dt, channels + pairs, {}};
-    out.table.resize(static_cast<std::size_t>(path.steps) * out.words);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(path.steps); ++i) {
-      for (std::size_t k = 0; k < channels && !path.dw.empty(); ++k)
-        out.table[i * out.words + k] = path.dw[i * channels + k];
-      for (std::size_t k = 0; k < pairs && !path.area.empty(); ++k)
-        out.table[i * out.words + channels + k] = path.area[i * pairs + k];
-    }
-    return out;
-  }
-  const System& common() const { return system_; }
-  template <class S>
-  wiener_levy<S, channels> enter(const System&, const double* row, double dt) const {
-    wiener_levy<S, channels> w;
-    w.dt = dt;
-    for (int k = 0; k < channels; ++k) w.dw[k] = S(row[k]);
-    for (int k = 0; k < pairs; ++k) w.area[k] = S(row[channels + k]);
-    return w;
-  }
-
- private:
-  System system_;
+  double dt_;
 };
 
 }  // namespace polhode

@@ -31,8 +31,8 @@ class model {
   /// Chen's relation over groups of `factor` steps: [step][channel][lane] in and out. An input without areas is a
   /// piecewise linear path.
   virtual void coarsen(const increment_view& fine, int factor, std::span<double> dw, std::span<double> area) const = 0;
-  /// The driven ordinary differential equation, to fourth order: the reference for strong errors.
-  virtual std::unique_ptr<kernel> reference() const = 0;
+  /// The driven ordinary differential equation over steps of dt, to fourth order: the reference for strong errors.
+  virtual std::unique_ptr<kernel> reference(double dt) const = 0;
 };
 
 }  // namespace polhode

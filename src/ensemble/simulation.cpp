@@ -46,7 +46,7 @@ class ensemble_run {
       : model_(m), kernel_(k), plan_(p), progress_(progress), counting_(p.snapshots.size()) {
     noiseless_ = p.noise == ensemble_noise::none || m.active_channels() == 0;
     if (!noiseless_ && p.noise == ensemble_noise::common) {
-      const shared_increments drawn(m, p.seed, p.steps, p.dt, p.with_areas, p.threads, p.source, p.path);
+      const shared_increments drawn(m, p.seed, p.steps, k.dt(), p.with_areas, p.threads, p.source, p.path);
       const auto all = drawn.view(0, static_cast<int>(p.steps));
       if (p.hear) p.hear(all);
       common_ = k.share(all);
@@ -85,7 +85,7 @@ class ensemble_run {
           tell(n);
         }
         seen = states;
-        if (step < plan_.steps) kernel_.finish(seen, plan_.dt);
+        if (step < plan_.steps) kernel_.finish(seen);
         observer.observe(seen, lanes_of(block), moments[i]);
         if (!last) count(seen, lanes_of(block), i);
       }
@@ -116,11 +116,11 @@ class ensemble_run {
                increment_buffer& noise) const {
     const auto part = [&](std::int64_t from, std::int64_t n) { return piece{from == 0, from + n == plan_.steps}; };
     if (common_) return kernel_.advance(states, *common_, step, steps, part(step, steps));
-    if (noiseless_) return kernel_.advance(states, silence(static_cast<int>(steps), plan_.dt), part(step, steps));
+    if (noiseless_) return kernel_.advance(states, silence(static_cast<int>(steps)), part(step, steps));
     for (std::int64_t done = 0; done < steps; done += chunk) {
       const int n = static_cast<int>(std::min<std::int64_t>(chunk, steps - done));
       const auto view = noise.fill(plan_.seed, static_cast<std::uint64_t>(block * block_lanes),
-                                   static_cast<std::uint64_t>(step + done), n, plan_.dt);
+                                   static_cast<std::uint64_t>(step + done), n, kernel_.dt());
       kernel_.advance(states, view, part(step + done, n));
     }
   }

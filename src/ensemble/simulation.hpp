@@ -20,7 +20,6 @@ struct simulation_plan {
   ensemble_noise noise = ensemble_noise::none;
   ensemble_start start = ensemble_start::momentum;
   std::vector<double> momentum;  ///< where all start, or a point of the sphere on which they do
-  double dt = 0;
   std::int64_t steps = 0, bodies = 0;
   std::vector<std::int64_t> snapshots;  ///< step numbers, strictly increasing, in [1, steps]
   bool with_areas = false;
@@ -44,8 +43,8 @@ struct simulated {
   std::uint64_t drawn = 0;  ///< increments and areas computed for bodies that exist; starting points are not among them
 };
 
-/// The kernel must have been made for plan.dt. `progress` is given the share done, one call at a time.
-/// The result is a function of the plan without its threads.
+/// Steps are the kernel's. `progress` is given the share done, one call at a time. The result is a function of the
+/// kernel and of the plan without its threads.
 simulated simulate_ensemble(const model&, const kernel&, const simulation_plan&,
                             const std::function<void(double)>& progress = {});
 

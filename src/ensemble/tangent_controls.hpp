@@ -13,8 +13,9 @@ inline constexpr int tangent_control_count = 48;
 /// Of a block of bodies before one step: adds the controls of experiments/lyapunov/tangent_runs.hpp to sums,
 /// [control][lane].
 struct tangent_controls {
-  const double *states, *tangents;   ///< [component][lane]; of two tangents the first counts
-  increment_view step;               ///< one
+  const double *states, *tangents;  ///< [component][lane]; of two tangents the first counts
+  increment_view step;              ///< one, of dt
+  double dt;
   std::array<double, 9> sigma;       ///< [component][channel]: B = sigma dW
   std::array<double, 9> covariance;  ///< Q = sigma sigma^T, by rows
   double* sums;

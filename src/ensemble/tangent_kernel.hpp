@@ -13,6 +13,7 @@ inline constexpr int tangent_vectors = 2;
 class tangent_kernel {
  public:
   virtual ~tangent_kernel() = default;
+  virtual double dt() const = 0;
   /// Advances the states, [component][lane], through all steps of the view, as the kernel of the scheme would, and the
   /// tangents, [vector][component][lane], by the derivative of those very steps. Every lane has its own noise, or there
   /// is none. Tangents grow or shrink without bound: whoever calls often enough brings them back to length one.

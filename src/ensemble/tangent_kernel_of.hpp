@@ -16,7 +16,9 @@ namespace polhode {
 template <class Scheme, class System>
 class tangent_kernel_of final : public tangent_kernel {
  public:
-  explicit tangent_kernel_of(System system) : system_(std::move(system)) {}
+  tangent_kernel_of(System system, double dt) : system_(std::move(system)), dt_(dt) {}
+
+  double dt() const override { return dt_; }
 
   void advance(std::span<double> states, std::span<double> tangents, const increment_view& view) const override {
     count_path_steps(static_cast<std::uint64_t>(view.steps) * block_lanes, Scheme::info.name.data());
@@ -30,9 +32,9 @@ class tangent_kernel_of final : public tangent_kernel {
   static constexpr int next_vector = dimension * block_lanes;
   using number = dual<pack, tangent_vectors>;
 
-  static wiener_levy<number, channels> increment(const increment_view& view, int i, int lane) {
+  wiener_levy<number, channels> increment(const increment_view& view, int i, int lane) const {
     wiener_levy<number, channels> w;
-    w.dt = view.dt;
+    w.dt = dt_;
     if (view.silent()) return w;
     const auto dw = load_increment<pack, channels>(view, i * channels * block_lanes + lane);
     for (int k = 0; k < channels; ++k) w.dw[k].value = dw[k];
@@ -60,6 +62,7 @@ class tangent_kernel_of final : public tangent_kernel {
   }
 
   System system_;
+  double dt_;
 };
 
 }  // namespace polhode

@@ -84,7 +84,6 @@ prepared_run prepare(const scene& s, const simulate_options& o) {
   const bool alike = p.noise == ensemble_noise::independent;
   p.start = static_cast<ensemble_start>(choose("--start", o.start.empty() ? starts[alike] : o.start, starts));
   p.momentum = s.momentum;
-  p.dt = o.dt;
   p.steps = checked_steps(s, o.dt);
   if (o.bodies < 1) refuse("--bodies", fmt::format("{}", o.bodies), "accepted: a positive integer");
   p.bodies = o.bodies;
@@ -124,10 +123,10 @@ void take_over(simulated&& run, const prepared_run& r, report::simulation& out) 
   const auto& p = r.plan;
   out.numbers_drawn = run.drawn;
   out.states = std::move(run.states);
-  out.final = described(run.final, p.steps, p.dt);
+  out.final = described(run.final, p.steps, out.dt);
   for (std::size_t i = 0; i < p.snapshots.size(); ++i) {
     auto& s = run.snapshots[i];
-    out.snapshots.push_back({described(s.moments, p.snapshots[i], p.dt), std::move(s.counts), longitude_bins::heights,
+    out.snapshots.push_back({described(s.moments, p.snapshots[i], out.dt), std::move(s.counts), longitude_bins::heights,
                              longitude_bins::longitudes, std::move(s.picture), hemisphere_bins::side});
   }
 }
@@ -144,7 +143,7 @@ report::simulation frame_of(const scene& s, const simulate_options& o, const pre
   out.scene = s;
   const auto all = list_schemes();
   out.scheme = *std::ranges::find(all, std::string(r.scheme->info.name), &report::scheme::name);
-  out.dt = p.dt;
+  out.dt = o.dt;
   out.steps = p.steps;
   out.bodies = p.bodies;
   out.noise = noises[static_cast<std::size_t>(p.noise)];

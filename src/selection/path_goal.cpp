@@ -18,8 +18,7 @@ constexpr double quantile = 1.96;
 
 class path_goal final : public goal {
  public:
-  path_goal(const context& c, const goal_question& q)
-      : context_(c), time_(q.time), rate_(fastest_rate(c.subject)), reference_(c.subject.model->reference()) {}
+  path_goal(const context& c, const goal_question& q) : context_(c), time_(q.time), rate_(fastest_rate(c.subject)) {}
 
   std::vector<candidate> candidates(const subject& s) const override {
     std::vector<candidate> out;
@@ -57,12 +56,20 @@ class path_goal final : public goal {
   }
 
  private:
+  /// A step of the grid is so many cells of the truth.
+  struct run_kernels {
+    level_grid grid;
+    int cells;
+    std::unique_ptr<kernel> stepper, truth;
+  };
+
   error_estimate sampled(const candidate& c, double dt, std::uint64_t seed, int count) const {
-    const auto stepper = c.scheme.make(dt);
     const level_grid grid{time_, {static_cast<int>(std::lround(time_ / dt))}};
+    const run_kernels run{grid, cells(c, dt), c.scheme.make(grid.dt()[0]),
+                          context_.subject.model->reference(grid.dt()[0] / cells(c, dt))};
     std::vector<double> square(static_cast<std::size_t>(count));
     parallel_for(context_.threads, count / block_lanes,
-                 [&](int block) { run_block(*stepper, grid, cells(c, dt), seed, block * block_lanes, square); });
+                 [&](int block) { run_block(run, seed, block * block_lanes, square); });
     double sum = 0, squares = 0;
     for (const double x : square) {
       sum += x;
@@ -78,14 +85,13 @@ class path_goal final : public goal {
     return c.scheme.needs_areas ? cells_for_areas(rate_, dt) : plain_cells;
   }
 
-  void run_block(const kernel& stepper, const level_grid& grid, int cells, std::uint64_t seed, int first_path,
-                 std::vector<double>& out) const {
+  void run_block(const run_kernels& run, std::uint64_t seed, int first_path, std::vector<double>& out) const {
     const auto& s = context_.subject;
-    increment_ladder ladder(*s.model, grid, cells, {context_.generator, noise_quality::precise});
+    increment_ladder ladder(*s.model, run.grid, run.cells, {context_.generator, noise_quality::precise});
     auto truth = replicated(s.scene.momentum), state = truth;
-    for (int step = 0; step < grid.steps.front(); ++step) {
-      reference_->advance(truth, ladder.fill(seed, static_cast<std::uint64_t>(first_path), step));
-      stepper.advance(state, ladder.level(0));
+    for (int step = 0; step < run.grid.steps.front(); ++step) {
+      run.truth->advance(truth, ladder.fill(seed, static_cast<std::uint64_t>(first_path), step));
+      run.stepper->advance(state, ladder.level(0));
     }
     for (std::size_t i = 0; i < truth.size(); ++i)
       out[static_cast<std::size_t>(first_path) + i % block_lanes] += std::pow(state[i] - truth[i], 2);
@@ -93,7 +99,6 @@ class path_goal final : public goal {
 
   context context_;
   double time_, rate_;
-  std::unique_ptr<kernel> reference_;
 };
 
 }  // namespace

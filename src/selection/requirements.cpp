@@ -47,7 +47,7 @@ bool monotone_energy(const subject& s, const candidate& c, double dt) {
   auto states = replicated(still.scene.momentum);
   double before = still.model->energy(still.scene.momentum);
   for (int i = 0; i < steps; ++i) {
-    stepper->advance(states, silence(1, dt));
+    stepper->advance(states, silence(1));
     const double h = still.model->energy(lane_of(states, 0, still.model->dimension()));
     if (!(h <= before + rounding * std::fabs(before))) return false;
     before = h;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ensemble/kernel_of.hpp"
+#include "ensemble/plain_forms.hpp"
 #include "ensemble/tangent_kernel_of.hpp"
 #include "platform/flatten.hpp"
 #include "problem/subject.hpp"
@@ -63,8 +64,8 @@ class model_of final : public model {
         store_lanes(sum.area, area.data() + k * pairs * block_lanes + lane);
       }
   }
-  std::unique_ptr<kernel> reference() const override {
-    return std::make_unique<kernel_of<driven_ode, plain_forms<System>, pack>>(plain_forms(system_));
+  std::unique_ptr<kernel> reference(double dt) const override {
+    return std::make_unique<kernel_of<driven_ode, plain_forms<System>, pack>>(plain_forms(system_), dt);
   }
 
  private:
@@ -86,13 +87,13 @@ struct scheme_tag {};
 /// of its own overloads this.
 template <class Scheme, class System>
 std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const System& system, const std::vector<double>&, double dt) {
-  return std::make_unique<kernel_of<Scheme, plain_forms<System>, pack>>(plain_forms(prepared<Scheme>(system, dt)));
+  return std::make_unique<kernel_of<Scheme, plain_forms<System>, pack>>(plain_forms(prepared<Scheme>(system, dt)), dt);
 }
 
 template <class Scheme, class System>
 std::unique_ptr<tangent_kernel> tangent_kernel_for(const System& system, double dt) {
   auto stepped = prepared<Scheme>(system, dt);
-  return std::make_unique<tangent_kernel_of<Scheme, decltype(stepped)>>(std::move(stepped));
+  return std::make_unique<tangent_kernel_of<Scheme, decltype(stepped)>>(std::move(stepped), dt);
 }
 
 template <class Scheme, class System>

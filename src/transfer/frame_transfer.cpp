@@ -21,7 +21,7 @@ class noise_for_all_lanes {
  public:
   explicit noise_for_all_lanes(const noise_nodes& nodes) : nodes_(nodes) {}
   increment_view operator()(std::size_t node) {
-    return {nodes_.dt, 1, replicated_node(nodes_.dw, node, dw_), replicated_node(nodes_.area, node, area_)};
+    return {1, replicated_node(nodes_.dw, node, dw_), replicated_node(nodes_.area, node, area_)};
   }
 
  private:

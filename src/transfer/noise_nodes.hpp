@@ -17,7 +17,7 @@ struct noise_rule {
 struct noise_nodes {
   double dt;
   std::vector<double> dw, area, weight;
-  increment_view path() const { return {dt, static_cast<int>(weight.size()), dw, area}; }
+  increment_view path() const { return {static_cast<int>(weight.size()), dw, area}; }
 };
 
 /// Nodes of negligible weight are left out; channels that are not drawn have the one node 0.

@@ -48,7 +48,7 @@ class ensemble_block {
     choose_isa(level_);
     states_ = replicated(bound_.scene.momentum);
     if (noise_ == ensemble_noise::common) kernel_->advance(states_, common_, 0, steps);
-    if (noise_ == ensemble_noise::none) kernel_->advance(states_, silence(steps, dt));
+    if (noise_ == ensemble_noise::none) kernel_->advance(states_, silence(steps));
     if (noise_ == ensemble_noise::independent)
       for (int done = 0; done < steps; done += chunk, step_ += chunk)
         kernel_->advance(states_, own_->fill(seed, 0, step_, chunk, dt), {done == 0, done + chunk == steps});
@@ -92,7 +92,6 @@ inline loop threads_loop(int threads, const report::scene& scene, std::string_vi
   simulation_plan plan;
   plan.noise = noise;
   plan.momentum = scene.momentum;
-  plan.dt = dt;
   plan.steps = 1024;
   plan.bodies = 4096;
   plan.with_areas = entry->needs_areas;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ensemble/kernel_of.hpp"
+#include "ensemble/plain_forms.hpp"
 #include "platform/isa.hpp"
 #include "run/verify.hpp"
 #include "support/kernel_cases.hpp"
@@ -90,15 +91,15 @@ TYPED_TEST(Kernel, PiecesAndStopsChangeNothing) {
   const auto s = bind_scene(scene);
   const increments w(*s.model, steps, dt);
   const auto stepper = kernel_on<TypeParam>(scene, dt);
+  EXPECT_EQ(stepper->dt(), dt);
   auto whole = replicated(scene.momentum), pieces = whole, stopped = whole;
   stepper->advance(whole, w.view);
   for (int i = 0; i < steps; ++i) {
     stepper->advance(pieces, w.step(i), {i == 0, i + 1 == steps});
     if (i != 9) continue;
     auto seen = pieces;
-    stepper->finish(seen, dt);
-    stepper->advance(stopped,
-                     {dt, 10, std::span(w.dw).first(30 * block_lanes), std::span(w.area).first(30 * block_lanes)});
+    stepper->finish(seen);
+    stepper->advance(stopped, {10, std::span(w.dw).first(30 * block_lanes), std::span(w.area).first(30 * block_lanes)});
     EXPECT_EQ(seen, stopped) << "a look in between is the run that ends there";
   }
   EXPECT_EQ(whole, pieces);
@@ -132,7 +133,7 @@ TYPED_TEST(Kernel, SinglesAreIncrementsInTheirUnit) {
     const auto stepper = kernel_on<TypeParam>(scene, dt);
     auto doubles = replicated(scene.momentum), floats = doubles;
     stepper->advance(doubles, w.view);
-    stepper->advance(floats, {dt, steps, {}, w.area, singles, unit});
+    stepper->advance(floats, {steps, {}, w.area, singles, unit});
     for (const int lane : {0, 17, block_lanes - 1})
       EXPECT_LE(distance(state_at(doubles, lane), state_at(floats, lane)), 1e-14) << TypeParam::info.name;
   }
@@ -140,7 +141,7 @@ TYPED_TEST(Kernel, SinglesAreIncrementsInTheirUnit) {
 
 TEST(PlainKernel, SinglesAreIncrementsInTheirUnit) {
   constexpr double dt = 0.01, unit = 0.1;
-  const kernel_of<heun, plain_forms<so4_body>, pack> plain{plain_forms(coupled_bodies())};
+  const kernel_of<heun, plain_forms<so4_body>, pack> plain{plain_forms(coupled_bodies()), dt};
   const kernel& stepper = plain;
   const std::vector<double> momentum{0.6, 0.48, 0.64, -0.3, 0.8, 0.5};
   std::vector<float> singles;
@@ -150,8 +151,8 @@ TEST(PlainKernel, SinglesAreIncrementsInTheirUnit) {
     dw.push_back(unit * double{singles.back()});
   }
   auto doubles = replicated(momentum), floats = doubles;
-  stepper.advance(doubles, {dt, 1, dw, {}});
-  stepper.advance(floats, {dt, 1, {}, {}, singles, unit});
+  stepper.advance(doubles, {1, dw, {}});
+  stepper.advance(floats, {1, {}, {}, singles, unit});
   EXPECT_EQ(doubles, floats);
 }
 
@@ -169,7 +170,7 @@ TYPED_TEST(Kernel, ASharedNoiseIsEveryPathsNoise) {
     const auto stepper = kernel_on<TypeParam>(scene, dt);
     auto own = replicated(scene.momentum), common = own;
     stepper->advance(own, w.view);
-    stepper->advance(common, stepper->share({dt, steps, dw, area}), 0, steps);
+    stepper->advance(common, stepper->share({steps, dw, area}), 0, steps);
     EXPECT_LE(distance(state_at(own, 0), state_at(common, 5)), 1e-13) << TypeParam::info.name;
   }
 }

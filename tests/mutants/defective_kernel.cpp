@@ -83,31 +83,27 @@ class defective_kernel final : public kernel {
  public:
   defective_kernel(const scheme_entry& scheme, const report::scene& scene, const defect& d, double dt)
       : defect_(d),
+        dt_(dt),
         factor_(time_factor(d, scene, dt)),
         healthy_(scheme.make(dt * factor_)),
         after_(d, scene),
         step_by_step_(is_of_state(d.kind)) {}
+
+  /// As it was asked for, whatever the time that a step takes.
+  double dt() const override { return dt_; }
 
   void advance(std::span<double> states, const increment_view& given, piece p) const override {
     spoilt_noise spoilt;
     auto view = spoil(given, block_lanes, spoilt);
     view.steps = static_cast<int>(taken_of(view.steps));
     if (!step_by_step_) return healthy_->advance(states, view, p);
-    const auto noise = view.silent() ? 0 : channels_of(view.dw.size() + view.singles.size(), view.steps);
-    const auto pairs = channels_of(view.area.size(), view.steps);
     std::vector<double> before(states.size());
-    for (std::size_t i = 0; i < static_cast<std::size_t>(view.steps); ++i) {
+    for (int i = 0; i < view.steps; ++i) {
       std::ranges::copy(states, before.begin());
-      auto one = view;
-      one.steps = 1;
-      if (!view.dw.empty()) one.dw = view.dw.subspan(i * noise, noise);
-      if (!view.singles.empty()) one.singles = view.singles.subspan(i * noise, noise);
-      if (!view.area.empty()) one.area = view.area.subspan(i * pairs, pairs);
-      healthy_->advance(states, one);
-      after_.apply(before, states, view.dt);
+      healthy_->advance(states, view.part(i, 1));
+      after_.apply(before, states, healthy_->dt());
     }
   }
-
   shared_steps share(const increment_view& one_path) const override {
     spoilt_noise spoilt;
     return healthy_->share(spoil(one_path, 1, spoilt));
@@ -120,12 +116,12 @@ class defective_kernel final : public kernel {
     for (std::int64_t i = first; i < first + steps; ++i) {
       std::ranges::copy(states, before.begin());
       healthy_->advance(states, noise, i, 1);
-      after_.apply(before, states, noise.dt);
+      after_.apply(before, states, healthy_->dt());
     }
   }
 
-  void finish(std::span<double> states, double dt) const override {
-    if (!step_by_step_) healthy_->finish(states, dt * factor_);
+  void finish(std::span<double> states) const override {
+    if (!step_by_step_) healthy_->finish(states);
   }
 
  private:
@@ -139,11 +135,7 @@ class defective_kernel final : public kernel {
     return steps > left_out ? steps - left_out : steps;
   }
 
-  static std::size_t channels_of(std::size_t numbers, int steps) { return numbers / static_cast<std::size_t>(steps); }
-
   increment_view spoil(increment_view view, std::size_t lanes, spoilt_noise& to) const {
-    const double dt = view.dt;
-    view.dt *= factor_;
     if (view.silent()) return view;
     const auto steps = static_cast<std::size_t>(view.steps);
     const double with_time = defect_.kind == kind::sub_flow ? 1 : std::sqrt(factor_);
@@ -155,18 +147,18 @@ class defective_kernel final : public kernel {
       spoil_increments(defect_, rows);
       from = into;
     };
-    taken(view.dw, to.dw, std::sqrt(dt));
-    taken(view.singles, to.singles, std::sqrt(dt) / view.scale);
+    taken(view.dw, to.dw, std::sqrt(dt_));
+    taken(view.singles, to.singles, std::sqrt(dt_) / view.scale);
     if (view.area.empty()) return view;
     to.area.assign(view.area.begin(), view.area.end());
     for (double& x : to.area) x *= with_time * with_time * (defect_.kind == kind::area ? 1 + defect_.size : 1);
-    if (defect_.kind == kind::area_mixed) redraw_areas(to.area, view.dw, dt);
+    if (defect_.kind == kind::area_mixed) redraw_areas(to.area, view.dw, dt_);
     view.area = to.area;
     return view;
   }
 
   defect defect_;
-  double factor_;
+  double dt_, factor_;
   std::unique_ptr<kernel> healthy_;
   state_defect after_;
   bool step_by_step_;

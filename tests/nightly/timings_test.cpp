@@ -6,9 +6,9 @@
 #include <cstdio>
 
 #include "comparison/compare.hpp"
-#include "ensemble/kernel.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/kernel_decorator.hpp"
 
 namespace polhode {
 namespace {
@@ -16,34 +16,18 @@ namespace {
 constexpr const char* slowed = "lie_heun";
 
 /// Advances as the kernel does, and one step in twenty once more, on a copy.
-class slower_kernel final : public kernel {
+class slower_kernel final : public test::kernel_decorator {
  public:
-  explicit slower_kernel(std::unique_ptr<kernel> own) : own_(std::move(own)) {}
+  using kernel_decorator::advance, kernel_decorator::kernel_decorator;
   void advance(std::span<double> states, const increment_view& w, piece part) const override {
     if (++calls_ % 5 != 0) {  // of sixteen steps each
       scratch_.assign(states.begin(), states.end());
-      own_->advance(scratch_, first_step(w), part);
+      kernel_decorator::advance(scratch_, w.part(0, 1), part);
     }
-    own_->advance(states, w, part);
+    kernel_decorator::advance(states, w, part);
   }
-  shared_steps share(const increment_view& w) const override { return own_->share(w); }
-  void advance(std::span<double> states, const shared_steps& noise, std::int64_t first, std::int64_t steps,
-               piece part) const override {
-    own_->advance(states, noise, first, steps, part);
-  }
-  void finish(std::span<double> states, double dt) const override { own_->finish(states, dt); }
 
  private:
-  static increment_view first_step(increment_view w) {
-    const auto steps = static_cast<std::size_t>(w.steps);
-    w.dw = w.dw.first(w.dw.size() / steps);
-    w.area = w.area.first(w.area.size() / steps);
-    w.singles = w.singles.first(w.singles.size() / steps);
-    w.steps = 1;
-    return w;
-  }
-
-  std::unique_ptr<kernel> own_;
   mutable std::vector<double> scratch_;
   mutable int calls_ = 0;
 };

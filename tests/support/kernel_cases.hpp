@@ -36,22 +36,23 @@ inline std::vector<report::scene> every_part() {
 
 /// Increments of a block with areas; empty where there is no noise.
 struct increments {
+  double dt;
   std::vector<double> dw, area;
   increment_view view;
-  increments(const model& m, int steps, double dt) {
+  increments(const model& m, int steps, double step) : dt(step) {
     increment_buffer buffer(m, steps, true);
     if (m.active_channels() == 0) {
-      view = silence(steps, dt);
+      view = silence(steps);
       return;
     }
     const auto filled = buffer.fill(3, 0, 0, steps, dt);
     dw.assign(filled.dw.begin(), filled.dw.end());
     area.assign(filled.area.begin(), filled.area.end());
-    view = {dt, steps, dw, area};
+    view = {steps, dw, area};
   }
   wiener_levy<double, 3> at(int step, int lane) const {
     wiener_levy<double, 3> w;
-    w.dt = view.dt;
+    w.dt = dt;
     for (int k = 0; k < 3 && !dw.empty(); ++k) {
       const auto i = static_cast<std::size_t>((step * 3 + k) * block_lanes + lane);
       w.dw[k] = dw[i];
@@ -60,9 +61,9 @@ struct increments {
     return w;
   }
   increment_view step(int i) const {
-    if (dw.empty()) return silence(1, view.dt);
+    if (dw.empty()) return silence(1);
     const auto size = std::size_t{3} * block_lanes, from = static_cast<std::size_t>(i) * size;
-    return {view.dt, 1, std::span(dw).subspan(from, size), std::span(area).subspan(from, size)};
+    return {1, std::span(dw).subspan(from, size), std::span(area).subspan(from, size)};
   }
 };
 

@@ -85,7 +85,7 @@ inline double energy_error_again(const subject& bound, const candidate& who, dou
   const double h0 = still.model->energy(still.scene.momentum);
   double worst = 0;
   for (long i = 1; i <= steps; ++i) {
-    stepper->advance(states, silence(1, dt));
+    stepper->advance(states, silence(1));
     if (i % std::max(1L, steps / 40) != 0 && i != steps) continue;
     const double truth = still.model->energy(
         solve_drift([&](std::span<const double> mu, std::span<double> out) { still.model->drift(mu, out); },

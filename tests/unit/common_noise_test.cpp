@@ -86,7 +86,6 @@ TEST(Simulation, EachPathHasItsOwnNoise) {
   p.noise = ensemble_noise::common;
   p.start = ensemble_start::uniform;
   p.momentum = s.scene.momentum;
-  p.dt = 0.1;
   p.steps = 10;
   p.bodies = 100;
   const auto run = [&](std::uint64_t path) {

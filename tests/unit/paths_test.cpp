@@ -62,5 +62,21 @@ TEST(Increments, UnusedChannelsAreZero) {
   EXPECT_EQ(bind_scene(scene).model->active_channels(), 0);
 }
 
+// Three channels, areas, two lanes.
+TEST(Increments, APartHasItsStepsAlone) {
+  std::vector<double> dw(5 * 6), area(5 * 6);
+  for (std::size_t i = 0; i < dw.size(); ++i) area[i] = -(dw[i] = static_cast<double>(i));
+  const std::vector<float> singles(dw.begin(), dw.end());
+  const auto numbers = [](const auto& all) { return std::vector<double>(all.begin(), all.end()); };
+  const increment_view doubles{5, dw, area}, floats{5, {}, {}, singles, 0.5};
+  const std::vector<double> wanted(dw.begin() + 12, dw.begin() + 24);
+  EXPECT_EQ(doubles.part(2, 2).steps, 2);
+  EXPECT_EQ(numbers(doubles.part(2, 2).dw), wanted);
+  EXPECT_EQ(doubles.part(2, 2).area[0], -12);
+  EXPECT_EQ(numbers(floats.part(2, 2).singles), wanted);
+  EXPECT_EQ(floats.part(2, 2).scale, 0.5);
+  EXPECT_TRUE(silence(5).part(2, 2).silent());
+}
+
 }  // namespace
 }  // namespace polhode

@@ -16,12 +16,13 @@
 namespace polhode {
 namespace {
 
+constexpr double dt = 0.02;
+
 simulation_plan plan_of(ensemble_noise noise, ensemble_start start) {
   simulation_plan p;
   p.noise = noise;
   p.start = start;
   p.momentum = {0.6, 0.48, 0.64};
-  p.dt = 0.02;
   p.steps = 150;  // no multiple of the chunk
   p.bodies = 37;  // nor of the block
   p.snapshots = {7, 150};
@@ -37,7 +38,7 @@ const scheme_entry& scheme_named(const subject& s, std::string_view name) {
 simulated run(const subject& s, std::string_view scheme, simulation_plan p) {
   const auto& entry = scheme_named(s, scheme);
   p.with_areas = entry.needs_areas;
-  return simulate_ensemble(*s.model, *entry.make(p.dt), p);
+  return simulate_ensemble(*s.model, *entry.make(dt), p);
 }
 
 vec<double, 3> start_of(const simulation_plan& p, std::uint64_t body) {
@@ -55,7 +56,7 @@ TEST(Simulation, EveryBodyIsTheLoopOfTheLibrary) {
       const auto body_system = test::paper_body(0.5, noise == ensemble_noise::none ? 0.0 : 0.5);
       for (std::size_t body = 0; body < 37; ++body) {
         const auto path = noise == ensemble_noise::common ? 0 : static_cast<std::uint64_t>(body);
-        const auto alone = integrate<strang>(body_system, start_of(p, body), p.dt, 150, {.seed = 5, .path = path});
+        const auto alone = integrate<strang>(body_system, start_of(p, body), dt, 150, {.seed = 5, .path = path});
         for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(all.states[k * 37 + body], alone[static_cast<int>(k)], 1e-13);
       }
     }

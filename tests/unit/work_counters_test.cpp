@@ -20,14 +20,13 @@ counted run(const subject& s, std::string_view scheme, ensemble_noise noise, int
   simulation_plan p;
   p.noise = noise;
   p.momentum = s.scene.momentum;
-  p.dt = 0.01;
   p.steps = 100;
   p.bodies = 1000;  // 16 blocks
   p.threads = threads;
   const auto entry = std::ranges::find(s.schemes, scheme, [](const auto& e) { return e.info.name; });
   p.with_areas = entry->needs_areas;
   const auto before = work_so_far();
-  auto result = simulate_ensemble(*s.model, *entry->make(p.dt), p);
+  auto result = simulate_ensemble(*s.model, *entry->make(0.01), p);
   const auto after = work_so_far();
   return {{after.normals - before.normals, after.path_steps - before.path_steps, after.kernels - before.kernels},
           std::move(result)};

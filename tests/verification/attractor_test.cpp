@@ -15,6 +15,7 @@
 #include "scene/scene.hpp"
 #include "sphere/closed_forms/gibbs.hpp"
 #include "sphere/lyapunov.hpp"
+#include "support/kernel_decorator.hpp"
 #include "systems/bind.hpp"
 
 namespace polhode {
@@ -125,14 +126,12 @@ TEST(Attractor, ClaimsHoldWhereBodiesCollect) {
 using change = std::function<void(std::span<double> dw)>;
 
 /// A kernel that goes wrong over many steps under one noise. Single ones, as in the transfer operator, are right.
-class wrong_sharing final : public kernel {
+class wrong_sharing final : public test::kernel_decorator {
  public:
+  using kernel_decorator::advance;
   wrong_sharing(std::unique_ptr<kernel> inner, change how, bool from_the_start)
-      : inner_(std::move(inner)), how_(std::move(how)), from_the_start_(from_the_start) {}
+      : kernel_decorator(std::move(inner)), how_(std::move(how)), from_the_start_(from_the_start) {}
 
-  void advance(std::span<double> states, const increment_view& view, piece p) const override {
-    inner_->advance(states, view, p);
-  }
   /// The right noise and, behind it, the wrong one.
   shared_steps share(const increment_view& path) const override {
     std::vector<double> dw(path.dw.begin(), path.dw.end());
@@ -141,17 +140,15 @@ class wrong_sharing final : public kernel {
     auto twice = path;
     twice.dw = dw;
     twice.steps = 2 * path.steps;
-    return inner_->share(twice);
+    return kernel_decorator::share(twice);
   }
   void advance(std::span<double> states, const shared_steps& noise, std::int64_t first, std::int64_t steps,
                piece p) const override {
     const auto wrong = static_cast<std::int64_t>(noise.table.size() / noise.words / 2);
-    inner_->advance(states, noise, steps == 1 ? first : wrong + (from_the_start_ ? 0 : first), steps, p);
+    kernel_decorator::advance(states, noise, steps == 1 ? first : wrong + (from_the_start_ ? 0 : first), steps, p);
   }
-  void finish(std::span<double> states, double dt) const override { inner_->finish(states, dt); }
 
  private:
-  std::unique_ptr<kernel> inner_;
   change how_;
   bool from_the_start_;
 };

@@ -7,6 +7,7 @@
 
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/kernel_decorator.hpp"
 #include "support/verdicts.hpp"
 #include "transfer/frame_transfer.hpp"
 #include "transfer/half_turns.hpp"
@@ -18,21 +19,18 @@ namespace {
 using test::scheme_of;
 
 /// The kernel with something of its own after each common step.
-class changed final : public kernel {
+class changed final : public test::kernel_decorator {
  public:
+  using kernel_decorator::advance;
   using change = std::function<void(std::span<double>)>;
-  changed(std::unique_ptr<kernel> k, change c) : k_(std::move(k)), change_(std::move(c)) {}
-  void advance(std::span<double> states, const increment_view& v, piece p) const override { k_->advance(states, v, p); }
-  shared_steps share(const increment_view& v) const override { return k_->share(v); }
+  changed(std::unique_ptr<kernel> k, change c) : kernel_decorator(std::move(k)), change_(std::move(c)) {}
   void advance(std::span<double> states, const shared_steps& v, std::int64_t first, std::int64_t steps,
                piece p) const override {
-    k_->advance(states, v, first, steps, p);
+    kernel_decorator::advance(states, v, first, steps, p);
     change_(states);
   }
-  void finish(std::span<double> states, double dt) const override { k_->finish(states, dt); }
 
  private:
-  std::unique_ptr<kernel> k_;
   change change_;
 };
 

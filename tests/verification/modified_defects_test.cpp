@@ -8,6 +8,7 @@
 #include "experiments/modified/modified_steps.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/kernel_decorator.hpp"
 #include "support/verdicts.hpp"
 
 namespace polhode {
@@ -97,23 +98,14 @@ TEST(Modified, WeakOrderTwoOverclaimedIsRefutedUnderWeakNoise) {
 }
 
 /// Leaves out the last step of every run of more than one.
-class forgetful final : public kernel {
+class forgetful final : public test::kernel_decorator {
  public:
-  explicit forgetful(std::unique_ptr<kernel> k) : k_(std::move(k)) {}
+  using kernel_decorator::advance, kernel_decorator::kernel_decorator;
   void advance(std::span<double> states, const increment_view& v, piece p) const override {
     auto fewer = v;
     if (v.steps > 1) --fewer.steps;
-    k_->advance(states, fewer, p);
+    kernel_decorator::advance(states, fewer, p);
   }
-  shared_steps share(const increment_view& v) const override { return k_->share(v); }
-  void advance(std::span<double> states, const shared_steps& v, std::int64_t first, std::int64_t steps,
-               piece p) const override {
-    k_->advance(states, v, first, steps, p);
-  }
-  void finish(std::span<double> states, double dt) const override { k_->finish(states, dt); }
-
- private:
-  std::unique_ptr<kernel> k_;
 };
 
 TEST(Modified, ALoopThatLeavesOutItsLastStepIsRefuted) {

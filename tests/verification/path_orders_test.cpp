@@ -10,6 +10,7 @@
 #include "run/run_experiment.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/kernel_decorator.hpp"
 #include "systems/bind.hpp"
 #include "systems/rigid_body/rigid_body.hpp"
 
@@ -49,21 +50,17 @@ TEST(PathOrders, ClaimedTooHighAreRefutedByEveryNorm) {
 
 /// Turns the state by dt^(1/4) / 10 about the third axis after one of its calls, and back before the next: right at the
 /// end, and of order 1/4 on the way. One thread calls it, block after block.
-class wrong_on_the_way final : public kernel {
+class wrong_on_the_way final : public test::kernel_decorator {
  public:
-  wrong_on_the_way(std::unique_ptr<kernel> right, int calls) : right_(std::move(right)), calls_(calls) {}
+  using kernel_decorator::advance;
+  wrong_on_the_way(std::unique_ptr<kernel> right, int calls) : kernel_decorator(std::move(right)), calls_(calls) {}
   void advance(std::span<double> states, const increment_view& v, piece p) const override {
-    const double angle = std::pow(v.dt, 0.25) / 10;
+    const double angle = std::pow(dt(), 0.25) / 10;
     if (call_ == wrong()) turn(states, -angle);
-    right_->advance(states, v, p);
+    kernel_decorator::advance(states, v, p);
     call_ = (call_ + 1) % calls_;
     if (call_ == wrong()) turn(states, angle);
   }
-  shared_steps share(const increment_view& v) const override { return right_->share(v); }
-  void advance(std::span<double> s, const shared_steps& w, std::int64_t first, std::int64_t n, piece p) const override {
-    right_->advance(s, w, first, n, p);
-  }
-  void finish(std::span<double> s, double dt) const override { right_->finish(s, dt); }
 
  private:
   /// After this one: an odd one, whose end is none of a coarser level's; never the last.
@@ -75,7 +72,6 @@ class wrong_on_the_way final : public kernel {
       states[block_lanes + lane] = std::sin(angle) * x + std::cos(angle) * y;
     }
   }
-  std::unique_ptr<kernel> right_;
   int calls_;
   mutable int call_ = 0;
 };
@@ -114,22 +110,6 @@ double square_between(const std::vector<double>& a, const std::vector<double>& b
   return square;
 }
 
-/// One step of a view, copied.
-struct single_step {
-  std::vector<double> dw, area;
-  increment_view view;
-  single_step(const increment_view& of, int step) {
-    const auto row = [&](std::span<const double> all) {
-      const auto size = all.size() / static_cast<std::size_t>(of.steps);
-      return std::vector(all.begin() + static_cast<std::ptrdiff_t>(step * size),
-                         all.begin() + static_cast<std::ptrdiff_t>((step + 1) * size));
-    };
-    dw = row(of.dw);
-    area = row(of.area);
-    view = {of.dt, 1, dw, area};
-  }
-};
-
 // Against all levels and the truth taken a step at a time, the largest sought at every level's own steps.
 TEST(PathOrders, TheLargestIsOverTheEndsOfOwnSteps) {
   const auto s = paper({"magnus"});
@@ -137,9 +117,8 @@ TEST(PathOrders, TheLargestIsOverTheEndsOfOwnSteps) {
   const auto grid = asymptotic_levels(s, 256);
   constexpr int cells = 4;
   const noise_source precise{noise_generator::philox, noise_quality::precise};
-  const auto directions = directions_of(s);
-  const auto reference = s.model->reference();
-  driven_block truth(c, grid, cells, precise, *reference, directions, looks_in_coarsest(grid));
+  const auto driven = driven_kernels_of(s, grid, cells);
+  driven_block truth(c, grid, cells, precise, driven, looks_in_coarsest(grid));
   increment_ladder ladder(*s.model, grid, cells, precise);
   largest_errors found(block_lanes, static_cast<int>(grid.steps.size()));
   const auto start = replicated(s.scene.momentum);
@@ -155,9 +134,8 @@ TEST(PathOrders, TheLargestIsOverTheEndsOfOwnSteps) {
       const auto fine = ladder.fill(c.seed, 0, chunk);
       const auto& own = ladder.level(l);
       for (int i = 0; i < own.steps; ++i) {
-        scheme->advance(alone, single_step(own, i).view);
-        for (int k = 0, n = fine.steps / own.steps; k < n; ++k)
-          reference->advance(exact, single_step(fine, i * n + k).view);
+        scheme->advance(alone, own.part(i, 1));
+        for (int k = 0, n = fine.steps / own.steps; k < n; ++k) driven.truth->advance(exact, fine.part(i * n + k, 1));
         if (l + 1 == grid.steps.size() && i % 2 == 0) continue;
         ++looked;
         for (std::size_t lane = 0; lane < block_lanes; ++lane)

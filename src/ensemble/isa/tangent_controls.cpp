@@ -33,7 +33,7 @@ void add_controls(const tangent_controls& q, int lane) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     const auto covariance = [&](int row, int column) {
-      return q.step.dt * q.covariance[static_cast<std::size_t>(3 * row + column)];
+      return q.dt * q.covariance[static_cast<std::size_t>(3 * row + column)];
     };
     const auto difference = [&](const auto& y, const auto& z) { return pack(y[j] * z[j] - y[k] * z[k]); };
     const pack xx = difference(x, x), vv = difference(unit, v), vw = difference(unit, w), xv = difference(x, v);

@@ -59,7 +59,7 @@ increment_view increment_buffer::fill(std::uint64_t seed, std::uint64_t first_pa
   draw(noise_kind::increment, channels_, active_, scale, dw_, singles_.empty() ? nullptr : singles_.data());
   if (!area_.empty()) draw(noise_kind::area, pairs_, active_ < 2 ? 0 : pairs_, dt / 2, area_, nullptr);
   if (defect) defect->spoil({first_path, first_step, block_lanes, steps, channels_, pairs_, dt, dw_, singles_, area_});
-  return {dt, steps, dw_, area_, singles_, scale};
+  return {steps, dw_, area_, singles_, scale};
 }
 
 std::vector<double> replicated(std::span<const double> state) {

@@ -36,9 +36,6 @@ class increment_buffer {
   lane_vector<double> area_;
 };
 
-/// No noise at all: nothing is stored, and nothing drawn.
-inline increment_view silence(int steps, double dt) { return {dt, steps, {}, {}}; }
-
 /// Every lane starts at this state.
 std::vector<double> replicated(std::span<const double> state);
 

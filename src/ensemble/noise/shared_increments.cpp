@@ -43,9 +43,8 @@ void draw_block(normal_block all, std::int64_t steps, const To& to) {
 
 }  // namespace
 
-shared_increments::shared_increments(const model& m, std::int64_t steps, double dt, bool with_areas)
-    : dt_(dt),
-      channels_(m.channels()),
+shared_increments::shared_increments(const model& m, std::int64_t steps, bool with_areas)
+    : channels_(m.channels()),
       pairs_(pairs_among(m.channels())),
       drawn_(0),
       dw_(static_cast<std::size_t>(steps * channels_)),
@@ -56,7 +55,7 @@ shared_increments::shared_increments(const model& m, std::int64_t steps, double 
 
 shared_increments::shared_increments(const model& m, std::uint64_t seed, std::int64_t steps, double dt, bool with_areas,
                                      int threads, noise_source source, std::uint64_t path)
-    : shared_increments(m, steps, dt, with_areas) {
+    : shared_increments(m, steps, with_areas) {
   constexpr std::int64_t piece = 4096;
   const int active = m.active_channels(), areas = with_areas && active > 1 ? pairs_ : 0;
   count_normals(drawn_);
@@ -81,7 +80,7 @@ std::vector<shared_increments> shared_increments::of_block(const model& m, std::
       out.emplace_back(m, seed, steps, dt, with_areas, 1, source, first_path + lane);
     return out;
   }
-  out.assign(block_lanes, shared_increments(m, steps, dt, with_areas));
+  out.assign(block_lanes, shared_increments(m, steps, with_areas));
   count_normals(block_lanes * out[0].drawn_);
   const auto draw = [&](noise_kind kind, int rows, int wanted, double scale,
                         std::vector<double> shared_increments::*to) {
@@ -99,7 +98,7 @@ increment_view shared_increments::view(std::int64_t first_step, int steps) const
     if (all.empty()) return {};
     return std::span(all).subspan(static_cast<std::size_t>(first_step * rows), static_cast<std::size_t>(steps * rows));
   };
-  return {dt_, steps, part(dw_, channels_), part(area_, pairs_)};
+  return {steps, part(dw_, channels_), part(area_, pairs_)};
 }
 
 double shared_increments::bytes(const model& m, std::int64_t steps, bool with_areas) {

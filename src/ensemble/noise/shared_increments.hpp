@@ -28,9 +28,8 @@ class shared_increments {
   static double bytes(const model&, std::int64_t steps, bool with_areas);
 
  private:
-  shared_increments(const model&, std::int64_t steps, double dt, bool with_areas);
+  shared_increments(const model&, std::int64_t steps, bool with_areas);
 
-  double dt_;
   int channels_, pairs_;
   std::uint64_t drawn_;
   std::vector<double> dw_, area_;

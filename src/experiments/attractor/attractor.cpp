@@ -89,12 +89,11 @@ std::int64_t attractor_frame::steps_in(double time, double step) const {
 
 noise_source fast_noise(const context& c) { return {c.generator, noise_quality::fast}; }
 
-simulation_plan common_noise_plan(const context& c, double dt) {
+simulation_plan common_noise_plan(const context& c) {
   simulation_plan p;
   p.noise = ensemble_noise::common;
   p.start = ensemble_start::uniform;
   p.momentum = c.subject.scene.momentum;
-  p.dt = dt;
   p.source = fast_noise(c);
   p.seed = c.seed;
   p.threads = c.threads;

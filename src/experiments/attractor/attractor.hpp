@@ -31,7 +31,7 @@ struct attractor_frame {
 noise_source fast_noise(const context&);
 
 /// Bodies from a uniform start under the noise of path 0; how many, how long and with which areas is left open.
-simulation_plan common_noise_plan(const context&, double dt);
+simulation_plan common_noise_plan(const context&);
 
 /// Path-steps of one scheme that a part may take, given those at quick effort.
 double affordable(effort, double path_steps_at_quick);

@@ -244,7 +244,7 @@ void report_averages(const context& c, const attractor_frame& f, noise_log& log,
   // One look remembers the one before by so much at most: the variance of a mean of many is (1 + r) / (1 - r) as large.
   const double r = std::pow(forgotten, 1.0 / between_looks), correlated = std::sqrt((1 + r) / (1 - r));
   const auto part = log.open({"averages"}, blocks_of(plan.most));
-  const auto hear = [&](int path, const increment_view& v) { log.add_path(path, v, part); };
+  const auto hear = [&](int path, const increment_view& v) { log.add_path(path, v, f.dt, part); };
   const auto sizes = sample_until_tight(
       part_of(c, 0.2, 1), plan, static_cast<int>(runs.size()),
       [&](int block, std::span<const int> open) { run_paths(c, f, course, block, open, runs, hear); },

@@ -178,7 +178,7 @@ void report_collapse(const context& c, const attractor_frame& f, noise_log& log,
       areas = areas || f.schemes[k].needs_areas;
     }
     collapsing_block(c, f, t, block).run(steppers, areas, found, [&](const increment_view& v) {
-      log.add(block, v, part);
+      log.add(block, v, t.dt, part);
     });
   };
   const auto so_far = [&](std::size_t k, int paths) { return std::vector(rates[k].begin(), rates[k].begin() + paths); };

@@ -60,15 +60,15 @@ std::vector<double> law_in_bins(const Eigen::VectorXd& density) {
 
 void report_densities(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double unit = -1 / f.exponents.sum;
-  auto p = common_noise_plan(c, f.dt);
+  auto p = common_noise_plan(c);
   p.bodies = by_effort(c.effort, 1 << 16, 1 << 18, 1 << 19);
-  for (const double time : shown_at) p.snapshots.push_back(f.steps_in(time * unit, p.dt));
+  for (const double time : shown_at) p.snapshots.push_back(f.steps_in(time * unit, f.dt));
   p.steps = p.snapshots.back();
   const auto part = log.open({"densities"}, 1);
-  p.hear = [&](const increment_view& v) { log.add_path(0, v, part); };
-  const auto run = simulate_ensemble(*c.subject.model, *c.subject.model->reference(), p, c.progress);
+  p.hear = [&](const increment_view& v) { log.add_path(0, v, f.dt, part); };
+  const auto run = simulate_ensemble(*c.subject.model, *c.subject.model->reference(f.dt), p, c.progress);
   for (std::size_t i = 0; i < p.snapshots.size(); ++i) {
-    const double time = static_cast<double>(p.snapshots[i]) * p.dt;
+    const double time = static_cast<double>(p.snapshots[i]) * f.dt;
     out.densities.push_back(relative(fmt::format("one noise path, t = {:.4g}", time), time,
                                      merged(run.snapshots[i].counts, static_cast<double>(p.bodies))));
   }

@@ -40,7 +40,7 @@ using cloud = std::vector<box_level>;
 /// Of the noise paths first … last - 1.
 void add_clouds(const context& c, const dimension_plan& plan, const scheme_entry& scheme, int first, int last,
                 const path_listener& hear, std::vector<cloud>& clouds) {
-  auto p = common_noise_plan(c, plan.dt);
+  auto p = common_noise_plan(c);
   p.steps = plan.steps;
   p.bodies = plan.bodies;
   p.snapshots = {plan.steps};
@@ -148,7 +148,7 @@ void report_dimensions(const context& c, const attractor_frame& f, noise_log& lo
   const auto schemes = tried(c, f, out);
   progress_counter done(static_cast<int>(schemes.size()), c.progress);
   const auto part = log.open({"dimensions"}, blocks_of(plan.paths));
-  const path_listener hear = [&](int path, const increment_view& v) { log.add_path(path, v, part); };
+  const path_listener hear = [&](int path, const increment_view& v) { log.add_path(path, v, plan.dt, part); };
   for (const auto& scheme : schemes) {
     const auto clouds = clouds_of(c, plan, scheme, &scheme == &heard_among(schemes) ? hear : path_listener{});
     report_cloud(std::string(scheme.info.name), plan, f.exponents.dimension, clouds, out);

@@ -103,7 +103,7 @@ std::vector<squared_errors> changes_of(const context& c, const attractor_frame& 
     const auto view = [&](int i) {
       return drawn[static_cast<std::size_t>(i)].view(0, static_cast<int>(plan.all_steps()));
     };
-    for (int i = 0; i < paths; ++i) log.add_path(first + i, view(i), part);
+    for (int i = 0; i < paths; ++i) log.add_path(first + i, view(i), f.dt, part);
     parallel_for(c.threads, paths, [&](int i) {
       for (std::size_t s = 0; s < steppers.size(); ++s)
         add_changes(pulled_back(c, f, plan, *steppers[s], steppers[s]->share(view(i))), first + i, out[s]);

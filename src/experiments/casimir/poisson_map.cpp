@@ -39,7 +39,7 @@ struct stepped {
   std::vector<double> end, jacobian;
 };
 
-stepped step_of(const tangent_kernel& kernel, const std::vector<double>& start, std::size_t n, double dt) {
+stepped step_of(const tangent_kernel& kernel, const std::vector<double>& start, std::size_t n) {
   stepped out{start, std::vector<double>(n * start.size())};
   for (std::size_t column = 0; column < n; column += tangent_vectors) {
     std::vector<double> tangents(tangent_vectors * start.size(), 0.0);
@@ -47,7 +47,7 @@ stepped step_of(const tangent_kernel& kernel, const std::vector<double>& start, 
       std::fill_n(tangents.begin() + static_cast<std::ptrdiff_t>(t * start.size() + (column + t) * block_lanes),
                   block_lanes, 1.0);
     out.end = start;
-    kernel.advance(out.end, tangents, silence(1, dt));
+    kernel.advance(out.end, tangents, silence(1));
     const auto wanted = std::min<std::size_t>(tangent_vectors, n - column) * start.size();
     std::copy_n(tangents.begin(), wanted, out.jacobian.begin() + static_cast<std::ptrdiff_t>(column * start.size()));
   }
@@ -82,7 +82,7 @@ report::verdict judge_kept(const claim& c, std::span<const double> defects) {
 double poisson_defect(const subject& s, const scheme_entry& scheme, double dt) {
   const auto n = s.scene.momentum.size();
   const auto start = states_about(s);
-  const auto after = step_of(*scheme.tangent(dt), start, n, dt);
+  const auto after = step_of(*scheme.tangent(dt), start, n);
   double worst = 0;
   for (int lane = 0; lane < block_lanes; ++lane) {
     const auto dimension = static_cast<int>(n);

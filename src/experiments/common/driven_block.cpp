@@ -9,28 +9,37 @@ namespace {
 
 constexpr double more = 0x1p-17;  // relative: its square and rounding over it are both below 1e-10
 
-}  // namespace
+/// Of so many levels the one of the responses.
+std::size_t varied_among(std::size_t levels) { return levels < 3 ? 0 : levels - 3; }
 
-std::vector<direction> directions_of(const subject& s) {
+std::vector<direction> directions_of(const subject& s, double dt) {
   std::vector<direction> out;
   const int channels = s.model->active_channels();
   for (int k = 0; k < channels; ++k)
-    out.push_back({channels == 1 ? "noise" : fmt::format("noise {}", k + 1), k, false, s.model->reference()});
+    out.push_back({channels == 1 ? "noise" : fmt::format("noise {}", k + 1), k, s.model->reference(dt)});
   if (const double theta = dissipation_of(s.scene); theta > 0)
-    out.push_back({"dissipation", -1, false, s.with(with_dissipation(s.scene, theta * (1 + more))).model->reference()});
-  out.push_back({"time", -1, true, s.model->reference()});
+    out.push_back({"dissipation", -1, s.with(with_dissipation(s.scene, theta * (1 + more))).model->reference(dt)});
+  out.push_back({"time", -1, s.model->reference(dt * (1 + more))});
+  return out;
+}
+
+}  // namespace
+
+driven_kernels driven_kernels_of(const subject& s, const level_grid& grid, int cells) {
+  const auto dt = grid.dt();
+  driven_kernels out{s.model->reference(dt.back() / cells), {}, directions_of(s, dt[varied_among(dt.size())])};
+  for (const double step : dt) out.twins.push_back(s.model->reference(step));
   return out;
 }
 
 driven_block::driven_block(const context& c, const level_grid& grid, int cells, noise_source source,
-                           const kernel& reference, const std::vector<direction>& directions, int looks)
+                           const driven_kernels& kernels, int looks)
     : context_(c),
       ladder_(*c.subject.model, grid, cells, source),
-      reference_(reference),
-      directions_(directions),
+      kernels_(kernels),
       course_(static_cast<std::size_t>(looks)),
       twins_(grid.steps.size()),
-      varied_(directions.size()) {}
+      varied_(kernels.directions.size()) {}
 
 void driven_block::start(std::uint64_t first_path) {
   first_path_ = first_path;
@@ -40,22 +49,21 @@ void driven_block::start(std::uint64_t first_path) {
 
 void driven_block::advance(int chunk) {
   fine_ = ladder_.fill(context_.seed, first_path_, chunk);
-  const int looks = static_cast<int>(course_.size());
+  const int looks = static_cast<int>(course_.size()), each = fine_.steps / looks;
   for (int i = 0; i < looks; ++i) {
     const auto at = static_cast<std::size_t>(i);
     course_[at] = course_[i > 0 ? at - 1 : course_.size() - 1];
-    reference_.advance(course_[at], part_of(fine_, i, looks));
+    kernels_.truth->advance(course_[at], fine_.part(i * each, each));
   }
-  for (std::size_t l = 0; l < twins_.size(); ++l) reference_.advance(twins_[l], ladder_.level(l));
-  advance_varied(ladder_.level(varied_level()));
+  for (std::size_t l = 0; l < twins_.size(); ++l) kernels_.twins[l]->advance(twins_[l], ladder_.level(l));
+  advance_varied(ladder_.level(varied_among(twins_.size())));
 }
 
 void driven_block::advance_varied(const increment_view& view) {
   const std::size_t row = block_lanes, step = view.dw.size() / static_cast<std::size_t>(view.steps);
-  for (std::size_t k = 0; k < directions_.size(); ++k) {
-    const auto& d = directions_[k];
+  for (std::size_t k = 0; k < kernels_.directions.size(); ++k) {
+    const auto& d = kernels_.directions[k];
     auto varied = view;
-    if (d.time) varied.dt *= 1 + more;
     if (d.channel >= 0) {
       scaled_.assign(view.dw.begin(), view.dw.end());
       for (auto at = static_cast<std::size_t>(d.channel) * row; at < scaled_.size(); at += step)
@@ -68,18 +76,10 @@ void driven_block::advance_varied(const increment_view& view) {
 
 std::vector<std::vector<double>> driven_block::responses() const {
   auto out = varied_;
-  const auto& twin = twins_[varied_level()];
+  const auto& twin = twins_[varied_among(twins_.size())];
   for (auto& r : out)
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = (r[i] - twin[i]) / more;
   return out;
-}
-
-increment_view part_of(const increment_view& v, int part, int parts) {
-  const auto within = [&]<class Real>(std::span<const Real> all) {
-    const auto size = all.size() / static_cast<std::size_t>(parts);
-    return all.subspan(static_cast<std::size_t>(part) * size, size);
-  };
-  return {v.dt, v.steps / parts, within(v.dw), within(v.area), within(v.singles), v.scale};
 }
 
 }  // namespace polhode

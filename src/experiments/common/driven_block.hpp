@@ -21,19 +21,24 @@ namespace polhode {
 struct direction {
   std::string name;
   int channel = -1;                   ///< whose increments are scaled
-  bool time = false;                  ///< dt is scaled
-  std::unique_ptr<kernel> reference;  ///< of the system as it is, or with more dissipation
+  std::unique_ptr<kernel> reference;  ///< of the system as it is, with more dissipation, or over longer steps
+};
+
+/// The driven equation over the steps of a grid.
+struct driven_kernels {
+  std::unique_ptr<kernel> truth;               ///< over the fine cells
+  std::vector<std::unique_ptr<kernel>> twins;  ///< over the steps of each level
+  std::vector<direction> directions;           ///< over those of the level of the responses
 };
 
 /// For any system: of its scene it changes theta alone, and a system without has no such direction.
-std::vector<direction> directions_of(const subject&);
+driven_kernels driven_kernels_of(const subject&, const level_grid&, int cells);
 
 /// One block at a time.
 class driven_block {
  public:
   /// looks: how often the truth is kept within a step of the coarsest level, at its equal parts; a power of two.
-  driven_block(const context&, const level_grid&, int cells, noise_source, const kernel& reference,
-               const std::vector<direction>&, int looks = 1);
+  driven_block(const context&, const level_grid&, int cells, noise_source, const driven_kernels&, int looks = 1);
 
   /// To time 0 of these paths.
   void start(std::uint64_t first_path);
@@ -53,20 +58,15 @@ class driven_block {
   std::vector<std::vector<double>> responses() const;
 
  private:
-  std::size_t varied_level() const { return twins_.size() < 3 ? 0 : twins_.size() - 3; }
   void advance_varied(const increment_view&);
 
   const context& context_;
   increment_ladder ladder_;
   increment_view fine_;
-  const kernel& reference_;
-  const std::vector<direction>& directions_;
+  const driven_kernels& kernels_;
   std::uint64_t first_path_ = 0;
   std::vector<double> scaled_;
   std::vector<std::vector<double>> course_, twins_, varied_;
 };
-
-/// The part-th of so many equal parts of the view's steps.
-increment_view part_of(const increment_view&, int part, int parts);
 
 }  // namespace polhode

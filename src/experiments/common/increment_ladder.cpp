@@ -12,16 +12,17 @@ increment_ladder::increment_ladder(const model& m, const level_grid& grid, int c
   const int channels = m.channels(), pairs = channels * (channels - 1) / 2;
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     const int steps = grid.steps[l] / grid.steps.front();
+    levels_[l].dt = grid.horizon / grid.steps[l];
     levels_[l].dw.resize(static_cast<std::size_t>(steps * channels * block_lanes));
     levels_[l].area.resize(static_cast<std::size_t>(steps * pairs * block_lanes));
-    levels_[l].view = {grid.horizon / grid.steps[l], steps, levels_[l].dw, levels_[l].area};
+    levels_[l].view = {steps, levels_[l].dw, levels_[l].area};
   }
 }
 
 increment_view increment_ladder::fill(std::uint64_t seed, std::uint64_t first_path, int chunk) {
   const int steps = levels_.back().view.steps * cells_;
   const auto first_step = static_cast<std::uint64_t>(chunk) * static_cast<std::uint64_t>(steps);
-  const auto fine = fine_.fill(seed, first_path, first_step, steps, levels_.back().view.dt / cells_);
+  const auto fine = fine_.fill(seed, first_path, first_step, steps, levels_.back().dt / cells_);
   model_.coarsen(fine, cells_, levels_.back().dw, levels_.back().area);
   for (std::size_t l = levels_.size() - 1; l-- > 0;)
     model_.coarsen(levels_[l + 1].view, 2, levels_[l].dw, levels_[l].area);
@@ -30,7 +31,8 @@ increment_view increment_ladder::fill(std::uint64_t seed, std::uint64_t first_pa
       const auto& v = level.view;
       const auto first = static_cast<std::uint64_t>(chunk) * static_cast<std::uint64_t>(v.steps);
       const int channels = model_.channels(), pairs = channels * (channels - 1) / 2;
-      defect->spoil({first_path, first, block_lanes, v.steps, channels, pairs, v.dt, level.dw, {}, level.area, true});
+      defect->spoil(
+          {first_path, first, block_lanes, v.steps, channels, pairs, level.dt, level.dw, {}, level.area, true});
     }
   return fine;
 }

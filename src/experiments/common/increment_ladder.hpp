@@ -25,6 +25,7 @@ class increment_ladder {
 
  private:
   struct level_increments {
+    double dt = 0;
     std::vector<double> dw, area;
     increment_view view;
   };

@@ -38,30 +38,31 @@ noise_audit noise_log::nothing(const part& p) const {
   return {channels_, channels_ > 1 ? pairs_among(rows_) : 0, p.cells};
 }
 
-audited_steps noise_log::of(const increment_view& v) const {
-  return {v.steps, rows_, pairs_among(rows_), v.dw, v.singles, channels_ > 1 ? v.area : std::span<const double>{},
-          v.dt};
+audited_steps noise_log::of(const increment_view& v, double dt) const {
+  return {v.steps, rows_, pairs_among(rows_), v.dw, v.singles, channels_ > 1 ? v.area : std::span<const double>{}, dt};
 }
 
-void noise_log::add(int block, const increment_view& v, std::size_t which) { at(block, which).add(of(v)); }
-
-void noise_log::add_path(int path, const increment_view& v, std::size_t which) {
-  at(path / noise_audit::lanes, which).add_path(of(v), path % noise_audit::lanes);
+void noise_log::add(int block, const increment_view& v, double dt, std::size_t which) {
+  at(block, which).add(of(v, dt));
 }
 
-void noise_log::add_in_turn(std::int64_t first_step, const increment_view& v, std::size_t which) {
+void noise_log::add_path(int path, const increment_view& v, double dt, std::size_t which) {
+  at(path / noise_audit::lanes, which).add_path(of(v, dt), path % noise_audit::lanes);
+}
+
+void noise_log::add_in_turn(std::int64_t first_step, const increment_view& v, double dt, std::size_t which) {
   auto& heard = audits_[which];  // the sum of all blocks that have ended, and the last
   if (heard.size() == 2 && first_step == 0) {
     heard[0].merge(heard[1]);
     heard.pop_back();
   }
   if (first_step == 0 || heard.empty()) heard.push_back(nothing(parts_[which]));
-  heard.back().add(of(v));
+  heard.back().add(of(v, dt));
 }
 
-noise_audit noise_log::alone(int path, const increment_view& v, std::size_t which) const {
+noise_audit noise_log::alone(int path, const increment_view& v, double dt, std::size_t which) const {
   auto heard = nothing(parts_[which]);
-  heard.add_path(of(v), path % noise_audit::lanes);
+  heard.add_path(of(v, dt), path % noise_audit::lanes);
   return heard;
 }
 

@@ -27,14 +27,15 @@ class noise_log {
   /// One more part, of blocks of its own; before they run. Its number.
   std::size_t open(const part&, int blocks);
 
-  void add(int block, const increment_view&, std::size_t which = 0);
-  void add_path(int path, const increment_view&, std::size_t which = 0);
+  /// Of steps of dt.
+  void add(int block, const increment_view&, double dt, std::size_t which = 0);
+  void add_path(int path, const increment_view&, double dt, std::size_t which = 0);
 
   /// Of a part without blocks of its own: whole blocks one after another, each begun by its step 0.
-  void add_in_turn(std::int64_t first_step, const increment_view&, std::size_t which = 0);
+  void add_in_turn(std::int64_t first_step, const increment_view&, double dt, std::size_t which = 0);
 
   /// Where the paths of one block run on several threads: each is heard by itself, and all are joined in their order.
-  noise_audit alone(int path, const increment_view&, std::size_t which) const;
+  noise_audit alone(int path, const increment_view&, double dt, std::size_t which) const;
   void join(int path, const noise_audit& alone, std::size_t which) { at(path / noise_audit::lanes, which).join(alone); }
 
   /// A measurement a deviation that is the largest of its part, and the verdict: none lies beyond what
@@ -43,7 +44,7 @@ class noise_log {
 
  private:
   noise_audit nothing(const part&) const;
-  audited_steps of(const increment_view&) const;
+  audited_steps of(const increment_view&, double dt) const;
   noise_audit& at(int block, std::size_t p) { return audits_[p][static_cast<std::size_t>(block)]; }
 
   int channels_, rows_;

@@ -24,14 +24,13 @@ rounding_floor rounding_floor_of(const context& c, const subject& s, const schem
   const auto& m = *s.model;
   const double dt = s.scene.horizon / static_cast<double>(s.scene.steps.back());
   increment_buffer noise(m, steps, scheme.needs_areas, {c.generator, noise_quality::precise});
-  auto view = m.active_channels() > 0 ? noise.fill(c.seed, 0, 0, steps, dt) : silence(steps, dt);
+  const auto view = m.active_channels() > 0 ? noise.fill(c.seed, 0, 0, steps, dt) : silence(steps);
   const auto start = replicated(s.scene.momentum);
   const double apart = spacing / std::max(1e-3, steps * dt * fastest_rate(s));
   std::array<std::vector<double>, values> states, energies;
   for (std::size_t i = 0; i < values; ++i) {
-    view.dt = dt * (1 + apart * static_cast<double>(i));
     states[i] = start;
-    scheme.make(view.dt)->advance(states[i], view);
+    scheme.make(dt * (1 + apart * static_cast<double>(i)))->advance(states[i], view);
     energies[i].resize(block_lanes);
     std::vector<double> casimirs(m.casimirs(s.scene.momentum).size() * block_lanes);
     m.conserved(states[i], energies[i], casimirs);

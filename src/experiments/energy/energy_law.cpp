@@ -24,7 +24,7 @@ trajectory follow(const subject& s, const scheme_entry& scheme, double horizon, 
   const auto& m = *s.model;
   const double dt = horizon / steps;
   const auto stepper = scheme.make(dt);
-  const auto view = silence(1, dt);
+  const auto view = silence(1);
   auto states = replicated(s.scene.momentum);
   trajectory t;
   for (int i = 0;; ++i) {

@@ -59,7 +59,7 @@ void report_end(const subject& s, const scheme_entry& scheme, report::results& o
   const int steps = static_cast<int>(time / dt);
   const auto stepper = scheme.make(dt);
   auto states = replicated(s.scene.momentum);
-  stepper->advance(states, silence(steps, dt));
+  stepper->advance(states, silence(steps));
   const auto end = lane_of(states, 0, s.model->dimension());
   const double above = above_nearest_well(p, Eigen::Vector3d(end.data()));
   out.verdicts.push_back(

@@ -60,7 +60,7 @@ void run_block(const context& c, const design& d, std::span<const scheme_entry> 
     for (int left = std::max(1, static_cast<int>(time / d.dt)); left > 0;) {
       const int n = std::min(left, chunk);
       const auto view = noise.fill(c.seed, first_path, step, n, d.dt);
-      log.add(block, view);
+      log.add(block, view, d.dt);
       for (const auto k : indices) kernels[k]->advance(states[k], view);
       step += static_cast<std::uint64_t>(n);
       left -= n;

@@ -28,14 +28,6 @@ std::vector<double> random_tangents(std::uint64_t seed, std::uint64_t first_path
   return out;
 }
 
-increment_view step_of(const increment_view& all, int i) {
-  const auto part = [&](auto rows) {
-    const auto size = rows.size() / static_cast<std::size_t>(all.steps);
-    return rows.subspan(static_cast<std::size_t>(i) * size, size);
-  };
-  return {all.dt, 1, part(all.dw), part(all.area), part(all.singles), all.scale};
-}
-
 vec<pack, 3> without(const vec<pack, 3>& direction, const vec<pack, 3>& v) {
   return v - pack(dot(direction, v) / dot(direction, direction)) * direction;
 }
@@ -66,8 +58,8 @@ class tangent_block {
   }
   void observe(const tangent_kernel& k, const increment_view& noise) {
     for (int i = 0; i < noise.steps; ++i) {
-      const auto one = step_of(noise, i);
-      add_controls(one);
+      const auto one = noise.part(i, 1);
+      add_controls(one, k.dt());
       k.advance(states_, tangents_, one);
     }
     for (std::size_t lane = 0; lane < row; lane += width) {
@@ -108,8 +100,8 @@ class tangent_block {
     for (std::size_t lane = 0; lane < row; lane += width) orthonormalise(lane);
   }
 
-  void add_controls(const increment_view& one) {
-    add_tangent_controls({states_.data(), tangents_.data(), one, sigma_, covariance_, control_.data()});
+  void add_controls(const increment_view& one, double dt) {
+    add_tangent_controls({states_.data(), tangents_.data(), one, dt, sigma_, covariance_, control_.data()});
   }
 
   std::array<double, 9> sigma_, covariance_;
@@ -139,7 +131,7 @@ void run_tangents(const context& c, const run_length& run, int block, std::span<
              all = forgetting + static_cast<std::uint64_t>(run.observed);
   for (std::uint64_t step = 0; step < all; step += chunk) {
     const auto view = noise.fill(c.seed, first_path, step, chunk, run.dt);
-    if (log) log->add(block, view);
+    if (log) log->add(block, view, run.dt);
     for (std::size_t k = 0; k < kernels.size(); ++k)
       step < forgetting ? blocks[k].forget(*kernels[k], view) : blocks[k].observe(*kernels[k], view);
   }

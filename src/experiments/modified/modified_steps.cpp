@@ -18,27 +18,13 @@ constexpr double allowed = 1e-12;  // of the momentum: rounding of so few steps
 
 using block_states = std::vector<double>;
 
-/// A stretch of a block's increments.
-increment_view stretch(const increment_view& all, int first, int count) {
-  auto part = all;
-  part.steps = count;
-  const auto cut = [&](auto numbers) {
-    const auto each = numbers.size() / static_cast<std::size_t>(all.steps);
-    return numbers.subspan(static_cast<std::size_t>(first) * each, static_cast<std::size_t>(count) * each);
-  };
-  part.dw = cut(all.dw);
-  part.area = cut(all.area);
-  part.singles = cut(all.singles);
-  return part;
-}
-
 /// The ways to take `steps` steps: a step at a time first.
 std::vector<block_states> own_noise(const kernel& k, const block_states& start, const increment_view& noise) {
   block_states single = start, whole = start, pieces = start;
-  for (int i = 0; i < steps; ++i) k.advance(single, stretch(noise, i, 1));
+  for (int i = 0; i < steps; ++i) k.advance(single, noise.part(i, 1));
   k.advance(whole, noise);
-  k.advance(pieces, stretch(noise, 0, first_piece), {true, false});
-  k.advance(pieces, stretch(noise, first_piece, steps - first_piece), {false, true});
+  k.advance(pieces, noise.part(0, first_piece), {true, false});
+  k.advance(pieces, noise.part(first_piece, steps - first_piece), {false, true});
   return {single, whole, pieces};
 }
 
@@ -77,12 +63,12 @@ report::verdict judge_steps(const context& c, const scheme_entry& scheme) {
   const auto k = scheme.make(dt);
   const auto start = replicated(s.scene.momentum);
   increment_buffer buffer(*s.model, steps, scheme.needs_areas, {c.generator, noise_quality::precise});
-  const auto noise = s.model->active_channels() > 0 ? buffer.fill(c.seed, 0, 0, steps, dt) : silence(steps, dt);
+  const auto noise = s.model->active_channels() > 0 ? buffer.fill(c.seed, 0, 0, steps, dt) : silence(steps);
   double worst = 0;
   if (!noise.silent()) {
     const auto dw = one_lane(noise.dw), area = one_lane(noise.area);
     worst = std::max(largest_difference(own_noise(*k, start, noise)),
-                     largest_difference(common_noise(*k, start, {dt, steps, dw, area})));
+                     largest_difference(common_noise(*k, start, {steps, dw, area})));
   } else {
     worst = largest_difference(own_noise(*k, start, noise));
   }

@@ -57,7 +57,7 @@ noisy_jacobians jacobians_of(const subject& s, const scheme_entry& scheme, const
   };
   for (int t = 0; t < 2; ++t)
     for (int k = 0; k < 3; ++k) std::fill_n(entry(t, k), block_lanes, frame(k, t));
-  scheme.tangent(dt)->advance(states, tangents, {dt, 1, dw, area});
+  scheme.tangent(dt)->advance(states, tangents, {1, dw, area});
   noisy_jacobians out{{}, rule.weight};
   for (std::size_t i = 0; i < rule.weight.size(); ++i) {
     Eigen::Matrix<double, 3, 2> moved;

@@ -42,8 +42,8 @@ std::string stiffness_name(double theta);
 report::measurement stability_row(std::string_view scheme, std::string quantity, std::string observable,
                                   std::optional<double> value, std::string unit, std::string method);
 
-/// Is told of the noise of one block after another, each from its step 0 on.
-using block_listener = std::function<void(std::int64_t first_step, const increment_view&)>;
+/// Is told of the noise of one block after another, each from its step 0 on, and of the length of a step.
+using block_listener = std::function<void(std::int64_t first_step, const increment_view&, double dt)>;
 
 /// The scene first; the references of the mean energy are found in parallel. `hear`: of the first that is sampled.
 std::vector<stability_case> stability_cases(const context&, const block_listener& hear = {});

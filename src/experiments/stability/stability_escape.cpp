@@ -18,11 +18,11 @@ constexpr double rare = 1e-6;  // of paths, within the horizon
 constexpr int most_halvings = 10;
 constexpr transfer_rule shell_rule{{16, 7, 5}, {5, 2}};
 
-bool runs_off(const kernel& k, const points_in_space& from, double dt) {
+bool runs_off(const kernel& k, const points_in_space& from) {
   std::vector<double> states(3 * block_lanes);
   for (int first = 0; first < from.rows(); first += block_lanes) {
     load_block(from, first, states.data());
-    k.advance(states, silence(steps, dt));
+    k.advance(states, silence(steps));
     for (int lane = 0; lane < lanes_in_use(from, first); ++lane) {
       const double* at = states.data() + lane;
       if (!(std::hypot(at[0], at[block_lanes], at[2 * block_lanes]) <= growth * from.row(first).norm())) return true;
@@ -37,13 +37,13 @@ double escape_radius(const stability_case& in, const scheme_entry& scheme, doubl
   const auto k = scheme.make(dt);
   const points_in_space unit = in.radius * sphere_quadrature(directions).points;
   double stays = 1, off = 1;
-  while (!runs_off(*k, off * unit, dt)) {
+  while (!runs_off(*k, off * unit)) {
     stays = off;
     if ((off *= 2) > farthest) return std::numeric_limits<double>::infinity();
   }
   while (off > accuracy * stays) {
     const double middle = std::sqrt(off * stays);
-    (runs_off(*k, middle * unit, dt) ? off : stays) = middle;
+    (runs_off(*k, middle * unit) ? off : stays) = middle;
   }
   return off;
 }

@@ -56,9 +56,9 @@ long_drift drift_over(const subject& s, const scheme_entry& scheme, double dt, d
   std::uint64_t next = 1;
   for (std::uint64_t i = 0; i < chunks; ++i) {
     for (std::uint64_t k = i * chunk; k < (i + 1) * chunk; k += part) {
-      const auto view = silent ? silence(part, dt) : noise.fill(seed, 0, k, part, dt);
+      const auto view = silent ? silence(part) : noise.fill(seed, 0, k, part, dt);
       const auto first = static_cast<std::int64_t>(k);
-      if (hear && !silent && first < heard_steps) hear(first, view);
+      if (hear && !silent && first < heard_steps) hear(first, view, dt);
       stepper->advance(states, view);
     }
     if (i + 1 < next && i + 1 < chunks) continue;

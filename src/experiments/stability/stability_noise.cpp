@@ -18,7 +18,7 @@ heard_noise::heard_noise(const subject& s) : log_(*s.model, 0, {}), scheme_(hear
 }
 
 block_listener heard_noise::listener(part p) {
-  return [this, p](std::int64_t first_step, const increment_view& v) { log_.add_in_turn(first_step, v, p); };
+  return [this, p](std::int64_t first, const increment_view& v, double dt) { log_.add_in_turn(first, v, dt, p); };
 }
 
 block_listener heard_noise::listener(part p, const scheme_entry& scheme) {

@@ -26,16 +26,16 @@ class common_normals {
   /// The number of steps names the run: 2^24 paths each, and no two numbers of steps share one.
   void fill(int block, std::int64_t first_step, int steps, bool areas) {
     const auto path = (static_cast<std::uint64_t>(plan_.steps) << 24) + static_cast<std::uint64_t>(block) * block_lanes;
-    view_ = silent_ ? silence(steps, 1)
+    view_ = silent_ ? silence(steps)
                     : (areas ? both_ : increments_)
                           .fill(plan_.seed, path, static_cast<std::uint64_t>(first_step), steps, normal_area_dt);
   }
   increment_view scaled_to(double dt, bool areas) {
-    if (silent_) return silence(view_.steps, dt);
-    if (!areas) return {dt, view_.steps, {}, {}, view_.singles, std::sqrt(dt)};
+    if (silent_) return silence(view_.steps);
+    if (!areas) return {view_.steps, {}, {}, view_.singles, std::sqrt(dt)};
     area_.resize(view_.area.size());
     std::ranges::transform(view_.area, area_.begin(), [scale = dt / normal_area_dt](double x) { return scale * x; });
-    return {dt, view_.steps, {}, area_, view_.singles, std::sqrt(dt)};
+    return {view_.steps, {}, area_, view_.singles, std::sqrt(dt)};
   }
 
  private:
@@ -85,7 +85,7 @@ std::vector<stability_outcome> run_until_broken(std::span<const stability_member
   std::vector<watched_run> runs;
   for (const auto& m : members) {
     kernels.push_back(m.scheme->make(m.dt));
-    runs.emplace_back(*m.in, *kernels.back(), m.scheme->info.implicit, m.scheme->needs_areas, m.dt, m.hear, p);
+    runs.emplace_back(*m.in, *kernels.back(), m.scheme->info.implicit, m.scheme->needs_areas, m.hear, p);
   }
   run(*members.front().in->bound.model, p, runs);
   std::vector<stability_outcome> out;
@@ -102,11 +102,11 @@ double fine_mean_energy(const stability_case& c, int paths, std::uint64_t seed, 
                         const block_listener& hear) {
   constexpr double resolution = 16;
   const auto steps = static_cast<std::int64_t>(std::ceil(resolution * c.rate * c.horizon));
-  const auto reference = c.bound.model->reference();
   // A seed of its own: a scheme that happens to take as many steps must not see the same paths.
   const stability_plan p{c.horizon / static_cast<double>(steps), steps, paths, ~seed, generator, true, hear};
+  const auto reference = c.bound.model->reference(p.dt);
   std::vector<watched_run> alone;
-  alone.emplace_back(c, *reference, false, false, p.dt, hear, p);
+  alone.emplace_back(c, *reference, false, false, hear, p);
   run(*c.bound.model, p, alone);
   return alone.front().outcome().mean_energy;
 }

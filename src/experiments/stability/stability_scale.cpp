@@ -26,7 +26,7 @@ std::vector<double> states_at(const context& c, const scheme_entry& named, int p
   increment_buffer noise(*s.model, steps, scheme.needs_areas, {c.generator, noise_quality::fast});
   auto states = replicated(s.scene.momentum);
   scheme.make(dt)->advance(states,
-                           s.model->active_channels() > 0 ? noise.fill(c.seed, 0, 0, steps, dt) : silence(steps, dt));
+                           s.model->active_channels() > 0 ? noise.fill(c.seed, 0, 0, steps, dt) : silence(steps));
   for (double& x : states) x = std::ldexp(x, 2 * (unit - power));
   return states;
 }

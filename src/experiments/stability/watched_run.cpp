@@ -85,9 +85,9 @@ breakage watched_block::judge(std::size_t lane, stability_outcome& out) const {
   return beyond(h) > energy_share * most ? breakage::energy_range : breakage::none;
 }
 
-watched_run::watched_run(const stability_case& in, const kernel& step, bool implicit, bool areas, double dt,
-                         block_listener hear, const stability_plan& p)
-    : case_(in), step_(step), implicit_(implicit), areas_(areas), dt_(dt), hear_(std::move(hear)), plan_(p) {}
+watched_run::watched_run(const stability_case& in, const kernel& step, bool implicit, bool areas, block_listener hear,
+                         const stability_plan& p)
+    : case_(in), step_(step), implicit_(implicit), areas_(areas), hear_(std::move(hear)), plan_(p) {}
 
 bool watched_run::wants(int block) const {
   if (!plan_.to_the_end && too_many(out_, plan_.paths)) return false;
@@ -102,7 +102,7 @@ void watched_run::begin() {
 }
 
 void watched_run::advance(std::int64_t first_step, const increment_view& view) {
-  if (hear_ && !view.silent()) hear_(first_step, view);
+  if (hear_ && !view.silent()) hear_(first_step, view, dt());
   step_.advance(block_->states, view);
   block_->look(out_);
   over_ = out_.broken - before_ == block_lanes || (!plan_.to_the_end && too_many(out_, plan_.paths));

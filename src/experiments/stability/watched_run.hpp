@@ -43,8 +43,7 @@ class watched_block {
 class watched_run {
  public:
   /// Of what is given by reference it keeps the reference.
-  watched_run(const stability_case&, const kernel&, bool implicit, bool areas, double dt, block_listener,
-              const stability_plan&);
+  watched_run(const stability_case&, const kernel&, bool implicit, bool areas, block_listener, const stability_plan&);
 
   /// Whether it needs that block, all before it being done.
   bool wants(int block) const;
@@ -54,7 +53,7 @@ class watched_run {
   bool over() const { return over_; }
   void end();
 
-  double dt() const { return dt_; }
+  double dt() const { return step_.dt(); }
   bool needs_areas() const { return areas_; }
   stability_outcome outcome() const;
 
@@ -62,7 +61,6 @@ class watched_run {
   const stability_case& case_;
   const kernel& step_;
   bool implicit_, areas_;
-  double dt_;
   block_listener hear_;
   const stability_plan& plan_;
   stability_outcome out_;

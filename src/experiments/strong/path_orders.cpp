@@ -92,11 +92,11 @@ void largest_errors::advance(const kernel& k, const driven_block& truth, std::si
                              std::span<double> states) {
   const auto& steps = truth.increments(level);
   const auto course = truth.course();
-  const int looks = std::min(steps.steps, static_cast<int>(course.size()));
+  const int looks = std::min(steps.steps, static_cast<int>(course.size())), each = steps.steps / looks;
   const std::size_t apart = course.size() / static_cast<std::size_t>(looks);
   lane_values worst{};
   for (int i = 0; i < looks; ++i) {
-    k.advance(states, part_of(steps, i, looks));
+    k.advance(states, steps.part(i * each, each));
     take_larger(distances(states, course[static_cast<std::size_t>(i + 1) * apart - 1]), worst);
   }
   for (int lane = 0; lane < block_lanes; ++lane) {

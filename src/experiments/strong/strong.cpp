@@ -33,8 +33,7 @@ struct strong_run {
   const context& c;
   level_grid grid;
   kernel_table kernels;
-  std::unique_ptr<kernel> reference;
-  std::vector<direction> directions;
+  driven_kernels driven;
   std::vector<path_record> records;     ///< [scheme]
   std::vector<largest_errors> largest;  ///< [scheme]
   noise_effect noise;
@@ -46,7 +45,7 @@ struct strong_run {
 void run_block(strong_run& r, std::span<const int> open, int block) {
   const auto& s = r.c.subject;
   const std::size_t levels = r.grid.steps.size();
-  driven_block truth(r.c, r.grid, fine_per_step, {r.c.generator, noise_quality::precise}, *r.reference, r.directions,
+  driven_block truth(r.c, r.grid, fine_per_step, {r.c.generator, noise_quality::precise}, r.driven,
                      looks_in_coarsest(r.grid));
   std::vector<std::vector<std::vector<double>>> states(
       r.kernels.size(), std::vector<std::vector<double>>(levels, replicated(s.scene.momentum)));
@@ -55,14 +54,14 @@ void run_block(strong_run& r, std::span<const int> open, int block) {
   truth.start(static_cast<std::uint64_t>(first_path));
   for (int chunk = 0; chunk < r.grid.steps.front(); ++chunk) {
     truth.advance(chunk);
-    r.log.add(block, truth.fine());
-    r.log.add(block, truth.increments(levels - 1), 1);
+    r.log.add(block, truth.fine(), r.driven.truth->dt());
+    r.log.add(block, truth.increments(levels - 1), r.driven.twins.back()->dt(), 1);
     for (const auto k : indices)
       for (std::size_t l = 0; l < levels; ++l)
         r.largest[k].advance(*r.kernels[k][l], truth, l, first_path, states[k][l]);
   }
   const auto responses = truth.responses();
-  keep(responses, r.directions, first_path, r.noise);
+  keep(responses, r.driven.directions, first_path, r.noise);
   r.halved.keep(truth, first_path);
   for (const auto k : indices) keep(states[k], truth, responses, s.schemes[k].needs_areas, first_path, r.records[k]);
 }
@@ -142,13 +141,13 @@ void report_scheme(const strong_run& r, std::size_t k, const finding& found, rep
   for (std::size_t i = 0; i < found.limit.strengths.size(); ++i)
     if (const auto& m = found.limit.strengths[i]; m.known)
       out.measurements.push_back(
-          measured({s.experiment, s.scheme, "strength of " + r.directions[i].name, "", "", "sampled"}, {},
+          measured({s.experiment, s.scheme, "strength of " + r.driven.directions[i].name, "", "", "sampled"}, {},
                    1 + m.error.value, 1 + m.error.low, 1 + m.error.high));
   if (const auto& m = found.areas; m.known)
     out.measurements.push_back(measured({s.experiment, s.scheme, "strength of Levy areas", "", "", "sampled"}, {},
                                         1 + m.error.value, 1 + m.error.low, 1 + m.error.high));
   out.verdicts.push_back(judge_limit({s.experiment, s.scheme, "limit is the Stratonovich solution"}, found.limit,
-                                     r.directions, length(r.c.subject.scene.momentum)));
+                                     r.driven.directions, length(r.c.subject.scene.momentum)));
 }
 
 /// On the paths that every run has, whichever its schemes.
@@ -166,11 +165,11 @@ void run(const context& c, report::results& out) {
   const sampling_plan plan{320, by_effort(c.effort, 640, 2048, 8192)};
   const int paths = blocks_of(plan.most) * block_lanes;
   noise_log log(*s.model, blocks_of(plan.most), {{"", 0}, {"finest steps", fine_per_step}});
+  const auto grid = asymptotic_levels(s, by_effort(c.effort, 256.0, 256.0, 512.0));
   strong_run r{c,
-               asymptotic_levels(s, by_effort(c.effort, 256.0, 256.0, 512.0)),
+               grid,
                kernel_table(s.schemes.size()),
-               s.model->reference(),
-               directions_of(s),
+               driven_kernels_of(s, grid, fine_per_step),
                {},
                {},
                {std::vector<double>(static_cast<std::size_t>(paths))},
@@ -178,7 +177,7 @@ void run(const context& c, report::results& out) {
                log};
   const auto dt = r.grid.dt();
   const auto levels = static_cast<int>(dt.size());
-  r.records.assign(s.schemes.size(), path_record(paths, levels, static_cast<int>(r.directions.size())));
+  r.records.assign(s.schemes.size(), path_record(paths, levels, static_cast<int>(r.driven.directions.size())));
   r.largest.assign(s.schemes.size(), largest_errors(paths, levels));
   r.halved = halved_references(paths, levels);
   for (std::size_t k = 0; k < s.schemes.size(); ++k)

@@ -29,8 +29,7 @@ class coupled_levels {
       : context_(c),
         schemes_(schemes),
         grid_(asymptotic_levels(c.subject, resolution)),
-        reference_(c.subject.model->reference()),
-        directions_(directions_of(c.subject)),
+        driven_(driven_kernels_of(c.subject, grid_, cells)),
         functions_(f),
         noise_{std::vector<double>(static_cast<std::size_t>(paths))},
         log_(*c.subject.model, paths / block_lanes, {{"", 0}, {"finest steps", cells}}) {
@@ -38,14 +37,14 @@ class coupled_levels {
     const squared_errors room{paths, levels, std::vector<double>(static_cast<std::size_t>(paths * levels))};
     for (const auto& scheme : schemes) {
       found_.push_back({std::vector<squared_errors>(f.size(), room),
-                        path_record(paths, levels, static_cast<int>(directions_.size()))});
+                        path_record(paths, levels, static_cast<int>(driven_.directions.size()))});
       kernels_.emplace_back();
       for (const double dt : grid_.dt()) kernels_.back().push_back(scheme.make(dt));
     }
   }
 
   const level_grid& grid() const { return grid_; }
-  const std::vector<direction>& directions() const { return directions_; }
+  const std::vector<direction>& directions() const { return driven_.directions; }
   const noise_log& log() const { return log_; }
   double path_steps() const {
     double sum = 0;
@@ -62,20 +61,20 @@ class coupled_levels {
 
   void run_block(int block, std::span<const int> open) {
     const int first = block * block_lanes;
-    driven_block truth(context_, grid_, cells, {context_.generator, noise_quality::fast}, *reference_, directions_);
+    driven_block truth(context_, grid_, cells, {context_.generator, noise_quality::fast}, driven_);
     const std::vector<std::vector<double>> start(grid_.steps.size(), replicated(context_.subject.scene.momentum));
     std::vector<std::vector<std::vector<double>>> states(open.size(), start);
     truth.start(static_cast<std::uint64_t>(first));
     for (int chunk = 0; chunk < grid_.steps.front(); ++chunk) {
       truth.advance(chunk);
-      log_.add(block, truth.fine());
-      log_.add(block, truth.increments(start.size() - 1), 1);
+      log_.add(block, truth.fine(), driven_.truth->dt());
+      log_.add(block, truth.increments(start.size() - 1), driven_.twins.back()->dt(), 1);
       for (std::size_t i = 0; i < open.size(); ++i)
         for (std::size_t l = 0; l < start.size(); ++l)
           kernels_[static_cast<std::size_t>(open[i])][l]->advance(states[i][l], truth.increments(l));
     }
     const auto responses = truth.responses();
-    polhode::keep(responses, directions_, first, noise_);
+    polhode::keep(responses, driven_.directions, first, noise_);
     for (std::size_t i = 0; i < open.size(); ++i) {
       polhode::keep(states[i], truth, responses, schemes_[static_cast<std::size_t>(open[i])].needs_areas, first,
                     of(open[i]).paths);
@@ -105,8 +104,7 @@ class coupled_levels {
   const context& context_;
   const std::vector<scheme_entry>& schemes_;
   level_grid grid_;
-  std::unique_ptr<kernel> reference_;
-  std::vector<direction> directions_;
+  driven_kernels driven_;
   const std::vector<sphere_function>& functions_;
   noise_effect noise_;
   noise_log log_;

@@ -20,7 +20,7 @@ double energy_truth::error(const scheme_entry& scheme, double dt) const {
   for (int k = 1; k <= times; ++k) {
     const long next = steps * k / times;
     if (next == done) continue;
-    stepper->advance(states, silence(static_cast<int>(next - done), dt));
+    stepper->advance(states, silence(static_cast<int>(next - done)));
     done = next;
     const double h = still_.model->energy(lane_of(states, 0, still_.model->dimension()));
     if (!std::isfinite(h)) return h;

@@ -49,8 +49,7 @@ class placed_states {
 class timed_block {
  public:
   timed_block(const context& c, const scheme_entry& scheme, double dt, int slot)
-      : dt_(dt),
-        seed_(c.seed),
+      : seed_(c.seed),
         silent_(c.subject.model->active_channels() == 0),
         stepper_(scheme.make(dt)),
         noise_(*c.subject.model, chunk, scheme.needs_areas, {c.generator, noise_quality::fast}),
@@ -75,12 +74,11 @@ class timed_block {
       const bool first = i % chunks_to_horizon_ == 0, last = (i + 1) % chunks_to_horizon_ == 0 || i + 1 == chunks;
       if (first) std::ranges::copy(start_, states_.values().begin());
       const auto at = static_cast<std::uint64_t>(i) * chunk;
-      stepper_->advance(states_.values(), silent_ ? silence(chunk, dt_) : noise_.fill(seed_, 0, at, chunk, dt_),
+      stepper_->advance(states_.values(), silent_ ? silence(chunk) : noise_.fill(seed_, 0, at, chunk, stepper_->dt()),
                         {first, last});
     }
   }
 
-  double dt_;
   std::uint64_t seed_;
   bool silent_;
   std::unique_ptr<kernel> stepper_;

@@ -47,11 +47,11 @@ class rigid_body_forms {
         store_lanes(vec<pack, 3>{{l[2], -l[1], l[0]}}, scratch.data() + rows + at);  // as pairs of the unit vectors
       }
     const std::span<const double> all(scratch);
-    return {view.dt, view.steps, all.first(rows), all.subspan(rows, areas)};
+    return {view.steps, all.first(rows), all.subspan(rows, areas)};
   }
 
   shared_steps share(const increment_view& path) const {
-    shared_steps out{path.dt, words, std::vector<double>(static_cast<std::size_t>(path.steps) * words)};
+    shared_steps out{words, std::vector<double>(static_cast<std::size_t>(path.steps) * words)};
     for (std::size_t i = 0; i < static_cast<std::size_t>(path.steps); ++i) {
       const auto row = [&](std::span<const double> all) {
         return all.empty() ? vec<double, 3>{} : vec<double, 3>{{all[3 * i], all[3 * i + 1], all[3 * i + 2]}};

@@ -55,7 +55,7 @@ std::unique_ptr<kernel> rigid_body_kernel(const rigid_body& body, double radius,
   const int axis = parts.last_turn ? 0 : first_axis_of(body);
   const auto made = [&]<rotation_size size>() -> std::unique_ptr<kernel> {
     using forms = rigid_body_forms<parts, size>;
-    return std::make_unique<kernel_of<Scheme, forms, loop_scalar<Scheme, size>>>(forms(body, dt, radius, axis));
+    return std::make_unique<kernel_of<Scheme, forms, loop_scalar<Scheme, size>>>(forms(body, dt, radius, axis), dt);
   };
   if constexpr (rotates<Scheme>) {
     const auto size = rotation_size_of(body, radius, dt);
