@@ -8,6 +8,7 @@
 #include <polhode/systems/constant_noise.hpp>
 
 #include "ensemble/kernel.hpp"
+#include "ensemble/noise/noise_layout.hpp"
 
 namespace polhode {
 
@@ -16,8 +17,7 @@ class model {
  public:
   virtual ~model() = default;
   virtual int dimension() const = 0;
-  virtual int channels() const = 0;
-  virtual int active_channels() const = 0;  ///< channels that are drawn; the others stay zero
+  virtual noise_layout layout() const = 0;  ///< of its noise
   virtual noise_class noise() const = 0;
   virtual double energy(std::span<const double> mu) const = 0;
   virtual double dissipation_rate(std::span<const double> mu) const = 0;  ///< -dh/dt without noise

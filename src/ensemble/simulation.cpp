@@ -44,7 +44,7 @@ class ensemble_run {
  public:
   ensemble_run(const model& m, const kernel& k, const simulation_plan& p, const std::function<void(double)>& progress)
       : model_(m), kernel_(k), plan_(p), progress_(progress), counting_(p.snapshots.size()) {
-    noiseless_ = p.noise == ensemble_noise::none || m.active_channels() == 0;
+    noiseless_ = p.noise == ensemble_noise::none || m.layout().silent();
     if (!noiseless_ && p.noise == ensemble_noise::common) {
       const shared_increments drawn(m, p.seed, p.steps, k.dt(), p.with_areas, p.threads, p.source, p.path);
       const auto all = drawn.view(0, static_cast<int>(p.steps));
@@ -99,15 +99,12 @@ class ensemble_run {
     for (const auto& piece : moments_)
       for (std::size_t i = 0; i < piece.size(); ++i)
         (i < out_.snapshots.size() ? out_.snapshots[i].moments : out_.final).merge(piece[i]);
-    if (!noiseless_ && !common_) out_.drawn = static_cast<std::uint64_t>(plan_.steps * plan_.bodies * rows_drawn());
+    if (!noiseless_ && !common_)
+      out_.drawn = static_cast<std::uint64_t>(plan_.steps * plan_.bodies * model_.layout().drawn(plan_.with_areas));
     return std::move(out_);
   }
 
  private:
-  std::int64_t rows_drawn() const {
-    const int m = model_.active_channels(), all = model_.channels();
-    return m + (plan_.with_areas && m > 1 ? all * (all - 1) / 2 : 0);
-  }
   int lanes_of(std::int64_t block) const {
     return static_cast<int>(std::min<std::int64_t>(block_lanes, plan_.bodies - block * block_lanes));
   }
@@ -174,7 +171,7 @@ simulated simulate_ensemble(const model& m, const kernel& k, const simulation_pl
 }
 
 double simulation_bytes(const model& m, const simulation_plan& p) {
-  const bool common = p.noise == ensemble_noise::common && m.active_channels() > 0;
+  const bool common = p.noise == ensemble_noise::common && !m.layout().silent();
   const double states = static_cast<double>(p.bodies) * m.dimension() * sizeof(double);
   const double counts = (longitude_bins::count + hemisphere_bins::count) * sizeof(std::uint32_t);
   const double pieces = static_cast<double>(blocks_of(p)) / static_cast<double>(blocks_a_piece(p)) + 1;

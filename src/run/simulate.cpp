@@ -110,11 +110,11 @@ report::ensemble_state described(const ensemble_moments& m, std::int64_t step, d
 std::vector<std::string> remarks_on(const scene& s, const prepared_run& r) {
   std::vector<std::string> out;
   const auto& m = *r.subject.model;
-  if (m.active_channels() == 0 || r.plan.noise == ensemble_noise::none)
+  if (m.layout().silent() || r.plan.noise == ensemble_noise::none)
     out.emplace_back(dissipation_of(s) > 0
                          ? "without noise the attractor is the set of equilibria, and no number is drawn"
                          : "without noise and dissipation every body stays on its orbit; no number is drawn");
-  if (r.plan.with_areas && m.active_channels() > 1 && r.plan.noise != ensemble_noise::none)
+  if (r.plan.with_areas && m.layout().active_pairs() > 0 && r.plan.noise != ensemble_noise::none)
     out.emplace_back("areas are drawn from the weak surrogate: right in law to weak order two, not path by path");
   return out;
 }

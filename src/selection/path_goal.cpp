@@ -41,7 +41,7 @@ class path_goal final : public goal {
   }
 
   double further_normals(const candidate& c, double dt) const override {
-    const int channels = context_.subject.model->active_channels();
+    const int channels = context_.subject.model->layout().active;
     return c.scheme.needs_areas && channels > 1 ? (cells(c, dt) - 1.0) * channels : 0;
   }
 

@@ -23,8 +23,7 @@ class model_of final : public model {
   explicit model_of(System system) : system_(std::move(system)) {}
 
   int dimension() const override { return n; }
-  int channels() const override { return m; }
-  int active_channels() const override { return system_.active_channels(); }
+  noise_layout layout() const override { return {m, system_.active_channels()}; }
   noise_class noise() const override { return system_.classify(); }
   double energy(std::span<const double> mu) const override { return system_.energy(state(mu)); }
   double dissipation_rate(std::span<const double> mu) const override { return system_.dissipation_rate(state(mu)); }

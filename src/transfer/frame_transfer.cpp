@@ -148,7 +148,7 @@ frame_transfer make_frame_transfer(const subject& s, const scheme_entry& scheme,
 Eigen::Vector2d own_exponents(const subject& s, const scheme_entry& scheme, double dt, const transfer_rule& rule) {
   const auto step = step_of(s, scheme, dt, rule);
   const frame_basis invariant(rule.basis.degree, frame_basis::functions::invariant);
-  if (has_half_turns(*step.stepper, invariant, step.radius, step.nodes, s.model->active_channels()))
+  if (has_half_turns(*step.stepper, invariant, step.radius, step.nodes, s.model->layout().active))
     return on_basis(step, invariant).exponents();
   return on_basis(step, frame_basis(rule.basis.degree)).exponents();
 }

@@ -70,8 +70,8 @@ normal_rule_points radii_of(int channels) {
 }  // namespace
 
 noise_nodes far_nodes_of(const model& m, bool with_areas, double dt) {
-  const int channels = m.channels(), active = m.active_channels(), pairs = channels * (channels - 1) / 2;
-  const int areas = with_areas && active > 1 ? pairs : 0;
+  const auto layout = m.layout();
+  const int active = layout.active, areas = with_areas ? layout.active_pairs() : 0;
   const auto directions = directions_in(active);
   const auto radii = radii_of(active);
   noise_nodes out{dt, {}, {}, {}};
@@ -79,9 +79,9 @@ noise_nodes far_nodes_of(const model& m, bool with_areas, double dt) {
     for (Eigen::Index d = 0; d < directions.weights.size(); ++d)
       for (int signs = 0; signs < 1 << areas; ++signs) {
         out.weight.push_back(radii.weights[r] * directions.weights[d] / (1 << areas));
-        for (int k = 0; k < channels; ++k)
+        for (int k = 0; k < layout.channels; ++k)
           out.dw.push_back(k < active ? std::sqrt(dt) * radii.nodes[r] * directions.at(d, k) : 0);
-        for (int k = 0; with_areas && k < pairs; ++k)
+        for (int k = 0; with_areas && k < layout.pairs(); ++k)
           out.area.push_back(k >= areas ? 0 : (signs >> k & 1) == 0 ? dt / 2 : -dt / 2);
       }
   return out;
@@ -92,8 +92,8 @@ double rare_share(int active_channels) {
 }
 
 noise_nodes nodes_of(const model& m, bool with_areas, double dt, const noise_rule& rule) {
-  const int channels = m.channels(), active = m.active_channels(), pairs = channels * (channels - 1) / 2;
-  const int areas = with_areas && active > 1 ? pairs : 0;
+  const auto layout = m.layout();
+  const int active = layout.active, areas = with_areas ? layout.active_pairs() : 0;
   const normal_rule hermite(rule.channel), area(rule.area);
   noise_nodes out{dt, {}, {}, {}};
   std::vector<int> at(static_cast<std::size_t>(active + areas), 0);
@@ -104,8 +104,9 @@ noise_nodes nodes_of(const model& m, bool with_areas, double dt, const noise_rul
     if (weight > negligible) {
       out.weight.push_back(weight);
       const auto node = [&](int d) { return axis(d).nodes[at[static_cast<std::size_t>(d)]]; };
-      for (int k = 0; k < channels; ++k) out.dw.push_back(k < active ? std::sqrt(dt) * node(k) : 0);
-      for (int k = 0; with_areas && k < pairs; ++k) out.area.push_back(k < areas ? dt / 2 * node(active + k) : 0);
+      for (int k = 0; k < layout.channels; ++k) out.dw.push_back(k < active ? std::sqrt(dt) * node(k) : 0);
+      for (int k = 0; with_areas && k < layout.pairs(); ++k)
+        out.area.push_back(k < areas ? dt / 2 * node(active + k) : 0);
     }
     more = false;
     for (int d = 0; d < active + areas && !more; ++d) {

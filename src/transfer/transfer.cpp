@@ -132,8 +132,7 @@ transfer_maker::known_noise& transfer_maker::noise_of(const noise_rule& rule) {
 transfer_operator transfer_maker::operator()(const transfer_rule& rule) {
   auto& noise = noise_of(rule.noise);
   shell_basis basis(rule.basis.degree, rule.basis.radial, shell_of(*step_, subject_, noise.nodes, steps_, rule.basis));
-  if (!noise.half_turns)
-    noise.half_turns = has_half_turns(*step_, basis, noise.nodes, subject_.model->active_channels());
+  if (!noise.half_turns) noise.half_turns = has_half_turns(*step_, basis, noise.nodes, subject_.model->layout().active);
   return transfer_on(*step_, std::move(basis), noise.nodes, *noise.half_turns);
 }
 
@@ -159,7 +158,7 @@ Eigen::VectorXd change_by_far_noise(const subject& s, const scheme_entry& scheme
   const auto noise = nodes_of(*s.model, scheme.needs_areas, dt, near);
   const shell_basis basis(rule.degree, rule.radial, shell_of(*stepper, s, noise, steps, rule));
   const auto far = far_nodes_of(*s.model, scheme.needs_areas, dt);
-  const int active = s.model->active_channels();
+  const int active = s.model->layout().active;
   const auto answer = [&](const noise_nodes& nodes) {
     return ask(transfer_on(*stepper, basis, nodes, has_half_turns(*stepper, basis, nodes, active)));
   };

@@ -28,8 +28,8 @@ constexpr double range = 4;                    // of what is averaged, in its sc
 
 /// From every point of an operator: nodes of the noise.
 double steps_a_point(const model& m, bool with_areas, const noise_rule& rule) {
-  const int active = m.active_channels(), areas = with_areas ? active * (active - 1) / 2 : 0;
-  return std::pow(rule.channel, active) * std::pow(rule.area, areas);
+  const auto layout = m.layout();
+  return std::pow(rule.channel, layout.active) * std::pow(rule.area, with_areas ? layout.active_pairs() : 0);
 }
 
 /// Points of the basis times functions; for frames, to the leading power of the degree.

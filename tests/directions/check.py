@@ -58,7 +58,7 @@ MAY = {
     'driver':        ['noise', 'scheme_info'],
     'platform':      [],
     'algebra':       ['platform'],
-    'statistics':    ['noise', 'algebra'],
+    'statistics':    ['helpers', 'noise', 'algebra'],
     'references':    CALCULUS,
     'sphere':        ['algebra', 'references'],
     'ensemble':      CALCULUS + ['platform'],

@@ -31,7 +31,7 @@ class defective_draws final : public noise_defect {
     const auto rows = [&]<class Real>(std::span<Real> values, double unit) {
       if (!values.empty())
         spoil_increments({of_increments(defect_.kind), defect_.size},
-                         noise_rows<Real>{values, static_cast<std::size_t>(n.channels),
+                         noise_rows<Real>{values, static_cast<std::size_t>(n.layout.channels),
                                           static_cast<std::size_t>(n.lanes), static_cast<std::size_t>(n.steps), unit});
     };
     rows(n.dw, std::sqrt(n.dt));

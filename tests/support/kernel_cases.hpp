@@ -41,7 +41,7 @@ struct increments {
   increment_view view;
   increments(const model& m, int steps, double step) : dt(step) {
     increment_buffer buffer(m, steps, true);
-    if (m.active_channels() == 0) {
+    if (m.layout().silent()) {
       view = silence(steps);
       return;
     }

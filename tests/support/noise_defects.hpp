@@ -17,9 +17,9 @@ inline void each_increment(const drawn_noise& n,
   if (n.coarsened) return;
   const double unit = n.singles.empty() ? std::sqrt(n.dt) : 1;
   for (int i = 0; i < n.steps; ++i)
-    for (int k = 0; k < n.channels; ++k)
+    for (int k = 0; k < n.layout.channels; ++k)
       for (int lane = 0; lane < n.lanes; ++lane) {
-        const auto at = static_cast<std::size_t>((i * n.channels + k) * n.lanes + lane);
+        const auto at = static_cast<std::size_t>((i * n.layout.channels + k) * n.lanes + lane);
         if (n.singles.empty())
           n.dw[at] = unit * f(i, k, lane, n.dw[at] / unit);
         else
@@ -29,7 +29,7 @@ inline void each_increment(const drawn_noise& n,
 
 /// As it is kept, to be read by another lane, channel or step.
 inline double increment_at(const drawn_noise& n, int step, int channel, int lane) {
-  const auto at = static_cast<std::size_t>((step * n.channels + channel) * n.lanes + lane);
+  const auto at = static_cast<std::size_t>((step * n.layout.channels + channel) * n.lanes + lane);
   return n.singles.empty() ? n.dw[at] / std::sqrt(n.dt) : double{n.singles[at]};
 }
 

@@ -52,14 +52,14 @@ TEST(Ensemble, IsTheLoopOfTheLibrary) {
 TEST(Increments, UnusedChannelsAreZero) {
   auto scene = load_scene("single");
   const auto one = bind_scene(scene);
-  EXPECT_EQ(one.model->active_channels(), 1);
+  EXPECT_EQ(one.model->layout().active, 1);
   increment_buffer noise(*one.model, 1, true);
   const auto view = noise.fill(1, 0, 0, 1, 1.0);
   EXPECT_EQ(view.dw[0], normals<1>({1, noise_kind::increment, 0, 0})[0]);
   for (int k = block_lanes; k < 3 * block_lanes; ++k) EXPECT_EQ(view.dw[static_cast<std::size_t>(k)], 0.0);
   for (const double area : view.area) EXPECT_EQ(area, 0.0);
   scene.vectors("sigma").clear();
-  EXPECT_EQ(bind_scene(scene).model->active_channels(), 0);
+  EXPECT_EQ(bind_scene(scene).model->layout().active, 0);
 }
 
 // Three channels, areas, two lanes.

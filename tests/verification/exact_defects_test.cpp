@@ -141,7 +141,7 @@ TEST(ExactDefects, NoiseFarOutChangesNothingOfASmoothStep) {
     const std::array functions{*named_observable("energy", *s.sphere()), *named_observable("pi3", *s.sphere())};
     double allowed = 0;  // of an observable's size
     for (const auto& f : functions)
-      allowed = std::max(allowed, moved(s, f, rare_share(s.model->active_channels())) / size_on_sphere(f, radius));
+      allowed = std::max(allowed, moved(s, f, rare_share(s.model->layout().active)) / size_on_sphere(f, radius));
     const auto ask = [&](const transfer_operator& op) -> Eigen::VectorXd {
       const auto law = op.law_after(Eigen::Vector3d(s.scene.momentum.data()), steps);
       return Eigen::Vector2d(law.dot(op.basis.coefficients(functions[0])),

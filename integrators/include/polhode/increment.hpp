@@ -6,9 +6,10 @@
 
 namespace polhode {
 
-/// Number of pairs i < j among M channels, ordered (0,1), (0,2), …, (1,2), …
+/// Number of pairs i < j among so many channels, ordered (0,1), (0,2), …, (1,2), …
+constexpr int pairs_among(int channels) { return channels * (channels - 1) / 2; }
 template <int M>
-inline constexpr int pairs_of = M*(M - 1) / 2;
+inline constexpr int pairs_of = pairs_among(M);
 
 /// A step, or one of its equal parts: a time that converts to double, and a type on which a system bound to its step
 /// size can look up what it has computed in advance.

@@ -14,13 +14,16 @@
 #include <cstdint>
 #include <span>
 
+#include "ensemble/noise/noise_layout.hpp"
+
 namespace polhode {
 
 /// Numbers just drawn, [step][channel][lane] and [step][pair][lane]; lanes: block_lanes, or 1 where one path drives
 /// all. Either dw (in units of time^1/2) or singles (standard normals); area: empty where nobody asks for areas.
 struct drawn_noise {
   std::uint64_t first_path, first_step;
-  int lanes, steps, channels, pairs;
+  int lanes, steps;
+  noise_layout layout;
   double dt;
   std::span<double> dw;
   std::span<float> singles;

@@ -39,13 +39,11 @@ void parallel_for(int threads, int count, const std::function<void(int)>& work) 
 }
 
 increment_buffer::increment_buffer(const model& m, int steps, bool with_areas, noise_source source)
-    : channels_(m.channels()),
-      active_(m.active_channels()),
-      pairs_(m.channels() * (m.channels() - 1) / 2),
+    : layout_(m.layout()),
       source_(source),
-      dw_(source.quality == noise_quality::fast ? 0 : static_cast<std::size_t>(steps * channels_ * block_lanes)),
-      singles_(source.quality == noise_quality::fast ? static_cast<std::size_t>(steps * channels_ * block_lanes) : 0),
-      area_(with_areas ? static_cast<std::size_t>(steps * pairs_ * block_lanes) : 0) {}
+      dw_(source.quality == noise_quality::fast ? 0 : layout_.increments(steps, block_lanes)),
+      singles_(source.quality == noise_quality::fast ? layout_.increments(steps, block_lanes) : 0),
+      area_(with_areas ? layout_.areas(steps, block_lanes) : 0) {}
 
 increment_view increment_buffer::fill(std::uint64_t seed, std::uint64_t first_path, std::uint64_t first_step, int steps,
                                       double dt) {
@@ -56,9 +54,10 @@ increment_view increment_buffer::fill(std::uint64_t seed, std::uint64_t first_pa
     count_normals(static_cast<std::uint64_t>(steps) * static_cast<std::uint64_t>(wanted) * block_lanes);
   };
   const double scale = std::sqrt(dt);
-  draw(noise_kind::increment, channels_, active_, scale, dw_, singles_.empty() ? nullptr : singles_.data());
-  if (!area_.empty()) draw(noise_kind::area, pairs_, active_ < 2 ? 0 : pairs_, dt / 2, area_, nullptr);
-  if (defect) defect->spoil({first_path, first_step, block_lanes, steps, channels_, pairs_, dt, dw_, singles_, area_});
+  draw(noise_kind::increment, layout_.channels, layout_.active, scale, dw_,
+       singles_.empty() ? nullptr : singles_.data());
+  if (!area_.empty()) draw(noise_kind::area, layout_.pairs(), layout_.active_pairs(), dt / 2, area_, nullptr);
+  if (defect) defect->spoil({first_path, first_step, block_lanes, steps, layout_, dt, dw_, singles_, area_});
   return {steps, dw_, area_, singles_, scale};
 }
 

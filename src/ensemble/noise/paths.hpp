@@ -29,7 +29,7 @@ class increment_buffer {
   increment_view fill(std::uint64_t seed, std::uint64_t first_path, std::uint64_t first_step, int steps, double dt);
 
  private:
-  int channels_, active_, pairs_;
+  noise_layout layout_;
   noise_source source_;
   lane_vector<double> dw_;
   lane_vector<float> singles_;  // in place of dw_, where normals are fast: half the memory

@@ -12,8 +12,6 @@
 namespace polhode {
 namespace {
 
-int pairs_among(int channels) { return channels * (channels - 1) / 2; }
-
 /// The first `wanted` of `rows` normals at the address, scaled; the others stay zero.
 void draw(const noise_address& address, int wanted, double scale, noise_source source, double* out) {
   for (int k = 0; k < wanted; k += 2) {
@@ -44,31 +42,28 @@ void draw_block(normal_block all, std::int64_t steps, const To& to) {
 }  // namespace
 
 shared_increments::shared_increments(const model& m, std::int64_t steps, bool with_areas)
-    : channels_(m.channels()),
-      pairs_(pairs_among(m.channels())),
-      drawn_(0),
-      dw_(static_cast<std::size_t>(steps * channels_)),
-      area_(with_areas ? static_cast<std::size_t>(steps * pairs_) : 0) {
-  const int active = m.active_channels(), areas = with_areas && active > 1 ? pairs_ : 0;
-  drawn_ = static_cast<std::uint64_t>(steps) * static_cast<std::uint64_t>(active + areas);
-}
+    : layout_(m.layout()),
+      drawn_(static_cast<std::uint64_t>(steps) * static_cast<std::uint64_t>(layout_.drawn(with_areas))),
+      dw_(layout_.increments(steps)),
+      area_(with_areas ? layout_.areas(steps) : 0) {}
 
 shared_increments::shared_increments(const model& m, std::uint64_t seed, std::int64_t steps, double dt, bool with_areas,
                                      int threads, noise_source source, std::uint64_t path)
     : shared_increments(m, steps, with_areas) {
   constexpr std::int64_t piece = 4096;
-  const int active = m.active_channels(), areas = with_areas && active > 1 ? pairs_ : 0;
+  const int active = layout_.active, areas = with_areas ? layout_.active_pairs() : 0;
   count_normals(drawn_);
   const auto* defect = noise_defect_in_force();
   if (defect) path = defect->path(path);
   parallel_for(threads, static_cast<int>((steps + piece - 1) / piece), [&](int p) {
     for (std::int64_t i = p * piece; i < std::min(steps, (p + 1) * piece); ++i) {
       const auto step = static_cast<std::uint64_t>(i);
-      draw({seed, noise_kind::increment, path, step}, active, std::sqrt(dt), source, dw_.data() + i * channels_);
-      if (areas > 0) draw({seed, noise_kind::area, path, step}, areas, dt / 2, source, area_.data() + i * pairs_);
+      draw({seed, noise_kind::increment, path, step}, active, std::sqrt(dt), source,
+           dw_.data() + layout_.increments(i));
+      if (areas > 0) draw({seed, noise_kind::area, path, step}, areas, dt / 2, source, area_.data() + layout_.areas(i));
     }
   });
-  if (defect) defect->spoil({path, 0, 1, static_cast<int>(steps), channels_, pairs_, dt, dw_, {}, area_});
+  if (defect) defect->spoil({path, 0, 1, static_cast<int>(steps), layout_, dt, dw_, {}, area_});
 }
 
 std::vector<shared_increments> shared_increments::of_block(const model& m, std::uint64_t seed, std::int64_t steps,
@@ -87,9 +82,10 @@ std::vector<shared_increments> shared_increments::of_block(const model& m, std::
     draw_block({seed, kind, first_path, 0, 0, rows, wanted, scale, nullptr, source}, steps,
                [&](int lane) { return (out[static_cast<std::size_t>(lane)].*to).data(); });
   };
-  const int active = m.active_channels(), pairs = out[0].pairs_;
-  draw(noise_kind::increment, m.channels(), active, std::sqrt(dt), &shared_increments::dw_);
-  if (with_areas && active > 1) draw(noise_kind::area, pairs, pairs, dt / 2, &shared_increments::area_);
+  const auto layout = m.layout();
+  draw(noise_kind::increment, layout.channels, layout.active, std::sqrt(dt), &shared_increments::dw_);
+  if (const int pairs = layout.active_pairs(); with_areas && pairs > 0)
+    draw(noise_kind::area, pairs, pairs, dt / 2, &shared_increments::area_);
   return out;
 }
 
@@ -98,12 +94,12 @@ increment_view shared_increments::view(std::int64_t first_step, int steps) const
     if (all.empty()) return {};
     return std::span(all).subspan(static_cast<std::size_t>(first_step * rows), static_cast<std::size_t>(steps * rows));
   };
-  return {steps, part(dw_, channels_), part(area_, pairs_)};
+  return {steps, part(dw_, layout_.channels), part(area_, layout_.pairs())};
 }
 
 double shared_increments::bytes(const model& m, std::int64_t steps, bool with_areas) {
-  const int rows = m.channels() + (with_areas ? pairs_among(m.channels()) : 0);
-  return static_cast<double>(steps) * rows * sizeof(double);
+  const auto layout = m.layout();
+  return static_cast<double>(steps) * (layout.channels + (with_areas ? layout.pairs() : 0)) * sizeof(double);
 }
 
 }  // namespace polhode

@@ -30,7 +30,7 @@ class shared_increments {
  private:
   shared_increments(const model&, std::int64_t steps, bool with_areas);
 
-  int channels_, pairs_;
+  noise_layout layout_;
   std::uint64_t drawn_;
   std::vector<double> dw_, area_;
 };

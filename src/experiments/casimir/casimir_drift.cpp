@@ -33,7 +33,7 @@ void run_block(const context& c, const level_grid& grid, std::span<const int> op
     const int n = grid.steps[l];
     const double dt = grid.horizon / n;
     const auto view =
-        m.active_channels() > 0 ? noise.fill(c.seed, static_cast<std::uint64_t>(first_path), 0, n, dt) : silence(n);
+        !m.layout().silent() ? noise.fill(c.seed, static_cast<std::uint64_t>(first_path), 0, n, dt) : silence(n);
     if (l + 1 == grid.steps.size() && !view.silent()) log.add(block, view, dt, 1);  // the others have the same normals
     for (const int k : open) {
       auto& sample = samples[static_cast<std::size_t>(k)];

@@ -76,7 +76,7 @@ void report_long_runs(const context& c, noise_log& log, report::results& out) {
   for (int chunk = 0; chunk < chunks; ++chunk) {
     const auto first = static_cast<std::uint64_t>(chunk) * chunk_steps;
     const auto view =
-        s.model->active_channels() > 0 ? noise.fill(c.seed, 0, first, chunk_steps, dt) : silence(chunk_steps);
+        !s.model->layout().silent() ? noise.fill(c.seed, 0, first, chunk_steps, dt) : silence(chunk_steps);
     if (!view.silent()) log.add(0, view, dt);
     parallel_for(c.threads, static_cast<int>(runs.size()), [&](int k) {
       auto& r = runs[static_cast<std::size_t>(k)];

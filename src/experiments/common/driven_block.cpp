@@ -14,7 +14,7 @@ std::size_t varied_among(std::size_t levels) { return levels < 3 ? 0 : levels - 
 
 std::vector<direction> directions_of(const subject& s, double dt) {
   std::vector<direction> out;
-  const int channels = s.model->active_channels();
+  const int channels = s.model->layout().active;
   for (int k = 0; k < channels; ++k)
     out.push_back({channels == 1 ? "noise" : fmt::format("noise {}", k + 1), k, s.model->reference(dt)});
   if (const double theta = dissipation_of(s.scene); theta > 0)

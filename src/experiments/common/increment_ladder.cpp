@@ -9,12 +9,11 @@ increment_ladder::increment_ladder(const model& m, const level_grid& grid, int c
       cells_(cells),
       levels_(grid.steps.size()),
       fine_(m, grid.steps.back() / grid.steps.front() * cells, false, source) {
-  const int channels = m.channels(), pairs = channels * (channels - 1) / 2;
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     const int steps = grid.steps[l] / grid.steps.front();
     levels_[l].dt = grid.horizon / grid.steps[l];
-    levels_[l].dw.resize(static_cast<std::size_t>(steps * channels * block_lanes));
-    levels_[l].area.resize(static_cast<std::size_t>(steps * pairs * block_lanes));
+    levels_[l].dw.resize(m.layout().increments(steps, block_lanes));
+    levels_[l].area.resize(m.layout().areas(steps, block_lanes));
     levels_[l].view = {steps, levels_[l].dw, levels_[l].area};
   }
 }
@@ -30,9 +29,8 @@ increment_view increment_ladder::fill(std::uint64_t seed, std::uint64_t first_pa
     for (auto& level : levels_) {
       const auto& v = level.view;
       const auto first = static_cast<std::uint64_t>(chunk) * static_cast<std::uint64_t>(v.steps);
-      const int channels = model_.channels(), pairs = channels * (channels - 1) / 2;
       defect->spoil(
-          {first_path, first, block_lanes, v.steps, channels, pairs, level.dt, level.dw, {}, level.area, true});
+          {first_path, first, block_lanes, v.steps, model_.layout(), level.dt, level.dw, {}, level.area, true});
     }
   return fine;
 }

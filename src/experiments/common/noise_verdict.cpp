@@ -11,8 +11,6 @@
 namespace polhode {
 namespace {
 
-int pairs_among(int channels) { return channels * (channels - 1) / 2; }
-
 noise_audit merged(const std::vector<noise_audit>& blocks) {
   auto sum = blocks.front();
   for (std::size_t i = 1; i < blocks.size(); ++i) sum.merge(blocks[i]);
@@ -23,8 +21,7 @@ bool smaller(const noise_deviation& a, const noise_deviation& b) { return std::f
 
 }  // namespace
 
-noise_log::noise_log(const model& m, int blocks, const std::vector<part>& parts)
-    : channels_(m.active_channels()), rows_(m.channels()) {
+noise_log::noise_log(const model& m, int blocks, const std::vector<part>& parts) : layout_(m.layout()) {
   for (const auto& p : parts) open(p, blocks);
 }
 
@@ -34,12 +31,11 @@ std::size_t noise_log::open(const part& p, int blocks) {
   return parts_.size() - 1;
 }
 
-noise_audit noise_log::nothing(const part& p) const {
-  return {channels_, channels_ > 1 ? pairs_among(rows_) : 0, p.cells};
-}
+noise_audit noise_log::nothing(const part& p) const { return {layout_.active, layout_.active_pairs(), p.cells}; }
 
 audited_steps noise_log::of(const increment_view& v, double dt) const {
-  return {v.steps, rows_, pairs_among(rows_), v.dw, v.singles, channels_ > 1 ? v.area : std::span<const double>{}, dt};
+  const auto area = layout_.active_pairs() > 0 ? v.area : std::span<const double>{};
+  return {v.steps, layout_.channels, layout_.pairs(), v.dw, v.singles, area, dt};
 }
 
 void noise_log::add(int block, const increment_view& v, double dt, std::size_t which) {

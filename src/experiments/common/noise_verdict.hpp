@@ -47,7 +47,7 @@ class noise_log {
   audited_steps of(const increment_view&, double dt) const;
   noise_audit& at(int block, std::size_t p) { return audits_[p][static_cast<std::size_t>(block)]; }
 
-  int channels_, rows_;
+  noise_layout layout_;
   std::vector<part> parts_;
   std::vector<std::vector<noise_audit>> audits_;  ///< [part][block]
 };

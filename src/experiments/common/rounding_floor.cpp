@@ -24,7 +24,7 @@ rounding_floor rounding_floor_of(const context& c, const subject& s, const schem
   const auto& m = *s.model;
   const double dt = s.scene.horizon / static_cast<double>(s.scene.steps.back());
   increment_buffer noise(m, steps, scheme.needs_areas, {c.generator, noise_quality::precise});
-  const auto view = m.active_channels() > 0 ? noise.fill(c.seed, 0, 0, steps, dt) : silence(steps);
+  const auto view = !m.layout().silent() ? noise.fill(c.seed, 0, 0, steps, dt) : silence(steps);
   const auto start = replicated(s.scene.momentum);
   const double apart = spacing / std::max(1e-3, steps * dt * fastest_rate(s));
   std::array<std::vector<double>, values> states, energies;

@@ -84,7 +84,7 @@ std::vector<error_table> answer_all(const context& c, const std::vector<scheme_e
     parallel_for(c.threads, static_cast<int>(schemes.size()), [&](int i) {
       const auto k = static_cast<std::size_t>(i);
       const double dt = grid.horizon / grid.steps.back();
-      out[k].far_noise = {dt, rare_share(c.subject.model->active_channels()),
+      out[k].far_noise = {dt, rare_share(c.subject.model->layout().active),
                           q.far_noise(schemes[k], dt, grid.steps.back())};
     });
   return out;

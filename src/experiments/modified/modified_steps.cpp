@@ -63,7 +63,7 @@ report::verdict judge_steps(const context& c, const scheme_entry& scheme) {
   const auto k = scheme.make(dt);
   const auto start = replicated(s.scene.momentum);
   increment_buffer buffer(*s.model, steps, scheme.needs_areas, {c.generator, noise_quality::precise});
-  const auto noise = s.model->active_channels() > 0 ? buffer.fill(c.seed, 0, 0, steps, dt) : silence(steps);
+  const auto noise = !s.model->layout().silent() ? buffer.fill(c.seed, 0, 0, steps, dt) : silence(steps);
   double worst = 0;
   if (!noise.silent()) {
     const auto dw = one_lane(noise.dw), area = one_lane(noise.area);

@@ -45,8 +45,9 @@ struct noisy_jacobians {
 noisy_jacobians jacobians_of(const subject& s, const scheme_entry& scheme, const Eigen::Vector3d& direction,
                              double dt) {
   const auto rule = nodes_of(*s.model, scheme.needs_areas, dt, {nodes, 1});
-  const auto channels = static_cast<std::size_t>(s.model->channels());
-  std::vector<double> dw(channels * block_lanes, 0.0), area(channels * (channels - 1) / 2 * block_lanes, 0.0);
+  const auto layout = s.model->layout();
+  const auto channels = static_cast<std::size_t>(layout.channels);
+  std::vector<double> dw(layout.increments(1, block_lanes), 0.0), area(layout.areas(1, block_lanes), 0.0);
   for (std::size_t i = 0; i < rule.weight.size(); ++i)
     for (std::size_t k = 0; k < channels; ++k) dw[k * block_lanes + i] = rule.dw[i * channels + k];
   auto states = replicated(s.scene.momentum);

@@ -50,7 +50,7 @@ long_drift drift_over(const subject& s, const scheme_entry& scheme, double dt, d
   auto states = spread_over_sphere(std::hypot(pi[0], pi[1], pi[2]));
   const auto start = lengths(m, states);
   const auto chunks = static_cast<std::uint64_t>(steps / chunk);
-  const bool silent = m.active_channels() == 0;
+  const bool silent = m.layout().silent();
   increment_buffer noise(m, silent ? 0 : part, scheme.needs_areas, {generator, noise_quality::fast});
   long_drift out;
   std::uint64_t next = 1;

@@ -19,7 +19,7 @@ class common_normals {
  public:
   common_normals(const model& m, const stability_plan& p, int chunk)
       : plan_(p),
-        silent_(m.active_channels() == 0),
+        silent_(m.layout().silent()),
         increments_(m, chunk, false, {p.generator, noise_quality::fast}),
         both_(m, chunk, true, {p.generator, noise_quality::fast}) {}
 

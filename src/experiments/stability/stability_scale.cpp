@@ -25,8 +25,7 @@ std::vector<double> states_at(const context& c, const scheme_entry& named, int p
   const double dt = std::ldexp(1 / (resolution * fastest_rate(c.subject)), -2 * power);
   increment_buffer noise(*s.model, steps, scheme.needs_areas, {c.generator, noise_quality::fast});
   auto states = replicated(s.scene.momentum);
-  scheme.make(dt)->advance(states,
-                           s.model->active_channels() > 0 ? noise.fill(c.seed, 0, 0, steps, dt) : silence(steps));
+  scheme.make(dt)->advance(states, !s.model->layout().silent() ? noise.fill(c.seed, 0, 0, steps, dt) : silence(steps));
   for (double& x : states) x = std::ldexp(x, 2 * (unit - power));
   return states;
 }

@@ -62,7 +62,7 @@ known_error casimir_change(const context& c, const scheme_entry& scheme, int ste
   const auto& m = *c.subject.model;
   auto states = replicated(c.subject.scene.momentum);
   increment_buffer noise(m, steps, scheme.needs_areas, {c.generator, noise_quality::fast});
-  scheme.make(dt)->advance(states, m.active_channels() > 0 ? noise.fill(c.seed, 0, 0, steps, dt) : silence(steps));
+  scheme.make(dt)->advance(states, !m.layout().silent() ? noise.fill(c.seed, 0, 0, steps, dt) : silence(steps));
   const auto start = m.casimirs(c.subject.scene.momentum);
   double sum = 0, squares = 0;
   for (int lane = 0; lane < block_lanes; ++lane) {

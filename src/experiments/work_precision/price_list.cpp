@@ -56,7 +56,7 @@ std::optional<price> price_list::of_path_with_cells(const std::string& scheme, d
   auto out = of_path(scheme, dt, false);
   const auto& s = noisy_context_.subject;
   const auto* entry = entry_of(s, scheme);
-  const int channels = s.model->active_channels();
+  const int channels = s.model->layout().active;
   if (!out || !entry || !entry->needs_areas || channels < 2) return out;
   const double further = (cells_for_areas(fastest_rate(s), dt) - 1.0) * channels / dt;
   out->normals += further;

@@ -50,7 +50,7 @@ class timed_block {
  public:
   timed_block(const context& c, const scheme_entry& scheme, double dt, int slot)
       : seed_(c.seed),
-        silent_(c.subject.model->active_channels() == 0),
+        silent_(c.subject.model->layout().silent()),
         stepper_(scheme.make(dt)),
         noise_(*c.subject.model, chunk, scheme.needs_areas, {c.generator, noise_quality::fast}),
         chunks_(silent_ && !scheme.info.implicit ? silent_chunks : noisy_chunks),
@@ -88,11 +88,6 @@ class timed_block {
   placed_states states_;
   int chunks_to_horizon_;
 };
-
-double normals_of(const model& m, bool areas) {
-  const int active = m.active_channels(), pairs = m.channels() * (m.channels() - 1) / 2;
-  return active + (areas && active > 1 ? pairs : 0);
-}
 
 /// The loop that never changes, on memory of its own, which lies alike in every run of the program.
 class yardstick {
@@ -162,8 +157,8 @@ std::vector<step_cost> costs_of_steps(const std::vector<priced_step>& steps, yar
   std::vector<step_cost> out;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const auto [median, low, high] = median_of(ratios[i]);
-    out.push_back({unit * median, unit * low, unit * high,
-                   normals_of(*steps[i].where->subject.model, steps[i].scheme->needs_areas)});
+    const double normals = steps[i].where->subject.model->layout().drawn(steps[i].scheme->needs_areas);
+    out.push_back({unit * median, unit * low, unit * high, normals});
   }
   return out;
 }
@@ -173,7 +168,7 @@ step_cost cost_of_step(const context& c, const scheme_entry& scheme, double dt) 
 }
 
 double ns_per_normal(const context& c) {
-  const int active = c.subject.model->active_channels();
+  const int active = c.subject.model->layout().active;
   if (active == 0) return 0;
   const flush_denormals flushed;
   increment_buffer noise(*c.subject.model, chunk, false, {c.generator, noise_quality::fast});

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <polhode/increment.hpp>
+
 #include "statistics/distributions.hpp"
 
 namespace polhode {
@@ -43,8 +45,6 @@ struct area_law {
     own_channel = (second * n + 2 * n * (n * n - 1) / 3) / (n * n * n);
   }
 };
-
-int pairs_among(int n) { return n * (n - 1) / 2; }
 
 /// In the order of increment.hpp.
 std::vector<std::pair<int, int>> channel_pairs(int channels) {
