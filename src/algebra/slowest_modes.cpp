@@ -14,10 +14,10 @@ namespace {
 using complex = std::complex<double>;
 using complex_matrix = Eigen::SparseMatrix<complex>;
 
-constexpr int most_dense = 400;    // unknowns: a second
-constexpr int krylov = 30;         // vectors
-constexpr double is_found = 1e-6;  // remainder of a Ritz value, relative
-constexpr double settled = 1e-13;  // relative change of the rate
+constexpr int most_dense = 400;      // unknowns: a second
+constexpr int krylov = 30;           // vectors
+constexpr double is_found = 1e-6;    // remainder of a Ritz value, relative
+constexpr double converged = 1e-13;  // relative change of the rate
 constexpr int most_iterations = 30;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -70,7 +70,7 @@ eigenpair eigenpair_near(const sparse_matrix& a, complex guess) {
     out.right = right.normalized();
     left = other.normalized();
     const complex found = left.cwiseProduct(whole * out.right).sum() / left.cwiseProduct(out.right).sum();
-    if (std::abs(found - std::exchange(out.rate, found)) <= settled * std::abs(found)) break;
+    if (std::abs(found - std::exchange(out.rate, found)) <= converged * std::abs(found)) break;
   }
   out.condition = 1 / std::abs(left.cwiseProduct(out.right).sum());
   const double products = left.cwiseAbs().dot(a.cwiseAbs() * out.right.cwiseAbs());

@@ -1,7 +1,7 @@
 // The commands. Each registers itself with the parser.
 #pragma once
 
-#include "cli/parser.hpp"
+#include "cli/options/parser.hpp"
 
 namespace polhode::cli {
 

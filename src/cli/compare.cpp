@@ -10,11 +10,11 @@
 #include <optional>
 #include <string>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/comparing.hpp"
-#include "cli/read_results.hpp"
-#include "cli/terminal.hpp"
+#include "cli/kept/read_results.hpp"
+#include "cli/options/arguments.hpp"
+#include "cli/terminal/terminal.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/writers/comparison_json.hpp"
 #include "reports/writers/comparison_text.hpp"

@@ -5,10 +5,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/layout.hpp"
-#include "cli/terminal.hpp"
+#include "cli/options/arguments.hpp"
+#include "cli/terminal/layout.hpp"
+#include "cli/terminal/terminal.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/writers/json.hpp"
 #include "run/verify.hpp"

@@ -2,8 +2,8 @@
 #include <new>
 
 #include "cli/commands.hpp"
-#include "cli/signals.hpp"
-#include "cli/terminal.hpp"
+#include "cli/terminal/signals.hpp"
+#include "cli/terminal/terminal.hpp"
 #include "reports/model/errors.hpp"
 
 namespace polhode::cli {

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/terminal.hpp"
+#include "cli/options/arguments.hpp"
+#include "cli/terminal/terminal.hpp"
 #include "run/reference.hpp"
 #include "scene/scene.hpp"
 

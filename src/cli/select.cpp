@@ -6,9 +6,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/terminal.hpp"
+#include "cli/options/arguments.hpp"
+#include "cli/terminal/terminal.hpp"
 #include "reports/model/errors.hpp"
 #include "run/choose.hpp"
 

@@ -6,11 +6,11 @@
 #include <limits>
 #include <memory>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/progress.hpp"
-#include "cli/signals.hpp"
-#include "cli/terminal.hpp"
+#include "cli/options/arguments.hpp"
+#include "cli/terminal/progress.hpp"
+#include "cli/terminal/signals.hpp"
+#include "cli/terminal/terminal.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
 #include "reports/writers/colour_map.hpp"

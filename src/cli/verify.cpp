@@ -7,21 +7,20 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <limits>
 #include <memory>
-#include <optional>
 
-#include "cli/arguments.hpp"
-#include "cli/baseline.hpp"
-#include "cli/cache.hpp"
 #include "cli/commands.hpp"
 #include "cli/comparing.hpp"
-#include "cli/profile_table.hpp"
-#include "cli/progress.hpp"
-#include "cli/signals.hpp"
-#include "cli/summary.hpp"
-#include "cli/terminal.hpp"
-#include "cli/user_folders.hpp"
+#include "cli/kept/baseline.hpp"
+#include "cli/kept/cache.hpp"
+#include "cli/kept/user_folders.hpp"
+#include "cli/options/arguments.hpp"
+#include "cli/terminal/profile_table.hpp"
+#include "cli/terminal/progress.hpp"
+#include "cli/terminal/signals.hpp"
+#include "cli/terminal/summary.hpp"
+#include "cli/terminal/terminal.hpp"
+#include "cli/verify_arguments.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
 #include "reports/writers/comparison_text.hpp"
@@ -32,42 +31,6 @@
 namespace polhode::cli {
 namespace {
 
-/// As given: checked in one place, so that every fault reads alike.
-struct arguments {
-  std::vector<std::string> scenes;
-  std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto",
-                                    generator = "philox", format = "text", progress = "auto";
-  std::optional<std::string> baseline, save_baseline;
-  bool fresh = false, no_cache = false, quiet = false, latex = false, profile = false;
-};
-
-verify_options checked_options(const arguments& given) {
-  static const std::vector<std::string> efforts{"quick", "standard", "thorough"};
-  verify_options options;
-  options.schemes = list_option("--schemes", given.schemes);
-  options.experiments = list_option("--experiments", given.experiments);
-  options.effort = static_cast<effort>(choose("--effort", given.effort, efforts));
-  options.threads = threads_option(given.threads);
-  options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
-  options.isa = given.isa;
-  options.generator = given.generator;
-  options.profile = given.profile;
-  return options;
-}
-
-std::vector<scene> checked_scenes(const arguments& given) {
-  std::vector<scene> scenes;
-  for (const auto& name : given.scenes) {
-    auto loaded = load_scene(name);
-    if (std::ranges::find(scenes, loaded.name, &scene::name) != scenes.end())
-      throw input_error(fmt::format(
-          "{}: name = '{}': another scene has it; accepted: names that differ, as each scene has its folder",
-          one_line(name, 200), loaded.name));
-    scenes.push_back(std::move(loaded));
-  }
-  return scenes;
-}
-
 /// "weak: 4 of 10 experiments after 12 s".
 std::string told_of(const report::results& r) {
   const auto done = r.experiments.size();
@@ -75,13 +38,14 @@ std::string told_of(const report::results& r) {
                      duration_text(r.provenance.wall_seconds));
 }
 
-void write_whole(const arguments& given, std::span<const report::results> all) {
+void write_whole(const verify_arguments& given, std::span<const report::results> all) {
   const defer_signals whole;
   report::write_report(given.out, all, given.latex ? report::latex::yes : report::latex::no);
 }
 
 /// The report grows: it is there after the first experiment, marked unfinished until the last.
-std::vector<report::results> run_all(std::span<const scene> scenes, verify_options options, const arguments& given) {
+std::vector<report::results> run_all(std::span<const scene> scenes, verify_options options,
+                                     const verify_arguments& given) {
   std::vector<report::results> all;
   const bool notes = given.progress == "lines" && !given.quiet;
   progress_line progress{!given.quiet && !notes};
@@ -105,7 +69,7 @@ std::vector<report::results> run_all(std::span<const scene> scenes, verify_optio
 }
 
 /// Null with --no-cache.
-std::unique_ptr<report::result_folder> cache_for(const arguments& given, const std::filesystem::path& out) {
+std::unique_ptr<report::result_folder> cache_for(const verify_arguments& given, const std::filesystem::path& out) {
   using access = report::result_folder::access;
   return given.no_cache ? nullptr : open_cache(given.fresh ? access::rewrite : access::use, out);
 }
@@ -132,7 +96,7 @@ std::string text_of(std::span<const report::results> all, const std::filesystem:
 /// Of two exit codes: refuted (1) before inconclusive (3) before all well.
 int worse_of(int a, int b) { return a == 1 || b == 1 ? 1 : std::max(a, b); }
 
-void print_all(const arguments& given, std::span<const report::results> all,
+void print_all(const verify_arguments& given, std::span<const report::results> all,
                std::span<const report::comparison> compared) {
   const bool json = format_option(given.format) == format::json;
   if (json)
@@ -146,7 +110,7 @@ void print_all(const arguments& given, std::span<const report::results> all,
   }
 }
 
-int run(const arguments& given) {
+int run(const verify_arguments& given) {
   format_option(given.format);
   choose("--progress", given.progress, std::array<std::string, 2>{"auto", "lines"});
   auto options = checked_options(given);
@@ -176,28 +140,9 @@ int run(const arguments& given) {
 }  // namespace
 
 command add_verify(CLI::App& app) {
-  const auto given = std::make_shared<arguments>();
-  given->scenes = {"paper"};
-  given->threads = default_threads();
+  const auto given = std::make_shared<verify_arguments>();
   auto& parser = add_command(app, "verify", "Hold the claims of the schemes against scenes");
-  add_option(parser, "SCENE", given->scenes, "Built-in names or TOML files [paper]", "");
-  add_option(parser, "--schemes", given->schemes, "Only these schemes", "A,B");
-  add_option(parser, "--experiments", given->experiments, "Only these experiments", "X,Y");
-  add_option(parser, "--effort", given->effort, "quick, standard, thorough [standard]", "E");
-  add_option(parser, "--out", given->out, "Folder for the report [report]", "DIR");
-  add_option(parser, "--threads", given->threads, "1 to 1024 [" + given->threads + "]", "N");
-  add_option(parser, "--seed", given->seed, "Seed of the noise [1]", "N");
-  add_option(parser, "--generator", given->generator, "Random bits: philox, ars [philox]", "NAME");
-  add_option(parser, "--isa", given->isa, "Instruction set: auto, v2, v3, v4 [auto]", "NAME");
-  add_option(parser, "--baseline", given->baseline, "Compare with what has this name", "NAME");
-  add_option(parser, "--save-baseline", given->save_baseline, "Keep the results under this name", "NAME");
-  add_option(parser, "--format", given->format, "On standard output: text, json [text]", "F");
-  add_option(parser, "--progress", given->progress, "auto: on terminals; lines: one an experiment [auto]", "P");
-  add_flag(parser, "--latex", given->latex, "Write report.tex, too: tables and plots for a paper");
-  add_flag(parser, "--profile", given->profile, "Say where the processor time went");
-  add_flag(parser, "--fresh", given->fresh, "Compute all anew and replace what is cached");
-  add_flag(parser, "--no-cache", given->no_cache, "Neither use the cache nor write to it");
-  add_flag(parser, "-q,--quiet", given->quiet, "No summary, no progress");
+  add_verify_arguments(parser, *given);
   return {&parser, [given] { return run(*given); }};
 }
 

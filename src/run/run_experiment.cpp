@@ -1,7 +1,6 @@
 #include "run/run_experiment.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -9,6 +8,7 @@
 #include "platform/work_counters.hpp"
 #include "run/cache_key.hpp"
 #include "run/provenance.hpp"
+#include "run/timing.hpp"
 
 namespace polhode {
 namespace {
@@ -51,8 +51,6 @@ void add(const report::counters& more, report::counters& sum) {
   sum.path_steps += more.path_steps;
   sum.kernels_run += more.kernels_run;
 }
-
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 report::results compute(const experiment& e, const context& c, const names& schemes) {
   const auto s = restricted(c.subject, schemes);

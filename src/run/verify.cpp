@@ -4,16 +4,13 @@
 #include <gsl/gsl_errno.h>
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
-#include <optional>
 
-#include "platform/cpu_profile.hpp"
 #include "platform/isa.hpp"
 #include "reports/model/errors.hpp"
 #include "run/machine_options.hpp"
 #include "run/provenance.hpp"
 #include "run/run_experiment.hpp"
+#include "run/timing.hpp"
 #include "scene/nearest.hpp"
 #include "systems/systems.hpp"
 
@@ -67,50 +64,6 @@ void add_skipped_verdicts(report::results& out) {
         out.verdicts.push_back(
             {skip.experiment, scheme.name, "", {}, {}, {}, {}, report::verdict_kind::skipped, skip.reason});
 }
-
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-/// Of one experiment after the other, if it is asked for.
-class experiment_profile {
- public:
-  explicit experiment_profile(bool wanted) {
-    if (wanted) profile_.emplace();
-  }
-  void begin() {
-    if (!profile_) return;
-    working_on("");
-    profile_->take();
-    cpu_start_ = cpu_seconds();
-  }
-  /// What no thread had a name for is what is left of the whole.
-  void end(const std::string& experiment, std::vector<report::profile_row>& out) {
-    if (!profile_) return;
-    double rest = cpu_seconds() - cpu_start_;
-    for (const auto& [what, seconds] : profile_->take()) {
-      if (what.empty()) continue;
-      out.push_back({experiment, what, seconds});
-      rest -= seconds;
-    }
-    out.push_back({experiment, "", std::max(0.0, rest)});
-  }
-
- private:
-  std::optional<cpu_profile> profile_;
-  double cpu_start_ = 0;
-};
-
-/// Of this run, up to now.
-class stopwatch {
- public:
-  void read(report::provenance& p) const {
-    p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    p.cpu_seconds = cpu_seconds() - cpu_start_;
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double cpu_start_ = cpu_seconds();
-};
 
 report::results finished(report::results out, const stopwatch& watch) {
   add_skipped_verdicts(out);

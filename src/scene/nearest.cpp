@@ -34,11 +34,14 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+/// Half of a short name, a quarter and one more of a longer one: 'schema' is not 'theta'.
+std::size_t most_edits(std::size_t size) { return std::min(size / 2, 1 + size / 4); }
+
 }  // namespace
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
   std::string nearest;
-  std::size_t least = name.size() / 2 + 1;
+  std::size_t least = most_edits(name.size()) + 1;
   for (const auto& candidate : candidates) {
     const auto distance = edit_distance(name, candidate);
     if (distance < least) {

@@ -8,7 +8,8 @@
 
 namespace polhode {
 
-/// The candidate with the least edit distance to `name`; empty if none is near (more than half of it differs).
+/// The candidate with the least edit distance to `name`; empty if none is near: half of
+/// a name of four characters may differ, of a longer one a quarter and one more.
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 
 /// "; did you mean 'heun'?", to be put behind an unknown name; empty if none is near.

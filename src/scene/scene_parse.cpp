@@ -5,13 +5,12 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
-#include <sstream>
 
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
 #include "scene/nearest.hpp"
+#include "scene/toml_values.hpp"
 #include "systems/systems.hpp"
 
 namespace polhode {
@@ -54,40 +53,6 @@ std::vector<key_rule> rules_for(const toml::table& table, const system_entry* sy
   return all;
 }
 
-std::optional<double> number(const toml::node& node) {
-  double value = NAN;
-  if (const auto* integer = node.as_integer()) value = static_cast<double>(integer->get());
-  if (const auto* real = node.as_floating_point()) value = real->get();
-  return std::isfinite(value) ? std::optional{value} : std::nullopt;
-}
-
-std::optional<std::vector<double>> vector_of_numbers(const toml::node& node) {
-  const auto* array = node.as_array();
-  if (array == nullptr) return {};
-  std::vector<double> out;
-  for (const auto& entry : *array) {
-    const auto one = number(entry);
-    if (!one) return {};
-    out.push_back(*one);
-  }
-  return out;
-}
-
-/// In the shape that it has; an empty list is one of vectors.
-std::optional<report::parameter> as_given(const toml::node& node) {
-  if (const auto x = number(node)) return report::parameter{"", report::shape::number, {{*x}}};
-  const auto* array = node.as_array();
-  if (array == nullptr) return {};
-  if (auto v = vector_of_numbers(node); v && !v->empty()) return report::parameter{"", report::shape::vector, {*v}};
-  report::parameter out{"", report::shape::vectors, {}};
-  for (const auto& entry : *array) {
-    auto one = vector_of_numbers(entry);
-    if (!one) return {};
-    out.rows.push_back(*std::move(one));
-  }
-  return out;
-}
-
 std::optional<std::vector<std::int64_t>> step_counts(const toml::node& node) {
   const auto* array = node.as_array();
   if (array == nullptr || array->empty() || array->size() > most_levels) return {};
@@ -109,10 +74,16 @@ std::optional<Value> only_if(std::optional<Value> value, Test test) {
   return value && test(*value) ? value : std::nullopt;
 }
 
-std::string shown(const toml::node& node) {
-  std::ostringstream text;
-  node.visit([&](const auto& concrete) { text << concrete; });
-  return one_line(text.str(), 60);
+std::string shown(const toml::node& node) { return one_line(as_written(node), 60); }
+
+/// What to do about an unknown key: its line goes, or it meant another.
+std::string advice(std::string_view key, const toml::node& node, const std::vector<std::string>& known) {
+  const auto* inner = node.as_table();
+  const bool holds_known =
+      inner != nullptr && std::ranges::any_of(known, [&](const std::string& name) { return inner->contains(name); });
+  if (key == "schema") return "; results have a schema, scenes do not: delete this line";
+  if (holds_known) return "; a scene has no tables: move its keys to the top level";
+  return accepted_instead(key, known);
 }
 
 /// One table, read key by key; each fault is refused by file, line, key and value.
@@ -129,7 +100,7 @@ class reader {
     for (const auto& [key, node] : table) {
       if (std::ranges::find(known, key.str()) != known.end()) continue;
       throw input_error(fmt::format("{}:{}: {} = {}: unknown key{}", source_, key.source().begin.line,
-                                    one_line(key.str(), 40), shown(node), accepted_instead(key.str(), known)));
+                                    one_line(key.str(), 40), shown(node), advice(key.str(), node, known)));
     }
   }
 
@@ -155,12 +126,10 @@ class reader {
 report::parameter read_parameter(const reader& keys, const parameter_rule& rule) {
   if (rule.fallback && !keys.has(rule.name)) return {rule.name, rule.shape, *rule.fallback};
   return {rule.name, rule.shape, keys.read(rule.name, [&](auto& node) -> std::optional<report::number_rows> {
-            const auto given = as_given(node);
+            const auto given = parameter_in(node);
             return given ? rule.read(given->rows, given->shape) : std::nullopt;
           })};
 }
-
-std::optional<std::string> text(const toml::node& node) { return node.value_exact<std::string>(); }
 
 toml::table parse_table(std::string_view text, std::string_view source) {
   try {
@@ -181,18 +150,18 @@ scene parse_scene(std::string_view source_text, std::string_view source, std::st
   const auto is_system = [&](const std::string& name) { return std::ranges::find(systems, name) != systems.end(); };
   scene out;
   out.name = default_name;
-  if (keys_of.has("name")) out.name = keys_of.read("name", [](auto& n) { return only_if(text(n), is_name); });
+  if (keys_of.has("name")) out.name = keys_of.read("name", [](auto& n) { return only_if(text_in(n), is_name); });
   if (!is_name(out.name))
     throw input_error(fmt::format("{}: name is missing and the file's own does not do; accepted: {}", source,
                                   rules_for(table, nullptr).front().accepted));
   out.system = keys_of.read(
-      "system", [&](auto& n) { return only_if(text(n), is_system); }, systems);
+      "system", [&](auto& n) { return only_if(text_in(n), is_system); }, systems);
   const auto& of = *find_system(out.system);
   const auto& rules = parameters_in(table, of);
   for (const auto& rule : rules) out.parameters.push_back(read_parameter(keys_of, rule));
   if (&rules == &of.own_units) out.parameters = of.from_own_units(out.parameters);
   out.momentum = read_parameter(keys_of, momentum_rule(of)).rows.front();
-  out.horizon = keys_of.read("horizon", [&](auto& n) { return only_if(number(n), positive); });
+  out.horizon = keys_of.read("horizon", [&](auto& n) { return only_if(number_in(n), positive); });
   out.steps = {4, 8, 16, 32, 64};
   if (keys_of.has("steps")) out.steps = keys_of.read("steps", step_counts);
   return out;

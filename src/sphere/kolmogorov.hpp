@@ -6,40 +6,22 @@
 //
 // L_i = (x cross grad)_i. A Galerkin projection of degree L leaves a remainder in degrees L + 1 and L + 2, known
 // exactly. The semigroup is a contraction in the supremum norm, so the remainder proves a bar for expectations and
-// stationary means (sphere/poisson.hpp). Density and gap: three successive degrees agree, the last of them high
-// enough for the width of the noise (sphere/raise_degree.hpp).
+// stationary means (sphere/galerkin/poisson.hpp). Density and gap: three successive degrees agree, the last of them
+// high enough for the width of the noise (sphere/galerkin/raise_degree.hpp).
 #pragma once
 
 #include <Eigen/Core>
 #include <optional>
 #include <string>
 
+#include "sphere/backward_operator.hpp"
+#include "sphere/galerkin/reference_value.hpp"
 #include "sphere/harmonics.hpp"
 #include "sphere/sphere_problem.hpp"
 
 namespace polhode {
 
-struct reference_value {
-  std::optional<double> value{};  ///< absent where the question has no answer of this kind
-  double uncertainty = 0;         ///< proved, or what three degrees say; never below rounding
-  int degree = 0;
-  std::string reason{};    ///< empty if converged to the tolerance; else one sentence
-  bool forgotten = false;  ///< an expectation after so long a time that it is taken from the stationary law
-  bool relaxed = false;    ///< an expectation of which only the constant was left before the time was over
-
-  bool converged() const { return value && reason.empty(); }
-};
-
-/// The generator on harmonics up to the degree; column 0 vanishes. Each noise field that depends on the state adds half
-/// the square of its own derivative, sigma_j(Pi) in front of L_j.
-sparse_matrix backward_operator(const sphere_problem& problem, int degree);
-
 // degree: 0 lets the program choose; any other is taken as it is, with two lower ones where they tell the uncertainty.
-
-/// About the degree at which answers of any time settle: ten over the width to which the noise blurs what the drift
-/// draws out, the root of noise over rate of shear. Noise about one axis crosses it only as far as shear turns it
-/// there, while damping draws out. A rule of thumb. Infinite without noise.
-double needed_degree(const sphere_problem& problem);
 
 /// E[f(Pi_time)] from Pi_0 = start (of length radius), time >= 0, to an absolute tolerance. Without noise: f on the one
 /// path there is.

@@ -11,8 +11,8 @@
 
 #include "algebra/sparse_blocks.hpp"
 #include "sphere/angular_velocity.hpp"
-#include "sphere/poisson.hpp"
-#include "sphere/raise_degree.hpp"
+#include "sphere/galerkin/poisson.hpp"
+#include "sphere/galerkin/raise_degree.hpp"
 #include "sphere/wigner.hpp"
 
 namespace polhode {

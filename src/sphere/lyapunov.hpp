@@ -20,7 +20,7 @@ namespace polhode {
 
 struct lyapunov_exponents {
   std::optional<double> lambda1{};
-  double uncertainty = 0;  ///< of lambda1: proved (sphere/poisson.hpp), or what three degrees say
+  double uncertainty = 0;  ///< of lambda1: proved (sphere/galerkin/poisson.hpp), or what three degrees say
   double sum = 0;          ///< lambda1 + lambda2
   double sum_uncertainty = 0;
   double dimension = 0;  ///< of the random attractor, see kaplan_yorke

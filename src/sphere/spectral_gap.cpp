@@ -10,8 +10,8 @@
 #include "algebra/slowest_modes.hpp"
 #include "algebra/sparse_blocks.hpp"
 #include "sphere/closed_forms/averaged_gap.hpp"
+#include "sphere/galerkin/raise_degree.hpp"
 #include "sphere/kolmogorov.hpp"
-#include "sphere/raise_degree.hpp"
 
 namespace polhode {
 namespace {

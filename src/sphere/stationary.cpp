@@ -7,8 +7,8 @@
 
 #include "algebra/decompositions.hpp"
 #include "algebra/sparse_blocks.hpp"
+#include "sphere/galerkin/raise_degree.hpp"
 #include "sphere/kolmogorov.hpp"
-#include "sphere/raise_degree.hpp"
 
 namespace polhode {
 namespace {

@@ -11,7 +11,7 @@
 #include "transfer/basis_sums.hpp"
 #include "transfer/frame_sums.hpp"
 #include "transfer/point_block.hpp"
-#include "transfer/shell_basis.hpp"
+#include "transfer/turned_quadrature.hpp"
 
 namespace polhode {
 namespace {

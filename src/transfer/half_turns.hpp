@@ -7,16 +7,13 @@
 // scheme: it is tried out.
 #pragma once
 
-#include <Eigen/Core>
 #include <functional>
 #include <span>
 
 #include "transfer/noise_nodes.hpp"
+#include "transfer/turned_quadrature.hpp"
 
 namespace polhode {
-
-/// The half turns as signs of the components: none, about axis 3, about 1, about 2.
-inline const Eigen::Matrix<double, 4, 3> half_turns{{1, 1, 1}, {-1, -1, 1}, {1, -1, -1}, {-1, 1, -1}};
 
 /// Advances a block of vectors, [vector][component][lane], by the step of one node.
 using block_step = std::function<void(int node, std::span<double> vectors)>;

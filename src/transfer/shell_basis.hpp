@@ -14,10 +14,6 @@ struct shell {
   double least, greatest;
 };
 
-/// sphere_quadrature of that degree or up to three more whose points come in fours, images of each other under half
-/// turns (half_turns.hpp): a quarter of the points first, then their images in the order of the turns. per_ring: 0.
-sphere_rule turned_quadrature(int degree);
-
 /// B_j = T_k(t) Y_lm(Pi / |Pi|), j = (l^2 + l + m) radial + k, t the radius, in [-1, 1] on the shell. Beyond,
 /// functions go on as polynomials, and from most_outside half widths on they keep their value
 /// (transfer/basis_sums.hpp).

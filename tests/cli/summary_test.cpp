@@ -1,5 +1,5 @@
 // What is printed after a run, at any width, and the exit code that goes with it.
-#include "cli/summary.hpp"
+#include "cli/terminal/summary.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/layout.hpp"
+#include "cli/terminal/layout.hpp"
 #include "reports/model/text.hpp"
 
 namespace {

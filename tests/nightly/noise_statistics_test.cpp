@@ -1,4 +1,4 @@
-// Two billion normals of every source, by the measure of tests/unit/noise_statistics_test.cpp.
+// Two billion normals of every source, by the measure of tests/unit/ensemble/noise_statistics_test.cpp.
 #include <gtest/gtest.h>
 
 #include "support/normal_statistics.hpp"

@@ -1,5 +1,5 @@
 // The exponents of the schemes, sampled and not: known answers, each other, defects that only they can see, and bits
-// that do not depend on threads or company.
+// that do not depend on threads or on the batch.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -60,6 +60,8 @@ class noise_audit {
 
  private:
   using row = path_audit::row;
+  static constexpr double tail = 4;                             ///< standard deviations
+  static double lanes_apart(const row& z, Eigen::Index apart);  ///< the sum of their products
   struct sums {
     Eigen::ArrayXd mean, square, skew, kurtosis, tail, next_step, next_lane, far_lane;  ///< [channel]
     Eigen::ArrayXd channels;                                                            ///< [channel pair]

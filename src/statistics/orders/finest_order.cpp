@@ -10,7 +10,7 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t fit_levels = 4;
-constexpr double changes = 1.5, settled_change = 0.05;
+constexpr double changes = 1.5, asymptotic_change = 0.05;
 
 struct level {
   double dt, error, uncertainty;
@@ -28,13 +28,13 @@ double slope_uncertainty(const level& fine, const level& coarse) {
 }  // namespace
 
 std::optional<order_fit> fit_finest_order(std::span<const double> dt, std::span<const double> error,
-                                          std::span<const double> uncertainty, double clear) {
+                                          std::span<const double> uncertainty, double resolved) {
   std::vector<level> levels;
   order_fit fit;
   fit.used.assign(dt.size(), false);
   for (std::size_t i = dt.size(); i-- > 0 && levels.size() < fit_levels;) {
     const double size = std::fabs(error[i]);
-    fit.used[i] = std::isfinite(size) && size > 0 && size >= clear * uncertainty[i];
+    fit.used[i] = std::isfinite(size) && size > 0 && size >= resolved * uncertainty[i];
     if (fit.used[i]) levels.push_back({dt[i], error[i], uncertainty[i]});
   }
   if (levels.size() < fit_levels) return std::nullopt;
@@ -50,7 +50,7 @@ std::optional<order_fit> fit_finest_order(std::span<const double> dt, std::span<
       "slope between the two finest levels that are clear; its interval from what it changed by over four of them, of "
       "{}",
       dt.size());
-  fit.settled = change <= settled_change;
+  fit.settled = change <= asymptotic_change;
   fit.finest = {last, fit.low, fit.high};
   return fit;
 }

@@ -138,11 +138,11 @@ std::optional<order_fit> fit_power_law_of_means(std::span<const double> x, const
   return resampled_fits({&m, 1}, seed).front();
 }
 
-std::optional<order_fit> fit_order_of_clear_means(std::span<const double> dt, squared_errors values, double clear,
+std::optional<order_fit> fit_order_of_clear_means(std::span<const double> dt, squared_errors values, double resolved,
                                                   std::uint64_t seed) {
   for (int l = 0; l < values.levels; ++l) {
     const auto m = level_mean(values, l);
-    const double sign = std::fabs(m.mean) < clear * m.error ? 0 : m.mean < 0 ? -1 : 1;
+    const double sign = std::fabs(m.mean) < resolved * m.error ? 0 : m.mean < 0 ? -1 : 1;
     for (int path = 0; path < values.paths; ++path) values.at(path, l) *= sign;
   }
   moments m{std::move(values)};

@@ -2,7 +2,7 @@
 //
 // Which levels take part is a rule fixed in advance (level_choice.hpp). Where the coarsest of those that do is still
 // off the line through the others by more than 0.05 in log2 (its 95 % interval, paths resampled), or without sampling
-// error any of them off the line through all, the slope has not settled.
+// error any of them off the line through all, the slope is not asymptotic yet.
 #pragma once
 
 #include <cstdint>
@@ -45,9 +45,9 @@ struct error_norm {
 std::vector<std::optional<order_fit>> fit_orders(std::span<const double> dt, std::span<const error_norm>, double floor,
                                                  std::uint64_t seed);
 
-/// The order of |mean| itself of any values of coupled levels. Levels whose mean is within `clear` standard errors of
-/// zero leave the fit, as resampled means have a logarithm too.
-std::optional<order_fit> fit_order_of_clear_means(std::span<const double> dt, squared_errors values, double clear,
+/// The order of |mean| itself of any values of coupled levels. Levels whose mean is within `resolved` standard errors
+/// of zero leave the fit, as resampled means have a logarithm too.
+std::optional<order_fit> fit_order_of_clear_means(std::span<const double> dt, squared_errors values, double resolved,
                                                   std::uint64_t seed);
 
 /// The growth law of the mean against any abscissa; all levels take part whose mean is positive.

@@ -12,7 +12,7 @@
 //                 known to a share of themselves, where it is mostly the narrower one with many levels, or a coarsest
 //                 step near the end of the series' reach: it may leave coarse levels out, and two comparisons bound
 //                 what is cut off. On exact values it is nearly always wider, so it does not replace the other
-//                 (tests/unit/power_series_test.cpp).
+//                 (tests/unit/statistics/power_series_test.cpp).
 #pragma once
 
 #include <cstddef>

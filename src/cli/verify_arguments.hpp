@@ -1,0 +1,29 @@
+// What `polhode verify` is asked for.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/options/parser.hpp"
+#include "run/verify.hpp"
+
+namespace polhode::cli {
+
+/// As given: checked in one place, so that every fault reads alike.
+struct verify_arguments {
+  std::vector<std::string> scenes;
+  std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto",
+                                    generator = "philox", format = "text", progress = "auto";
+  std::optional<std::string> baseline, save_baseline;
+  bool fresh = false, no_cache = false, quiet = false, latex = false, profile = false;
+};
+
+/// Defaults, and the options that change them.
+void add_verify_arguments(CLI::App&, verify_arguments&);
+
+// Throw input_error of one line.
+verify_options checked_options(const verify_arguments&);
+std::vector<scene> checked_scenes(const verify_arguments&);
+
+}  // namespace polhode::cli
