@@ -21,8 +21,8 @@ struct area_response {
 };
 
 /// dt: of all levels, coarsest first; of them the finest six are used, and at least four are needed. cells: of the
-/// truth in the finest step, to one of which the limit is known. Not known where `a` is not resolved from zero, by the same
-/// certainty as a strength: the noise commutes, or the drift hides its areas.
+/// truth in the finest step, to one of which the limit is known. Not known where `a` is not resolved from zero, by the
+/// same certainty as a strength: the noise commutes, or the drift hides its areas.
 multiplier area_strength(std::span<const double> dt, const area_response&, int paths, int cells);
 
 }  // namespace polhode

@@ -135,8 +135,8 @@ TEST_F(Cache, AKeySaysFromWhatItWasMade) {
   const auto subject = bind_scene(scene);
   const auto key = cache_key({subject}, "energy", "heun");
   for (const auto* part : {"experiment energy\n", "scheme heun\n", "effort standard\n", "seed 1\n", "isa ",
-                           "inertia [[1, 2, 3]]\n", "theta [[0.5]]\n", "momentum [0.6, 0.48, 0.64]\n", "version ", "commit ",
-                           "flags ", "CRC-64 ", "libraries ", "cpu "})
+                           "inertia [[1, 2, 3]]\n", "theta [[0.5]]\n", "momentum [0.6, 0.48, 0.64]\n", "version ",
+                           "commit ", "flags ", "CRC-64 ", "libraries ", "cpu "})
     EXPECT_NE(key.find(part), key.npos) << part << "in\n" << key;
   EXPECT_EQ(key.find(scene.name), key.npos);
 }
