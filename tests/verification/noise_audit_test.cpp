@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
+#include <numeric>
 #include <polhode/noise/normal.hpp>
 #include <tuple>
 
@@ -87,35 +89,68 @@ TEST(HealthyNoise, HasItsLaw) {
     }
 }
 
+/// "area 13 times channel 3" is "area times own channel": digits go, and what they say is kept.
+std::string kind_of(const std::string& what) {
+  const auto channel = what.find("times channel ");
+  const auto area = what.find("area ");
+  std::string kind = what;
+  if (channel != what.npos)
+    kind =
+        what.substr(area + 5, 2).find(what.back()) != what.npos ? "area times own channel" : "area times other channel";
+  std::erase_if(kind, [](char c) { return c >= '0' && c <= '9'; });
+  return kind;
+}
+
+/// An audit of blocks of healthy steps whose areas are made of cells.
+noise_audit of_cells(int cells, int steps, std::uint64_t first_block, std::uint64_t blocks) {
+  noise_audit audit(3, 3, cells);
+  std::vector<double> dw(std::size_t(steps) * 3 * 64), area(dw.size());
+  for (std::uint64_t block = first_block; block < first_block + blocks; ++block) {
+    std::ranges::fill(dw, 0.0);
+    std::ranges::fill(area, 0.0);
+    for (std::uint64_t i = 0; i < std::uint64_t(steps); ++i)
+      for (std::uint64_t lane = 0; lane < 64; ++lane)
+        for (int cell = 0; cell < cells; ++cell) {
+          const auto z = normals<3>({7, noise_kind::increment, 64 * block + lane,
+                                     i * static_cast<std::uint64_t>(cells) + static_cast<std::uint64_t>(cell)});
+          const auto at = [&](std::vector<double>& v, int k) -> double& {
+            return v[(i * 3 + static_cast<std::uint64_t>(k)) * 64 + lane];
+          };
+          int pair = 0;
+          for (int j = 0; j < 3; ++j)
+            for (int k = j + 1; k < 3; ++k) at(area, pair++) += 0.5 * (at(dw, j) * z[k] - z[j] * at(dw, k));
+          for (int k = 0; k < 3; ++k) at(dw, k) += z[k];
+        }
+    noise_audit one(3, 3, cells);
+    one.add({steps, 3, 3, dw, {}, area, static_cast<double>(cells)});
+    audit.merge(one);
+  }
+  return audit;
+}
+
 // The audit's own law of areas made of cells: against areas made of cells.
 TEST(HealthyNoise, AuditKnowsTheLawOfAreas) {
   for (const int cells : {2, 5, 32}) {
-    noise_audit audit(3, 3, cells);
-    constexpr int steps = 16;
-    std::vector<double> dw(steps * 3 * 64), area(steps * 3 * 64);
-    for (std::uint64_t block = 0; block < 60; ++block) {
-      std::ranges::fill(dw, 0.0);
-      std::ranges::fill(area, 0.0);
-      for (std::uint64_t i = 0; i < steps; ++i)
-        for (std::uint64_t lane = 0; lane < 64; ++lane)
-          for (int cell = 0; cell < cells; ++cell) {
-            const auto z = normals<3>({7, noise_kind::increment, 64 * block + lane,
-                                       i * static_cast<std::uint64_t>(cells) + static_cast<std::uint64_t>(cell)});
-            const auto at = [&](std::vector<double>& v, int k) -> double& {
-              return v[(i * 3 + static_cast<std::uint64_t>(k)) * 64 + lane];
-            };
-            int pair = 0;
-            for (int j = 0; j < 3; ++j)
-              for (int k = j + 1; k < 3; ++k) at(area, pair++) += 0.5 * (at(dw, j) * z[k] - z[j] * at(dw, k));
-            for (int k = 0; k < 3; ++k) at(dw, k) += z[k];
-          }
-      noise_audit one(3, 3, cells);
-      one.add({steps, 3, 3, dw, {}, area, static_cast<double>(cells)});
-      audit.merge(one);
-    }
-    const auto found = audit.deviations();
+    const auto found = of_cells(cells, 16, 0, 60).deviations();
     ASSERT_FALSE(found.empty());
     for (const auto& d : found) EXPECT_LT(std::abs(d.z), 4.5) << cells << " cells: " << d.what;
+  }
+}
+
+// One deviate is small whatever variance is put in the law; the squares of many have mean 1 under the right one alone.
+TEST(HealthyNoise, DeviatesOfAreasHaveVarianceOne) {
+  constexpr std::uint64_t audits = 64, blocks = 128;  // of two steps: as many numbers as squares need to be told
+  for (const int cells : {2, 5}) {
+    std::map<std::string, std::vector<double>> squares;  // by kind: which channels does not matter, but shared or not
+    for (std::uint64_t a = 0; a < audits; ++a)
+      for (const auto& d : of_cells(cells, 2, a * blocks, blocks).deviations())
+        if (d.what.find("area") != std::string::npos) squares[kind_of(d.what)].push_back(d.z * d.z);
+    EXPECT_EQ(squares.size(), 5);  // mean, variance, own channel, other channel, area times area: all three share one
+    for (const auto& [kind, values] : squares) {
+      const double count = static_cast<double>(values.size());
+      const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+      EXPECT_NEAR(mean, 1, 5 * std::sqrt(2 / count)) << cells << " cells: " << kind;
+    }
   }
 }
 
