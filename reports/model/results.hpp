@@ -13,7 +13,7 @@
 
 namespace polhode::report {
 
-inline constexpr int schema_version = 1;
+inline constexpr int schema_version = 2;  ///< of 1 the files can still be read
 inline constexpr std::string_view schema_name = "polhode-results";
 
 /// inconclusive: claimed and tried, and not decided, which is never a pass; the reason says what it would take.
@@ -55,30 +55,56 @@ struct scheme {
   double weak_one_vector = 0, weak_isotropic = 0, weak_general = 0;  ///< weak order by noise class
 };
 
-/// One measured number. `dt` is empty where the quantity has no step size.
-struct measurement {
+/// Where a number was measured: a step size, a number of steps, a parameter of the scene that was changed for it.
+struct coordinate {
+  std::string name;
+  double value = 0;
+  std::string unit = {};
+  bool operator==(const coordinate&) const = default;
+};
+inline constexpr const char *step_size = "dt", *step_count = "steps";
+
+/// What ties measurements, the fit through them, the verdicts that rest on them and their curve in a plot.
+struct series_id {
   std::string experiment, scheme, quantity, observable;
-  std::optional<double> dt;
-  std::optional<double> value, low, high;  ///< the estimate and its 95 % interval
-  std::string unit, method;                ///< method: sampled, transfer, exact, reference, deterministic
-  std::string status = "ok";               ///< why the value is missing or not used, e.g. "not finite"
-  std::optional<double> steps;             ///< number of steps where that is the abscissa (growth laws)
-  bool fitted = false;                     ///< used in the fit of its series
-  std::string abscissa = {};               ///< what `steps` is where it is no number of steps, e.g. "noise paths"
+  std::string over;  ///< the coordinate that is the abscissa; empty: single numbers
+  auto operator<=>(const series_id&) const = default;
 };
 
-/// log2(value) against log2(dt): value = prefactor * dt^order.
+/// One measured number.
+struct measurement {
+  std::string experiment = {}, scheme = {}, quantity = {}, observable = {};
+  std::optional<double> value = {}, low = {}, high = {};  ///< the estimate and its 95 % interval
+  std::string unit = {}, method = {};                     ///< sampled, transfer, exact, reference, deterministic, …
+  std::string status = "ok";                              ///< why the value is missing or not used, e.g. "not finite"
+  std::vector<coordinate> at = {};
+  std::string over = {};  ///< the one of them that is the abscissa of its series
+  bool used = false;      ///< in the fit of its series
+
+  series_id series() const { return {experiment, scheme, quantity, observable, over}; }
+  std::optional<double> at_coordinate(std::string_view name) const;
+  std::optional<double> dt() const { return at_coordinate(step_size); }
+  std::optional<double> abscissa() const { return at_coordinate(over); }
+  /// One more coordinate, the abscissa from now on.
+  void set_over(coordinate);
+};
+
+/// log2(value) against log2(abscissa): value = prefactor * abscissa^order.
 struct fit {
   std::string experiment, scheme, quantity, observable;
+  std::string over = step_size;
   double order = 0, low = 0, high = 0, prefactor = 0;
-  std::string rule;  ///< which levels were kept, and why the others were not
+  std::string rule = {};  ///< which levels were kept, and why the others were not
+
+  series_id series() const { return {experiment, scheme, quantity, observable, over}; }
 };
 
 struct verdict {
-  std::string experiment, scheme, claim;
-  std::optional<double> expected, estimate, low, high;
+  std::string experiment = {}, scheme = {}, claim = {};
+  std::optional<double> expected = {}, estimate = {}, low = {}, high = {};
   verdict_kind kind = verdict_kind::inconclusive;
-  std::string reason;
+  std::string reason = {};
+  std::vector<series_id> evidence = {};  ///< what was measured for it; known where a series decides it
 };
 
 /// Work of the inner loops.

@@ -16,15 +16,6 @@ std::string counted(std::size_t number, std::string_view what) {
   return fmt::format("{} {} {}", number, number == 1 ? "is" : "are", what);
 }
 
-// Everything that carries the member, in the order in which a report shows it.
-template <class Member>
-void add_mentioned(std::vector<std::string>& names, const results& r, Member name_in) {
-  for (const auto& row : r.verdicts) add_once(names, name_in(row));
-  for (const auto& row : r.fits) add_once(names, name_in(row));
-  for (const auto& row : r.measurements) add_once(names, name_in(row));
-  for (const auto& row : r.skipped) add_once(names, name_in(row));
-}
-
 }  // namespace
 
 std::size_t tally::total() const { return std::accumulate(counts.begin(), counts.end(), std::size_t{0}); }
@@ -50,20 +41,6 @@ std::string sentence(const tally& t) {
   for (const auto kind : verdict_kinds)
     if (kind != verdict_kind::holds) out += ", " + counted(t.of(kind), name_of(kind));
   return out + ".";
-}
-
-std::vector<std::string> experiment_names(const results& r) {
-  std::vector<std::string> names;
-  for (const auto& one : r.experiments) add_once(names, one.name);
-  add_mentioned(names, r, [](const auto& row) -> const std::string& { return row.experiment; });
-  return names;
-}
-
-std::vector<std::string> scheme_names(const results& r) {
-  std::vector<std::string> names;
-  for (const auto& one : r.schemes) add_once(names, one.name);
-  add_mentioned(names, r, [](const auto& row) -> const std::string& { return row.scheme; });
-  return names;
 }
 
 const experiment* find_experiment(const results& r, std::string_view name) {

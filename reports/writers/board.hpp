@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "reports/model/names.hpp"
 #include "reports/model/results.hpp"
 
 namespace polhode::report {
@@ -24,10 +25,6 @@ tally count(const std::vector<verdict>&);
 std::string headline(const tally&);
 /// "17 claims: 12 hold, 1 is refuted, 1 is inconclusive, 1 is not tried, 2 are skipped."
 std::string sentence(const tally&);
-
-/// Declared ones first, then whatever else the results mention; no name twice.
-std::vector<std::string> experiment_names(const results&);
-std::vector<std::string> scheme_names(const results&);
 
 /// Null where the experiment was not declared.
 const experiment* find_experiment(const results&, std::string_view name);

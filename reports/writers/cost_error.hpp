@@ -1,19 +1,18 @@
-// Rows that say what an error costs, gathered into plots of one against the other and into a table.
+// Rows that say what an error costs: points of one against the other, and a table.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "reports/model/plots.hpp"
 #include "reports/model/results.hpp"
 #include "reports/writers/plot.hpp"
+#include "reports/writers/series.hpp"
 
 namespace polhode::report {
 
-/// Whether a row belongs to these pictures and not to one over its step size.
-bool says_cost(const measurement&);
-
-/// One plot for each observable of the quantities "cost" and "error_at_cost", which pair by scheme and dt.
-std::vector<plot> cost_plots_of(const results&, const std::string& experiment);
+/// Of a line of a front: cost over error, which pair by their step size.
+std::vector<plot_point> cost_points(const rows_by_series&, const plot_line&);
 
 /// "To reach this": the cheapest, and how the next one compares.
 struct cost_line {

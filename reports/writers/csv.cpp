@@ -32,13 +32,20 @@ void append_row(std::string& out, std::initializer_list<std::string_view> fields
   out += '\n';
 }
 
+/// "theta=8; dt=0.125": every coordinate, dt as well.
+std::string place_of(const measurement& m) {
+  std::string out;
+  for (const auto& c : m.at) out += fmt::format("{}{}={}", out.empty() ? "" : "; ", c.name, shortest(c.value));
+  return out;
+}
+
 }  // namespace
 
 std::string measurements_csv(const results& r) {
-  std::string out = "experiment,scheme,quantity,observable,dt,value,low,high,unit,method\n";
+  std::string out = "experiment,scheme,quantity,observable,dt,value,low,high,unit,method,at\n";
   for (const auto& m : r.measurements)
-    append_row(out, {m.experiment, m.scheme, m.quantity, m.observable, shortest(m.dt), shortest(m.value),
-                     shortest(m.low), shortest(m.high), m.unit, m.method});
+    append_row(out, {m.experiment, m.scheme, m.quantity, m.observable, shortest(m.dt()), shortest(m.value),
+                     shortest(m.low), shortest(m.high), m.unit, m.method, place_of(m)});
   return out;
 }
 

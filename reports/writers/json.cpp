@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "reports/plots/descriptions.hpp"
+#include "reports/writers/json_plots.hpp"
+#include "reports/writers/json_rows.hpp"
 #include "reports/writers/json_values.hpp"
 #include "reports/writers/numbers.hpp"
 
@@ -16,45 +19,6 @@ json list_of(const std::vector<Row>& rows, Write write) {
 }
 
 json to_value(const experiment& e) { return {{"name", e.name}, {"question", e.question}, {"notes", e.notes}}; }
-
-json to_value(const measurement& m) {
-  json out{{"experiment", m.experiment}, {"scheme", m.scheme},
-           {"quantity", m.quantity},     {"observable", m.observable},
-           {"dt", number(m.dt)},         {"steps", number(m.steps)},
-           {"value", number(m.value)},   {"low", number(m.low)},
-           {"high", number(m.high)},     {"unit", m.unit},
-           {"method", m.method},         {"status", status_of(m)},
-           {"fitted", m.fitted}};
-  if (!m.abscissa.empty()) out["abscissa"] = m.abscissa;
-  return out;
-}
-
-json to_value(const fit& f) {
-  const bool good =
-      std::isfinite(f.order) && std::isfinite(f.low) && std::isfinite(f.high) && std::isfinite(f.prefactor);
-  return {{"experiment", f.experiment},
-          {"scheme", f.scheme},
-          {"quantity", f.quantity},
-          {"observable", f.observable},
-          {"order", number(f.order)},
-          {"low", number(f.low)},
-          {"high", number(f.high)},
-          {"prefactor", number(f.prefactor)},
-          {"status", good ? "ok" : "not finite"},
-          {"rule", f.rule}};
-}
-
-json to_value(const verdict& v) {
-  return {{"experiment", v.experiment},
-          {"scheme", v.scheme},
-          {"claim", v.claim},
-          {"expected", number(v.expected)},
-          {"estimate", number(v.estimate)},
-          {"low", number(v.low)},
-          {"high", number(v.high)},
-          {"verdict", std::string(name_of(v.kind))},
-          {"reason", reason_of(v)}};
-}
 
 json to_value(const counters& c) {
   return {{"normals_drawn", c.normals_drawn}, {"path_steps", c.path_steps}, {"kernels_run", c.kernels_run}};
@@ -123,7 +87,7 @@ std::string laid_out(const json& document) {
 std::string to_json(const results& r) {
   const auto row = [](const auto& value) { return to_value(value); };
   json document;
-  document["schema"] = schema_of(schema_name);
+  document["schema"] = schema_of(schema_name, schema_version);
   document["provenance"] = to_value(r.provenance);
   if (!r.to_come.empty()) document["to_come"] = r.to_come;
   document["scene"] = to_value(r.scene);
@@ -136,6 +100,7 @@ std::string to_json(const results& r) {
   document["savings"] = list_of(r.savings, row);
   document["reused"] = list_of(r.reused, row);
   if (!r.densities.empty()) document["densities"] = list_of(r.densities, row);
+  document["plots"] = list_of(plots_of(r), row);
   document["counters"] = to_value(r.done);
   if (!r.profile.empty()) document["profile"] = list_of(r.profile, row);
   return laid_out(document);

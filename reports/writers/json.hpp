@@ -8,7 +8,8 @@
 
 namespace polhode::report {
 
-/// One record a line. A number that is missing, NaN or infinite is null, and the record's status or reason says why.
+/// One record a line, and beside the results the plots that there are of them, which from_json passes over. A number
+/// that is missing, NaN or infinite is null, and the record's status or reason says why.
 std::string to_json(const results&);
 
 /// Throws input_error, on one line, for text that is cut short, foreign, or of another schema version.

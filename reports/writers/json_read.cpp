@@ -10,16 +10,10 @@
 #include "reports/model/text.hpp"
 #include "reports/writers/json.hpp"
 #include "reports/writers/json_node.hpp"
+#include "reports/writers/json_rows.hpp"
 
 namespace polhode::report {
 namespace {
-
-verdict_kind kind_from(const node& n) {
-  const std::string text = n.text();
-  for (const auto kind : verdict_kinds)
-    if (text == name_of(kind)) return kind;
-  refuse(n.where, "holds, refuted, inconclusive, not tried or skipped");
-}
 
 provenance provenance_from(const node& n) {
   return {n["version"].text(),
@@ -79,28 +73,6 @@ scheme scheme_from(const node& n) {
 
 experiment experiment_from(const node& n) {
   return {n["name"].text(), n["question"].text(), n["notes"].list([](const node& one) { return one.text(); })};
-}
-
-measurement measurement_from(const node& n) {
-  return {n["experiment"].text(),  n["scheme"].text(),
-          n["quantity"].text(),    n["observable"].text(),
-          n["dt"].maybe_number(),  n["value"].maybe_number(),
-          n["low"].maybe_number(), n["high"].maybe_number(),
-          n["unit"].text(),        n["method"].text(),
-          n["status"].text(),      n["steps"].maybe_number(),
-          n["fitted"].flag(),      n.maybe("abscissa") ? n["abscissa"].text() : ""};
-}
-
-fit fit_from(const node& n) {
-  return {n["experiment"].text(), n["scheme"].text(),      n["quantity"].text(),
-          n["observable"].text(), n["order"].number(),     n["low"].number(),
-          n["high"].number(),     n["prefactor"].number(), n["rule"].text()};
-}
-
-verdict verdict_from(const node& n) {
-  return {n["experiment"].text(),       n["scheme"].text(),           n["claim"].text(),
-          n["expected"].maybe_number(), n["estimate"].maybe_number(), n["low"].maybe_number(),
-          n["high"].maybe_number(),     kind_from(n["verdict"]),      n["reason"].text()};
 }
 
 counters counters_from(const node& n) {
@@ -166,22 +138,18 @@ results from_json(std::string_view text) {
   const node schema = root["schema"];
   if (schema["name"].text() != schema_name)
     refuse("schema.name", fmt::format("\"{}\", found \"{}\"", schema_name, one_line(schema["name"].text(), 40)));
-  if (const int version = schema["version"].integer<int>(); version != schema_version)
-    refuse("schema.version", fmt::format("{}, found {}", schema_version, version));
-  results r{provenance_from(root["provenance"]),
-            scene_from(root["scene"]),
-            root["schemes"].list(scheme_from),
-            root["experiments"].list(experiment_from),
-            root["measurements"].list(measurement_from),
-            root["fits"].list(fit_from),
-            root["verdicts"].list(verdict_from),
-            root["skipped"].list(skip_from),
-            {},
-            {},
-            {},
-            {},
-            {},
-            {}};
+  const int version = schema["version"].integer<int>();
+  if (version != 1 && version != schema_version)
+    refuse("schema.version", fmt::format("1 or {}, found {}", schema_version, version));
+  results r;
+  r.provenance = provenance_from(root["provenance"]);
+  r.scene = scene_from(root["scene"]);
+  r.schemes = root["schemes"].list(scheme_from);
+  r.experiments = root["experiments"].list(experiment_from);
+  r.measurements = root["measurements"].list([&](const node& n) { return measurement_from(n, version); });
+  r.fits = root["fits"].list([&](const node& n) { return fit_from(n, version, r.measurements); });
+  r.verdicts = root["verdicts"].list([&](const node& n) { return verdict_from(n, version); });
+  r.skipped = root["skipped"].list(skip_from);
   if (const auto savings = root.maybe("savings")) r.savings = savings->list(saving_from);
   if (const auto reused = root.maybe("reused")) r.reused = reused->list(reuse_from);
   if (const auto densities = root.maybe("densities")) r.densities = densities->list(density_from);

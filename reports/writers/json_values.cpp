@@ -69,7 +69,7 @@ json to_value(const scheme& s) {
             {"weak_general", number(s.weak_general)}}}};
 }
 
-json schema_of(std::string_view name) { return {{"name", std::string(name)}, {"version", schema_version}}; }
+json schema_of(std::string_view name, int version) { return {{"name", std::string(name)}, {"version", version}}; }
 
 bool begins_with_schema(std::string_view text, std::string_view name) {
   const auto expected = fmt::format("{{\"schema\":{{\"name\":\"{}\"", name);

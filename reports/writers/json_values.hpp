@@ -20,7 +20,7 @@ json to_value(const scene&);
 json to_value(const scheme&);
 
 /// {"name": …, "version": …}, with which every document of ours begins.
-json schema_of(std::string_view name);
+json schema_of(std::string_view name, int version);
 
 /// Whether the text begins as a document of that schema does, whatever blanks stand between.
 bool begins_with_schema(std::string_view text, std::string_view name);

@@ -109,7 +109,7 @@ std::string cost_table_source(const results& r, const std::string& experiment) {
       "next\\\\\n\\midrule\n";
   for (const auto& [what, cost, next] : lines)
     out += fmt::format("{} & {} & {} & {} & {}\\\\\n", escape_latex(what), escape_latex(cost->scheme),
-                       escape_latex(shown(cost->dt)), escape_latex(shown(cost->value)),
+                       escape_latex(shown(cost->dt())), escape_latex(shown(cost->value)),
                        next != nullptr ? escape_latex(shown(next->value)) : "--");
   return out + "\\bottomrule\n\\end{longtable}\n\n";
 }
@@ -119,24 +119,31 @@ std::string section_of(const results& r, const std::string& name) {
   if (const auto* e = find_experiment(r, name)) out += escape_latex(e->question) + "\n\n";
   if (const auto rows = verdicts_of(r, name); !rows.empty()) out += table_of(rows);
   out += cost_table_source(r, name);
-  for (const auto& p : plots_of(r, name)) out += plot_source(p);
-  for (const auto& p : cost_plots_of(r, name)) out += plot_source(p);
+  for (const auto& p : drawable_plots(r, name)) out += plot_source(p);
   return out + "\\clearpage\n";
 }
 
 struct letter {
   std::string_view text, command;
 };
-constexpr letter letters[] = {
-    {"Π", "$\\Pi$"},     {"Ω", "$\\Omega$"},  {"θ", "$\\theta$"},  {"σ", "$\\sigma$"},
-    {"λ", "$\\lambda$"}, {"μ", "$\\mu$"},     {"−", "$-$"},        {"±", "$\\pm$"},
-    {"×", "$\\times$"},  {"·", "$\\cdot$"},   {"–", "--"},         {"…", "\\ldots{}"},
-    {"²", "$^2$"},       {"³", "$^3$"},       {"√", "$\\sqrt{}$"}, {"≤", "$\\leq$"},
-    {"≥", "$\\geq$"},    {"∝", "$\\propto$"}, {"|", "$|$"},        {"<", "$<$"},
-    {">", "$>$"},        {"^", "\\^{}"},      {"~", "\\~{}"},      {"\\", "\\textbackslash{}"},
-    {"&", "\\&"},        {"%", "\\%"},        {"$", "\\$"},        {"#", "\\#"},
-    {"_", "\\_"},        {"{", "\\{"},        {"}", "\\}"},        {"[", "{[}"},
-    {"]", "{]}"},        {"\"", "''"}};
+constexpr letter letters[] = {{"Π", "$\\Pi$"},     {"Ω", "$\\Omega$"},
+                              {"θ", "$\\theta$"},  {"σ", "$\\sigma$"},
+                              {"λ", "$\\lambda$"}, {"μ", "$\\mu$"},
+                              {"−", "$-$"},        {"±", "$\\pm$"},
+                              {"×", "$\\times$"},  {"·", "$\\cdot$"},
+                              {"–", "--"},         {"…", "\\ldots{}"},
+                              {"₁", "$_1$"},       {"₂", "$_2$"},
+                              {"²", "$^2$"},       {"³", "$^3$"},
+                              {"√", "$\\sqrt{}$"}, {"≤", "$\\leq$"},
+                              {"≥", "$\\geq$"},    {"∝", "$\\propto$"},
+                              {"|", "$|$"},        {"<", "$<$"},
+                              {">", "$>$"},        {"^", "\\^{}"},
+                              {"~", "\\~{}"},      {"\\", "\\textbackslash{}"},
+                              {"&", "\\&"},        {"%", "\\%"},
+                              {"$", "\\$"},        {"#", "\\#"},
+                              {"_", "\\_"},        {"{", "\\{"},
+                              {"}", "\\}"},        {"[", "{[}"},
+                              {"]", "{]}"},        {"\"", "''"}};
 
 }  // namespace
 

@@ -77,7 +77,7 @@ void append_cost_table(std::string& out, const results& r, const std::string& na
   if (lines.empty()) return;
   append_head(out, {"to reach", "cheapest", "dt", "cost", "range", "ratio to the next", "range", ""});
   for (const auto& [what, cost, next] : lines)
-    append_row(out, {safe(what), safe(cost->scheme), shown(cost->dt), shown(cost->value),
+    append_row(out, {safe(what), safe(cost->scheme), shown(cost->dt()), shown(cost->value),
                      shown_interval(cost->low, cost->high), next ? shown(next->value) : "–",
                      next ? shown_interval(next->low, next->high) : "–", next ? safe(next->status) : "no other"});
   out += fmt::format("\nCost: {}.\n\n", safe(lines[0].cost->unit));
@@ -114,8 +114,8 @@ void append_fits(std::string& out, const results& r) {
 
 std::string end_of(const measurement* m) {
   if (m == nullptr) return "–";
-  if (m->dt) return fmt::format("{} at dt {}", shown(m->value), shown(m->dt));
-  return m->steps ? fmt::format("{} at {} steps", shown(m->value), shown(m->steps)) : shown(m->value);
+  if (const auto dt = m->dt()) return fmt::format("{} at dt {}", shown(m->value), shown(dt));
+  return m->over.empty() ? shown(m->value) : fmt::format("{} at {} {}", shown(m->value), m->over, shown(m->abscissa()));
 }
 
 void append_measurements(std::string& out, const results& r) {

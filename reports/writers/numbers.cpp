@@ -3,22 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <initializer_list>
 
 namespace polhode::report {
-namespace {
-
-bool any_not_finite(std::initializer_list<std::optional<double>> numbers) {
-  for (const auto& number : numbers)
-    if (number && !std::isfinite(*number)) return true;
-  return false;
-}
-
-}  // namespace
-
-std::optional<double> finite(std::optional<double> number) {
-  return number && std::isfinite(*number) ? number : std::nullopt;
-}
 
 std::string shortest(std::optional<double> number) { return finite(number) ? fmt::format("{}", *number) : ""; }
 
@@ -51,17 +37,6 @@ std::string shown_duration(double seconds) {
   const auto whole = static_cast<long>(std::lround(seconds));
   if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
   return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
-}
-
-std::string status_of(const measurement& row) {
-  if (row.status != "ok") return row.status;
-  if (any_not_finite({row.dt, row.steps, row.value, row.low, row.high})) return "not finite";
-  return row.value ? "ok" : "missing";
-}
-
-std::string reason_of(const verdict& row) {
-  if (!any_not_finite({row.expected, row.estimate, row.low, row.high})) return row.reason;
-  return row.reason.empty() ? "not finite" : row.reason + "; not finite";
 }
 
 }  // namespace polhode::report

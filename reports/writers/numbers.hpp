@@ -4,12 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "reports/model/results.hpp"
+#include "reports/model/finite.hpp"
 
 namespace polhode::report {
-
-/// The number, unless it is NaN or infinite.
-std::optional<double> finite(std::optional<double>);
 
 /// The shortest text that reads back as the same number; empty where there is none.
 std::string shortest(std::optional<double>);
@@ -26,11 +23,5 @@ std::string shown_order_interval(std::optional<double> low, std::optional<double
 
 /// Seconds as a reader would say them: "0.42 s", "3 min 12 s", "2 h 5 min".
 std::string shown_duration(double seconds);
-
-/// The status; where a number is missing or not finite and the status did not say so, it says so now.
-std::string status_of(const measurement&);
-
-/// The reason, likewise.
-std::string reason_of(const verdict&);
 
 }  // namespace polhode::report

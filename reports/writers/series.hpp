@@ -1,9 +1,11 @@
-// Measurements gathered into series (one scheme, one quantity, one observable) and series into plots.
+// Measurements gathered into series, and the description of a plot into what can be drawn.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
+#include "reports/model/plots.hpp"
 #include "reports/model/results.hpp"
 #include "reports/writers/plot.hpp"
 
@@ -19,8 +21,9 @@ struct series {
 /// In the order in which the results mention them. The pointers live as long as the results.
 std::vector<series> series_of(const results&);
 
-/// One plot for each (quantity, observable) of the experiment that has an abscissa, one line a scheme; not of the
-/// cells of maps (field.hpp).
-std::vector<plot> plots_of(const results&, const std::string& experiment);
+using rows_by_series = std::map<series_id, std::vector<const measurement*>>;
+
+/// The plots of the experiment that are curves or fronts and have points.
+std::vector<plot> drawable_plots(const results&, const std::string& experiment);
 
 }  // namespace polhode::report

@@ -20,7 +20,7 @@ json to_value(const ensemble_state& s) {
 
 std::string to_json(const simulation& s) {
   json out;
-  out["schema"] = schema_of(simulation_schema_name);
+  out["schema"] = schema_of(simulation_schema_name, 1);
   out["provenance"] = to_value(s.provenance);
   out["provenance"].erase("effort");
   out["scene"] = to_value(s.scene);

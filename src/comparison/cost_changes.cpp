@@ -44,7 +44,7 @@ double scatter_of_others(const std::vector<cost_group*>& groups) {
 
 }  // namespace
 
-bool is_cost(const measurement& m) { return m.method == "timed" && m.quantity == "cost" && m.value && m.dt; }
+bool is_cost(const measurement& m) { return m.method == "timed" && m.quantity == "cost" && m.value && m.dt(); }
 
 std::optional<yardstick> yardstick_of(const results& r) {
   for (const auto& m : r.measurements)
@@ -66,7 +66,7 @@ double median_of(std::vector<double> x) {
 std::map<group_key, cost_group> groups_of(const results& before, const results& after, double unit) {
   using row_key = std::tuple<std::string, bool, std::string>;
   const auto key_of = [](const measurement& m) {
-    return row_key{m.scheme, without_noise(m), fmt::format("{:.12g}", *m.dt)};
+    return row_key{m.scheme, without_noise(m), fmt::format("{:.12g}", *m.dt())};
   };
   std::map<row_key, const measurement*> old, now;
   for (const auto& m : before.measurements)
@@ -78,7 +78,7 @@ std::map<group_key, cost_group> groups_of(const results& before, const results& 
     const auto found = old.find(key);
     if (found == old.end() || !(*found->second->value > 0) || !(*m->value > 0)) continue;
     out[{m->scheme, without_noise(*m)}].rows.push_back(
-        {*m->dt, std::log(*m->value / *found->second->value) - unit,
+        {*m->dt(), std::log(*m->value / *found->second->value) - unit,
          std::hypot(relative_error(*m), relative_error(*found->second))});
   }
   return out;

@@ -20,14 +20,12 @@ using report::results;
 
 constexpr double level = 0.05, exact_agreement = 1e-9;
 
-using series_key = std::tuple<std::string, std::string, std::string, std::string>;
-series_key series_of(const auto& m) { return {m.experiment, m.scheme, m.quantity, m.observable}; }
-
-/// Step sizes as printed, so that the last bit of a quotient makes no new row. A growth law has many numbers at one dt.
-using row_key = std::tuple<series_key, std::string, std::string, std::string>;
+/// Coordinates as printed, so that the last bit of a quotient makes no new row, in whatever order.
+using row_key = std::tuple<report::series_id, std::set<std::string>, std::string>;
 row_key row_of(const measurement& m) {
-  const auto printed = [](const std::optional<double>& x) { return x ? fmt::format("{:.12g}", *x) : ""; };
-  return {series_of(m), printed(m.dt), printed(m.steps), m.method};
+  std::set<std::string> at;
+  for (const auto& c : m.at) at.insert(fmt::format("{} = {:.12g}", c.name, c.value));
+  return {m.series(), at, m.method};
 }
 
 bool sampled(const measurement& m) { return m.method == "sampled"; }
@@ -76,13 +74,13 @@ change row_change(const pair_of_rows& p) {
   const auto& [before, after] = p;
   std::string what = after.quantity;
   if (!after.observable.empty()) what += " of " + after.observable;
-  if (after.steps)
-    what += fmt::format(", {} = {:.12g}", after.abscissa.empty() ? "steps" : after.abscissa, *after.steps);
+  for (const auto& c : after.at)
+    if (c.name != report::step_size) what += fmt::format(", {} = {:.12g}", c.name, c.value);
   return {change_kind::different,
           after.experiment,
           after.scheme,
           what,
-          after.dt,
+          after.dt(),
           before.value,
           before.low,
           before.high,
@@ -99,9 +97,9 @@ std::string missing_text(const measurement& m) { return m.value ? "" : m.status 
 
 void compare_numbers(const results& before, const results& after, comparison& out) {
   const auto rows = pairs(before, after);
-  std::set<series_key> errors;
+  std::set<report::series_id> errors;
   for (const auto* r : {&before, &after})
-    for (const auto& f : r->fits) errors.insert(series_of(f));
+    for (const auto& f : r->fits) errors.insert(f.series());
   const auto n = std::ranges::count_if(rows, [](const auto& p) { return sampled(p.after) && !of_unknown_noise(p); });
   const double z =
       boost::math::quantile(boost::math::normal(), 1 - level / 2 / static_cast<double>(std::max<long>(n, 1)));
@@ -110,7 +108,7 @@ void compare_numbers(const results& before, const results& after, comparison& ou
     ++(of_unknown_noise(p) ? out.without_interval : out.numbers);
     if (of_unknown_noise(p)) continue;
     auto found = row_change(p);
-    const bool error = errors.contains(series_of(p.after));
+    const bool error = errors.contains(p.after.series());
     if (p.before.value && p.after.value) {
       if (!beyond_noise(p, z)) continue;
       if (error) found.kind = *p.after.value > *p.before.value ? change_kind::worse : change_kind::better;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "ensemble/noise/paths.hpp"
-#include "experiments/common/increment_ladder.hpp"
+#include "experiments/common/coupled_increments.hpp"
 #include "experiments/work_precision/path_cells.hpp"
 #include "problem/vectors.hpp"
 #include "selection/goal.hpp"
@@ -87,11 +87,11 @@ class path_goal final : public goal {
 
   void run_block(const run_kernels& run, std::uint64_t seed, int first_path, std::vector<double>& out) const {
     const auto& s = context_.subject;
-    increment_ladder ladder(*s.model, run.grid, run.cells, {context_.generator, noise_quality::precise});
+    coupled_increments increments(*s.model, run.grid, run.cells, {context_.generator, noise_quality::precise});
     auto truth = replicated(s.scene.momentum), state = truth;
     for (int step = 0; step < run.grid.steps.front(); ++step) {
-      run.truth->advance(truth, ladder.fill(seed, static_cast<std::uint64_t>(first_path), step));
-      run.stepper->advance(state, ladder.level(0));
+      run.truth->advance(truth, increments.fill(seed, static_cast<std::uint64_t>(first_path), step));
+      run.stepper->advance(state, increments.level(0));
     }
     for (std::size_t i = 0; i < truth.size(); ++i)
       out[static_cast<std::size_t>(first_path) + i % block_lanes] += std::pow(state[i] - truth[i], 2);

@@ -11,8 +11,8 @@ namespace polhode {
 
 /// A common multiple of k, and of theta k, belongs to the Casimir and is seen by no function: both add up to zero.
 struct body_parameters {
-  Eigen::Vector3d inverse_inertia, dissipation;  ///< k_j = 1/I_j and theta/I_j, each less its mean
-  Eigen::Matrix3d noise;                         ///< Q = sum_i sigma_i sigma_i^T
+  Eigen::Vector3d quadratic, dissipation;  ///< k_j = 1/I_j and theta/I_j, each less its mean
+  Eigen::Matrix3d noise;                   ///< Q = sum_i sigma_i sigma_i^T
 };
 body_parameters parameters_of(const sphere_problem&);
 

@@ -28,7 +28,7 @@ before(() => {
 
 const isError = (r, m) =>
   m.value !== null &&
-  r.fits.some((f) => ['experiment', 'scheme', 'quantity', 'observable'].every((k) => f[k] === m[k]));
+  r.fits.some((f) => ['experiment', 'scheme', 'quantity', 'observable', 'over'].every((k) => f[k] === m[k]));
 
 /** Errors of magnus thrice as large, one claim refuted, one open, and another processor. */
 function worsened() {
@@ -81,9 +81,7 @@ test('a regression stands before the board, with its numbers', async () => {
 
 const curvesOf = (r) => {
   const known = new Set(r.schemes.map((s) => s.name).concat(''));
-  return r.measurements.filter(
-    (m) => m.value !== null && m.method !== 'timed' && (m.dt !== null || m.steps !== null) && known.has(m.scheme),
-  );
+  return r.measurements.filter((m) => m.value !== null && m.method !== 'timed' && m.over !== '' && known.has(m.scheme));
 };
 
 const itemsIn = (page) =>

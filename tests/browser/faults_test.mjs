@@ -31,20 +31,30 @@ test('an older schema is shown with what it has', async () => {
   old.schema.version = 0;
   for (const name of ['fits', 'savings', 'reused', 'counters', 'densities', 'experiments']) delete old[name];
   for (const m of old.measurements) {
-    delete m.fitted;
+    delete m.used;
     delete m.status;
   }
   const page = await open(pageOf(old, 'old')),
     note = await page.textContent('.lacking');
-  for (const part of ['schema version 0', 'fits', 'experiments', 'fitted', 'status'])
+  for (const part of ['schema version 0', 'fits', 'experiments', 'used', 'status'])
     assert.ok(note.includes(part), part);
   assert.ok((await page.locator('figure.plot').count()) > 3);
   await atEnd(page);
 });
 
+test('without descriptions of plots there are tables, and it says so', async () => {
+  const { plots, ...old } = rich;
+  assert.ok(plots.length > 3);
+  const page = await open(pageOf({ ...old, densities: [] }, 'plotless'));
+  assert.match(await page.textContent('.lacking'), /no descriptions of plots: its numbers stand in tables alone/);
+  assert.equal(await page.locator('figure.plot').count(), 0);
+  assert.match(await page.textContent('[id="experiment.strong"]'), /10 measurements/);
+  await atEnd(page);
+});
+
 test('nothing measured, nothing at all', async () => {
   for (const [label, results] of [
-    ['none', { ...rich, measurements: [], fits: [], verdicts: [], skipped: [], densities: [] }],
+    ['none', { ...rich, measurements: [], fits: [], verdicts: [], skipped: [], densities: [], plots: [] }],
     ['bare', {}],
   ]) {
     const page = await open(pageOf(results, label));
@@ -55,28 +65,48 @@ test('nothing measured, nothing at all', async () => {
   }
 });
 
+const seriesOf = (m) => ({ scheme: m.scheme, quantity: m.quantity, observable: m.observable, over: m.over });
+const described = (id, kind, rows, more = {}) => ({
+  id,
+  experiment: rows[0].experiment,
+  kind,
+  title: id,
+  lines: [...new Set(rows.map((m) => JSON.stringify(seriesOf(m))))].map((s) => ({ series: JSON.parse(s) })),
+  ...more,
+});
+const overDt = (dt) => ({ at: [{ name: 'dt', value: dt, unit: 'time' }], over: 'dt' });
+
 test('what nobody has heard of is drawn, too', async () => {
   const row = {
     experiment: 'new <b>one</b>',
     quantity: 'mood',
     observable: 'x',
-    steps: null,
+    at: [],
+    over: '',
     low: null,
     high: null,
     unit: 'sighs',
     method: 'asked',
     status: 'ok',
-    fitted: false,
+    used: false,
   };
-  const measurements = ['a', 'b'].flatMap((scheme) => [1, 2, 4].map((dt) => ({ ...row, scheme, dt, value: dt ** 2 })));
-  measurements.push(
-    { ...row, scheme: 'a', dt: null, value: 3, quantity: 'size' },
-    { ...row, scheme: '', dt: null, value: 7, quantity: 'weight', observable: '' },
+  const moods = ['a', 'b'].flatMap((scheme) =>
+    [1, 2, 4].map((dt) => ({ ...row, ...overDt(dt), scheme, value: dt ** 2 })),
   );
+  const size = { ...row, scheme: 'a', value: 3, quantity: 'size' },
+    weight = { ...row, scheme: '', value: 7, quantity: 'weight', observable: '' };
+  const plots = [
+    described('mood', 'curve', moods, { x: 'dt' }),
+    described('size', 'comparison', [size]),
+    described('facts', 'facts', [weight]),
+    described('dream', 'hologram', [size]),
+  ];
+  const measurements = [...moods, size, weight];
   const page = await open(
-    pageOf({ ...rich, measurements, fits: [], densities: [], verdicts: [], skipped: [] }, 'unknown'),
+    pageOf({ ...rich, measurements, plots, fits: [], densities: [], verdicts: [], skipped: [] }, 'unknown'),
   );
   assert.equal(await page.locator('figure.curve[data-points="6"]').count(), 1);
+  assert.equal(await page.locator('figure.plot').count(), 2);
   assert.match(await page.locator('section.experiment').last().textContent(), /weight.*7/s);
   await atEnd(page);
 });
@@ -85,23 +115,25 @@ test('a hundred thousand measurements stay usable', async () => {
   const row = {
     experiment: 'strong',
     quantity: 'error',
-    steps: null,
     low: null,
     high: null,
     unit: '1',
     method: 'sampled',
     status: 'ok',
-    fitted: false,
+    used: false,
   };
   const measurements = Array.from({ length: 100_000 }, (_, i) => ({
     ...row,
     scheme: i % 2 ? 'heun' : 'magnus',
     observable: i < 99_000 ? 'state' : `o ${i}`,
-    dt: 0.001 + i * 1e-6,
+    ...overDt(0.001 + i * 1e-6),
     value: 1e-3 * (1 + (i % 97)),
   }));
+  const plots = [measurements.slice(0, 99_000), ...measurements.slice(99_000).map((m) => [m])].map((rows, i) =>
+    described(`strong.${i}`, 'curve', rows, { x: 'dt' }),
+  );
   const start = Date.now(),
-    page = await open(pageOf({ ...rich, measurements, fits: [], densities: [] }, 'many'));
+    page = await open(pageOf({ ...rich, measurements, plots, fits: [], densities: [] }, 'many'));
   assert.ok(Date.now() - start < 20_000);
   const figure = page.locator('figure[data-points="99000"]');
   await figure.scrollIntoViewIfNeeded();

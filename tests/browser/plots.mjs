@@ -8,7 +8,17 @@ export async function until(ask, seconds = 20) {
   }
 }
 
-export const key = (m) => JSON.stringify([m.experiment, m.scheme, m.quantity, m.observable, m.dt, m.steps, m.value]);
+export const key = (m) =>
+  JSON.stringify([
+    m.experiment,
+    m.scheme,
+    m.quantity,
+    m.observable,
+    m.at.map((c) => [c.name, c.value]),
+    m.value,
+    m.low,
+    m.high,
+  ]);
 
 /** Every measurement that stands behind a drawn item, with the figure it is drawn in. */
 export function drawn(page) {
@@ -23,17 +33,34 @@ export function drawn(page) {
   );
 }
 
-/** From the data alone: values over dt or over steps, by what they are of. */
-export function groupsIn(results) {
-  const groups = new Map();
-  for (const m of results.measurements) {
-    if (m.value === null || (m.dt === null && m.steps === null)) continue;
-    const name = JSON.stringify(
-      /=/.test(m.observable) ? [m.experiment, m.quantity] : [m.experiment, m.quantity, m.observable],
-    );
-    groups.set(name, [...(groups.get(name) ?? []), m]);
-  }
-  return groups;
+const seriesKey = (experiment, s) => JSON.stringify([experiment, s.scheme, s.quantity, s.observable, s.over]);
+
+/** From the data alone: the values that each curve and map must draw, by its id. */
+export function valuesIn(results) {
+  const values = results.measurements.filter((m) => m.value !== null),
+    drawn = results.plots.filter((p) => p.kind === 'curve' || p.kind === 'map');
+  return new Map(
+    drawn.map((p) => {
+      const own = new Set(p.lines.map((line) => seriesKey(p.experiment, line.series)));
+      const axes = [p.x, p.y].filter((name) => name !== undefined);
+      const has = (m, name) => m.at.some((c) => c.name === name);
+      return [p.id, values.filter((m) => own.has(seriesKey(m.experiment, m)) && axes.every((name) => has(m, name)))];
+    }),
+  );
+}
+
+/** Values over an abscissa that no plot names. */
+export function undescribed(results) {
+  const named = new Set(
+    results.plots.flatMap((p) =>
+      p.lines.flatMap((line) =>
+        [line.series, line.across, ...(line.beside ?? [])].filter(Boolean).map((s) => seriesKey(p.experiment, s)),
+      ),
+    ),
+  );
+  return results.measurements.filter(
+    (m) => m.value !== null && m.over !== '' && !named.has(seriesKey(m.experiment, m)),
+  );
 }
 
 /** All numbers of a text, as doubles. */

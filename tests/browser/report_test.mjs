@@ -145,7 +145,7 @@ describe('one report', () => {
     const csv = (await downloaded(page, tool('CSV'))).toString().trim().split('\r\n');
     const rows = await figure.evaluate((f) => f.figure.plot.rows);
     assert.equal(csv.length, rows.length + 1);
-    rows.forEach((row, i) => assert.equal(csv[i + 1].split(',')[6], row.value === null ? '' : String(row.value)));
+    rows.forEach((row, i) => assert.equal(csv[i + 1].split(',')[5], row.value === null ? '' : String(row.value)));
   });
 
   test('the table behind a plot holds its numbers', async () => {

@@ -56,7 +56,7 @@ class Compare(unittest.TestCase):
             r['provenance']['cpu'] = 'another'
             for m in r['measurements']:
                 for k in ('value', 'low', 'high'):
-                    if m[k] is not None and m['fitted']: m[k] *= 3
+                    if m[k] is not None and m['used']: m[k] *= 3
         rc, out, _ = self.run_it('compare', self.a, self.changed(grow), '--format', 'json')
         r = json.loads(out)
         self.assertEqual((rc, r['scene']), (1, 'paper'))

@@ -60,6 +60,7 @@ class Select(unittest.TestCase):
                 if goal == 'strong': self.assertIsNone(r['worst_observable'])
                 else: self.assertLessEqual(r['worst_observable']['bound'], float(tolerance))
                 if schemes: self.assertIn(r['scheme'], schemes)
+                self.assertTrue(r['rejected'])
                 self.assertEqual({x['scheme'] for x in r['rejected']} & {r['scheme']}, set())
                 self.assertTrue(all(x['reason'] for x in r['rejected']))
                 # The mean of a thousand paths: true value 0.2812, standard deviation below 0.2.

@@ -7,7 +7,6 @@
 #include "reports/writers/junit.hpp"
 #include "reports/writers/latex.hpp"
 #include "reports/writers/markdown.hpp"
-#include "reports/writers/series.hpp"
 #include "tests/golden/golden_file.hpp"
 #include "tests/golden/sample.hpp"
 
@@ -40,11 +39,6 @@ TEST(golden, markdown_stays_under_a_megabyte) {
   EXPECT_LT(text.size(), 1'000'000u);
   EXPECT_NE(text.find("Cut here"), std::string::npos);
   EXPECT_NE(text.find("## Provenance"), std::string::npos);
-}
-
-TEST(golden, cells_of_a_map_are_no_plot_over_dt) {
-  EXPECT_EQ(report::plots_of(sample(), "strong").size(), 1u);
-  EXPECT_TRUE(report::plots_of(sample(), "stability").empty());
 }
 
 }  // namespace

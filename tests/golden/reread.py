@@ -16,7 +16,7 @@ import xml.etree.ElementTree as xml
 from html.parser import HTMLParser
 
 FILES = {'results.json', 'measurements.csv', 'verdicts.csv', 'report.html', 'report.md', 'junit.xml'}
-MEASURED = 'experiment,scheme,quantity,observable,dt,value,low,high,unit,method'.split(',')
+MEASURED = 'experiment,scheme,quantity,observable,dt,value,low,high,unit,method,at'.split(',')
 JUDGED = 'experiment,scheme,claim,expected,estimate,low,high,verdict,reason'.split(',')
 KINDS = ('holds', 'refuted', 'inconclusive', 'not tried', 'skipped')
 LEFT_OUT = ('not tried', 'skipped')
@@ -80,10 +80,21 @@ def rows_of(path, columns):
     return [dict(zip(columns, row)) for row in rows[1:]]
 
 
+def coordinates(text):
+    """"theta=8; dt=0.125" by name."""
+    return {name: float(value) for name, value in (part.rsplit('=', 1) for part in text.split('; ') if part)}
+
+
+def as_rows(measurements):
+    """The measurements as the table shows them: the place as numbers by name, and dt once more."""
+    places = [{c['name']: c['value'] for c in m['at']} for m in measurements]
+    return [m | {'at': place, 'dt': place.get('dt')} for m, place in zip(measurements, places)]
+
+
 def compare_tables(results, folder):
     measured, judged = rows_of(f'{folder}/measurements.csv', MEASURED), rows_of(f'{folder}/verdicts.csv', JUDGED)
     assert len(measured) == len(results['measurements']) and len(judged) == len(results['verdicts'])
-    for table, records, numbers in ((measured, results['measurements'], ('dt', 'value', 'low', 'high')),
+    for table, records, numbers in ((measured, as_rows(results['measurements']), ('dt', 'value', 'low', 'high')),
                                     (judged, results['verdicts'], ('expected', 'estimate', 'low', 'high'))):
         for row, record in zip(table, records):
             for key, text in row.items():
@@ -92,7 +103,8 @@ def compare_tables(results, folder):
                     assert value is None or math.isfinite(value), (key, text)
                     assert same(value, record[key]), (key, text, record[key])
                 else:
-                    assert text == record[key], (key, text, record[key])
+                    found = coordinates(text) if key == 'at' else text
+                    assert found == record[key], (key, text, record[key])
 
 
 def compare_status(results):
@@ -100,6 +112,18 @@ def compare_status(results):
         assert record['value'] is not None or record['status'] != 'ok', record
     for record in results['fits']:
         assert record['order'] is not None or record['status'] != 'ok', record
+
+
+def compare_plots(results):
+    """Every plot has a name of its own and names series that were measured."""
+    identity = ('scheme', 'quantity', 'observable', 'over')
+    known = {(m['experiment'], *(m[key] for key in identity)) for m in results['measurements']}
+    ids = [plot['id'] for plot in results['plots']]
+    assert len(set(ids)) == len(ids), ids
+    for plot in results['plots']:
+        assert plot['lines'], plot
+        for series in [line['series'] for line in plot['lines']] + plot.get('levels', []):
+            assert (plot['experiment'], *(series[key] for key in identity)) in known, series
 
 
 def compare_junit(results, folder):
@@ -148,8 +172,9 @@ def reread(folder):
     assert set(os.listdir(folder)) == FILES, os.listdir(folder)
     with open(f'{folder}/results.json', encoding='utf-8') as file:
         results = json.load(file, parse_constant=refuse_constant)
-    assert results['schema'] == {'name': 'polhode-results', 'version': 1}
+    assert results['schema'] == {'name': 'polhode-results', 'version': 2}
     compare_status(results)
+    compare_plots(results)
     compare_tables(results, folder)
     compare_junit(results, folder)
     compare_page(results, folder)

@@ -28,11 +28,11 @@ void add_strong(results& r, const char* scheme, double prefactor) {
   double dt = 0.5;
   for (int level = 0; level < 5; ++level, dt /= 2) {
     auto m = measured("strong", scheme, "error", "");
-    m.dt = dt;
+    m.set_over({step_size, dt, "time"});
     m.value = prefactor * dt;
     m.low = 0.9375 * *m.value;
     m.high = 1.0625 * *m.value;
-    m.fitted = level > 0;
+    m.used = level > 0;
     r.measurements.push_back(m);
   }
 }
@@ -42,18 +42,18 @@ void add_weak(results& r) {
   double dt = 0.5;
   for (const double value : values) {
     auto m = measured("weak", "heun", "error", "exp(pi3)");
-    m.dt = dt;
+    m.set_over({step_size, dt, "time"});
     m.value = value;
     m.method = "transfer";
     r.measurements.push_back(m);
     dt /= 2;
   }
   auto missing = measured("weak", hostile, "error", "a|b, \"c\"");
-  missing.dt = 0.1;
+  missing.set_over({step_size, 0.1, "time"});
   missing.status = "left the shell\nafter 3 steps";
   r.measurements.push_back(missing);
   auto open = measured("weak", hostile, "error", "a|b, \"c\"");
-  open.dt = 5e-324;
+  open.set_over({step_size, 5e-324, "time"});
   open.value = 1.7976931348623157e308;
   open.low = -infinity;
   open.high = infinity;
@@ -64,7 +64,7 @@ void add_growth(results& r) {
   double steps = 10;
   for (int level = 0; level < 4; ++level, steps *= 10) {
     auto m = measured("casimir", "lie_heun", "drift", "casimir");
-    m.steps = steps;
+    m.set_over({step_count, steps, "1"});
     m.value = 1e-16 * steps;
     m.method = "deterministic";
     r.measurements.push_back(m);
@@ -77,16 +77,18 @@ void add_growth(results& r) {
 
 // A map with a border: whole, half and no share; a border found, one beyond what was tried on either side.
 void add_map(results& r) {
-  const char* at[] = {"theta=0.125", "theta=1", "theta=8"};
+  const coordinate at[] = {{"theta", 0.125}, {"theta", 1}, {"theta", 8}};
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 4 - row; ++column) {
-      auto m = measured("stability", "lie_heun", "stable_share", at[row]);
-      m.dt = 0.25 * (1 << column);
+      auto m = measured("stability", "lie_heun", "stable_share", "");
+      m.at = {at[row]};
+      m.set_over({step_size, 0.25 * (1 << column), "time"});
       m.value = column < 2 ? 1 : column == 2 ? 0.5 : 0;
       if (row == 1 && column == 1) m.status = "mean <b>off</b>";
       r.measurements.push_back(m);
     }
-    auto m = measured("stability", "lie_heun", "largest_stable_dt", at[row]);
+    auto m = measured("stability", "lie_heun", "largest_stable_dt", "");
+    m.at = {at[row]};
     m.unit = "time";
     if (row > 0) m.value = m.low = 0.5;
     if (row < 2) m.high = 0.53125;
@@ -96,12 +98,31 @@ void add_map(results& r) {
 }
 
 void add_verdicts(results& r) {
-  r.fits = {{"strong", "heun", "error", "", 1.0, 0.96875, 1.03125, 0.25, "dt = 0.5 dropped: pre-asymptotic"},
-            {"strong", "lie_heun", "error", "", 1.0, 0.96875, 1.03125, 0.125, "dt = 0.5 dropped: pre-asymptotic"},
-            {"weak", "heun", "error", "exp(pi3)", nan, nan, nan, nan, "too few levels"}};
+  r.fits = {
+      {"strong", "heun", "error", "", step_size, 1.0, 0.96875, 1.03125, 0.25, "dt = 0.5 dropped: pre-asymptotic"},
+      {"strong", "lie_heun", "error", "", step_size, 1.0, 0.96875, 1.03125, 0.125, "dt = 0.5 dropped: pre-asymptotic"},
+      {"weak", "heun", "error", "exp(pi3)", step_size, nan, nan, nan, nan, "too few levels"}};
   r.verdicts = {
-      {"strong", "heun", "strong order", 0.5, 1.0, 0.96875, 1.03125, verdict_kind::refuted, "disjoint from 0.5 ± 0.07"},
-      {"strong", "lie_heun", "strong order", 1.0, 1.0, 0.96875, 1.03125, verdict_kind::holds, ""},
+      {"strong",
+       "heun",
+       "strong order",
+       0.5,
+       1.0,
+       0.96875,
+       1.03125,
+       verdict_kind::refuted,
+       "disjoint from 0.5 ± 0.07",
+       {{"strong", "heun", "error", "", step_size}}},
+      {"strong",
+       "lie_heun",
+       "strong order",
+       1.0,
+       1.0,
+       0.96875,
+       1.03125,
+       verdict_kind::holds,
+       "",
+       {{"strong", "lie_heun", "error", "", step_size}}},
       {"strong", hostile, "strong order", 0.5, {}, {}, {}, verdict_kind::skipped, "no increments of its kind"},
       {"weak", "heun", "weak order of exp(pi3)", 1.0, nan, -infinity, infinity, verdict_kind::inconclusive,
        "too few levels"},

@@ -1,7 +1,6 @@
 // Text from outside, made harmless for each format; folder names.
 #include <gtest/gtest.h>
 
-#include "reports/writers/field.hpp"
 #include "reports/writers/folder.hpp"
 #include "reports/writers/latex.hpp"
 #include "reports/writers/numbers.hpp"
@@ -41,15 +40,6 @@ TEST(text, names_read_as_a_reader_expects) {
   EXPECT_EQ(as_written("lambda_1 map"), "λ₁ map");
   EXPECT_EQ(as_written("sigma_of_theta"), "σ of θ");
   EXPECT_EQ(as_written("energy"), "energy");
-}
-
-TEST(text, a_coordinate_is_a_name_and_a_number) {
-  const auto at = coordinate_of("theta=0.5");
-  ASSERT_TRUE(at);
-  EXPECT_EQ(at->name, "theta");
-  EXPECT_EQ(at->value, 0.5);
-  for (const char* other : {"", "energy", "exp(pi3)", "a=b", "=1", "a=", "a=1 b", "a=1  b=2", "a=1 b=2 c=3"})
-    EXPECT_FALSE(coordinate_of(other)) << other;
 }
 
 TEST(text, a_folder_name_stays_inside_its_folder_and_apart_from_others) {

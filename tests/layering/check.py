@@ -38,6 +38,7 @@ ROOMS = {
     'run':           ['src/run/'],
     'cli':           ['src/cli/'],
     'reports/model': ['reports/model/'],
+    'plots':         ['reports/plots/'],
     'writers':       ['reports/writers/'],
 }
 
@@ -72,7 +73,8 @@ MAY = {
     'run':           ['noise', 'platform', 'sphere', 'ensemble', 'transfer', 'experiments', 'selection', 'lab_systems', 'scene', 'reports/model'],
     'cli':           ['run', 'scene', 'lab_systems', 'comparison', 'reports/model', 'writers'],
     'reports/model': [],
-    'writers':       ['reports/model'],
+    'plots':         ['reports/model'],
+    'writers':       ['reports/model', 'plots'],
 }
 
 # What is not ours: the installed headers may use the standard library, the compiler's intrinsics and Eigen; the rest is free.
@@ -261,10 +263,15 @@ PLANTED = [
     ('reports/writers/json.cpp', '"json.hpp"', False),
     ('reports/writers/json.cpp', '"../model/results.hpp"', False),
     ('reports/writers/json.cpp', '<nlohmann/json.hpp>', False),
+    ('reports/writers/json.cpp', '"reports/plots/descriptions.hpp"', False),
     ('reports/writers/json.cpp', '"statistics/fit.hpp"', True),
     ('reports/writers/json.cpp', '<polhode/vec.hpp>', True),
     ('reports/model/results.hpp', '"reports/writers/json.hpp"', True),
+    ('reports/model/results.hpp', '"reports/plots/descriptions.hpp"', True),
     ('reports/model/results.hpp', '"scene/scene.hpp"', True),
+    ('reports/plots/curves.cpp', '"reports/model/results.hpp"', False),
+    ('reports/plots/curves.cpp', '"reports/writers/json.hpp"', True),
+    ('reports/plots/curves.cpp', '"statistics/fit.hpp"', True),
 ]
 
 

@@ -28,7 +28,7 @@ std::map<std::string, table_row> table_of(const report::results& r, const std::s
   std::map<std::string, table_row> out;
   for (const auto& m : r.measurements)
     if (m.quantity == "cost_to_reach" && m.observable == what && m.value)
-      out[m.scheme] = {m.dt.value(), *m.value, m.status == "at the coarsest dt measured"};
+      out[m.scheme] = {m.dt().value(), *m.value, m.status == "at the coarsest dt measured"};
   return out;
 }
 

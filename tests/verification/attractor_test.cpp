@@ -54,7 +54,7 @@ void expect_to_hold(const report::results& r, const std::string& claim, std::siz
 std::optional<report::measurement> row(const report::results& r, std::string_view scheme, std::string_view quantity,
                                        std::string_view method = "sampled") {
   for (const auto& m : r.measurements)
-    if (m.scheme == scheme && m.quantity == quantity && m.method == method && !m.steps) return m;
+    if (m.scheme == scheme && m.quantity == quantity && m.method == method && m.over.empty()) return m;
   return std::nullopt;
 }
 

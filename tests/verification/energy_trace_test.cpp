@@ -58,9 +58,9 @@ TEST(EnergyTrace, OfABodyOfRevolutionIsKnown) {
   const double energy = (0.36 + 0.4800 * 0.48) / 4 + 0.64 * 0.64 / 2, mean = (0.5 + 0.5 + 1) / 6;
   int compared = 0;
   for (const auto& m : r.measurements) {
-    if (m.quantity != "drift of E[h]" || m.observable != "at the start" || !m.dt) continue;
-    const double s = 0.25 * *m.dt;
-    EXPECT_NEAR(*m.value, std::fabs((factor(s) - std::exp(-3 * s)) * (energy - mean) / *m.dt), 1e-8) << *m.dt;
+    if (m.quantity != "drift of E[h]" || m.observable != "at the start" || !m.dt()) continue;
+    const double s = 0.25 * *m.dt();
+    EXPECT_NEAR(*m.value, std::fabs((factor(s) - std::exp(-3 * s)) * (energy - mean) / *m.dt()), 1e-8) << *m.dt();
     ++compared;
   }
   EXPECT_GE(compared, 5);
@@ -96,8 +96,8 @@ TEST(EnergyTrace, IsExactAtEveryDtForOneThatPreservesIt) {
   EXPECT_EQ(r.verdicts[0].kind, verdict_kind::holds);
   int rows = 0;
   for (const auto& m : r.measurements)
-    if (m.observable == "largest on the sphere" && m.dt) {
-      EXPECT_LT(*m.value, 1e-9) << *m.dt;
+    if (m.observable == "largest on the sphere" && m.dt()) {
+      EXPECT_LT(*m.value, 1e-9) << *m.dt();
       ++rows;
     }
   EXPECT_GE(rows, 5);
@@ -115,12 +115,12 @@ TEST(EnergyTrace, TheErrorAtAnyTimeIsBounded) {
   const auto energy = *named_observable("energy", *s.sphere());
   int compared = 0;
   for (const auto& m : r.measurements) {
-    if (m.quantity != "error of E[h] at any time, at most" || std::fabs(*m.dt - 0.125) > 1e-9) continue;
-    const auto op = make_transfer(free, free.schemes[0], *m.dt, 1, {{12, 1, 0}, {7, 2}});
+    if (m.quantity != "error of E[h] at any time, at most" || std::fabs(*m.dt() - 0.125) > 1e-9) continue;
+    const auto op = make_transfer(free, free.schemes[0], *m.dt(), 1, {{12, 1, 0}, {7, 2}});
     double largest = 0;
     for (const int steps : {1, 4, 16, 64, 427}) {
       const double mean = op.law_after(start, steps).dot(op.basis.coefficients(energy));
-      largest = std::max(largest, std::fabs(mean - relaxed_energy(problem, energy(start), steps * *m.dt)));
+      largest = std::max(largest, std::fabs(mean - relaxed_energy(problem, energy(start), steps * *m.dt())));
     }
     EXPECT_LE(largest, *m.value);
     EXPECT_GT(largest, 0.01 * *m.value);

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "experiments/common/levels.hpp"
-#include "experiments/lyapunov/lyapunov_own.hpp"
+#include "experiments/lyapunov/discretisation_exponents.hpp"
 #include "experiments/lyapunov/lyapunov_sampled.hpp"
 #include "experiments/lyapunov/tangent_runs.hpp"
 #include "platform/isa.hpp"
@@ -33,7 +33,7 @@ report::results sampled(const subject& s, int threads = 2) {
 report::results own(const subject& s, int threads = 2) {
   const context c{s, effort::quick, threads};
   report::results out;
-  report_own_exponents(c, s.schemes, lyapunov(*s.sphere(), 1e-10), out);
+  report_discretisation_exponents(c, s.schemes, lyapunov(*s.sphere(), 1e-10), out);
   return out;
 }
 
@@ -61,7 +61,7 @@ const report::measurement* row_of(const report::results& r, std::string_view qua
 
 void expect_row(const report::results& r, std::string_view quantity, double exact) {
   const auto* m = row_of(r, quantity);
-  ASSERT_TRUE(m && m->value && m->dt) << quantity;
+  ASSERT_TRUE(m && m->value && m->dt()) << quantity;
   EXPECT_NEAR(*m->value, exact, 1e-3) << quantity;
   EXPECT_LT(*m->high - *m->low, 2e-3) << quantity;
 }
@@ -172,7 +172,7 @@ TEST(SampledExponents, WithoutAnExactValueNothingIsCompared) {
   EXPECT_NE(row_of(out, "lambda_1"), nullptr);
 }
 
-report::results held_against(const subject& s, const own_growth& own) {
+report::results held_against(const subject& s, const discretisation_growth& own) {
   const context c{s, effort::quick, 2};
   report::results out;
   report_sampled_exponents(c, s.schemes, lyapunov(*s.sphere(), 1e-5), out,
@@ -184,7 +184,7 @@ report::results held_against(const subject& s, const own_growth& own) {
 TEST(SampledExponents, PathsAreHeldAgainstWhatIsKnownWithoutThem) {
   const auto s = with_schemes(load_scene("paper"), {"lie_euler"});
   const auto value = make_frame_transfer(s, s.schemes[0], compared_step(s), {{10, 1, 0}, {5, 2}}).exponents();
-  const own_growth own{value, Eigen::Vector2d::Constant(1e-6)};
+  const discretisation_growth own{value, Eigen::Vector2d::Constant(1e-6)};
   const auto right = held_against(s, own);
   EXPECT_EQ(verdict_of(right, "lie_euler", "finds lambda_1"), verdict_kind::holds);
   EXPECT_EQ(verdict_of(right, "lie_euler", "controls have mean zero"), verdict_kind::holds);

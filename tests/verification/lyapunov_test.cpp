@@ -37,10 +37,9 @@ lyapunov_exponents at(double sigma, double theta) {
 struct place {
   double sigma = 0, theta = 0;
 };
-place place_of(const row& m, int wanted) {
-  place p;
-  EXPECT_EQ(std::sscanf(m.observable.c_str(), "sigma=%lf theta=%lf", &p.sigma, &p.theta), wanted) << m.observable;
-  return p;
+place place_of(const row& m, std::size_t wanted) {
+  EXPECT_EQ(m.at.size(), wanted);
+  return {m.at_coordinate("sigma").value_or(NAN), m.at_coordinate("theta").value_or(NAN)};
 }
 
 std::optional<double> border_at(double sigma) {

@@ -41,8 +41,7 @@ report::verdict constants_of(std::string_view name, std::int64_t off, double sha
   const std::vector<double> dt{1 / (16 * rate), 1 / (32 * rate), 1 / (64 * rate), 1 / (128 * rate)};
   const expansion_frame coarse(s, averages, 12, dt), fine(s, averages, 16, dt);
   const auto predicted = predicted_constants(s, scheme, averages, coarse, fine, order);
-  return judge_constants({"modified", std::string(name), ""},
-                         leading_constants(averages.at_horizon, t, 0, predicted, order), order, rate);
+  return judge_constants(leading_constants(averages.at_horizon, t, 0, predicted, order), order, rate);
 }
 
 TEST(LeadingConstants, DriversThatMiscountAreRefuted) {

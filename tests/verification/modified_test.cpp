@@ -54,7 +54,7 @@ TEST(Modified, EffectiveParametersAreTheKnownOnes) {
                               2.7e-4,
                               1e-5}}) {
     const auto body = effective(a.scheme, a.dt);
-    EXPECT_LT((body.parameters.inverse_inertia - a.k).cwiseAbs().maxCoeff(), 6e-5) << a.scheme << ' ' << a.dt;
+    EXPECT_LT((body.parameters.quadratic - a.k).cwiseAbs().maxCoeff(), 6e-5) << a.scheme << ' ' << a.dt;
     EXPECT_LT((body.parameters.dissipation - a.theta_k).cwiseAbs().maxCoeff(), 6e-5) << a.scheme << ' ' << a.dt;
     EXPECT_LT((body.parameters.noise.diagonal() - a.q).cwiseAbs().maxCoeff(), 6e-5) << a.scheme << ' ' << a.dt;
     EXPECT_NEAR(body.residual, a.residual, a.digits) << a.scheme << ' ' << a.dt;
@@ -72,7 +72,7 @@ TEST(Modified, TheFamilyHoldsItsOwnGenerators) {
   const Eigen::MatrixXd generator = backward_operator(p, 8);
   const auto body = generator_family(p.radius).nearest(generator.middleCols(1, 8));
   const auto exact = parameters_of(p);
-  EXPECT_LT((body.parameters.inverse_inertia - exact.inverse_inertia).norm(), 1e-13);
+  EXPECT_LT((body.parameters.quadratic - exact.quadratic).norm(), 1e-13);
   EXPECT_LT((body.parameters.dissipation - exact.dissipation).norm(), 1e-13);
   EXPECT_LT((body.parameters.noise - exact.noise).norm(), 1e-13);
   EXPECT_LT(body.residual, 1e-14);

@@ -119,7 +119,7 @@ TEST(PathOrders, TheLargestIsOverTheEndsOfOwnSteps) {
   const noise_source precise{noise_generator::philox, noise_quality::precise};
   const auto driven = driven_kernels_of(s, grid, cells);
   driven_block truth(c, grid, cells, precise, driven, looks_in_coarsest(grid));
-  increment_ladder ladder(*s.model, grid, cells, precise);
+  coupled_increments ladder(*s.model, grid, cells, precise);
   largest_errors found(block_lanes, static_cast<int>(grid.steps.size()));
   const auto start = replicated(s.scene.momentum);
   for (std::size_t l = 0; l < grid.steps.size(); ++l) {
@@ -169,9 +169,9 @@ TEST(PathOrders, TheReferenceIsAsFarAsTheAreasOfItsCells) {
   const double c = 1, sigma = 0.5, unit = sigma * sigma * c * std::sqrt(grid.horizon / 4);
   for (std::size_t l = dt.size() - 4; l + 1 < dt.size(); ++l) {
     const auto& m = reference_row(r, "distance between references", l);
-    EXPECT_NEAR(*m.dt, dt[l], 1e-12);
-    const double expected = unit * std::sqrt(*m.dt);
-    EXPECT_NEAR(*m.value, expected, 2 * (*m.high - *m.low)) << *m.dt;
+    EXPECT_NEAR(*m.abscissa(), dt[l], 1e-12);
+    const double expected = unit * std::sqrt(*m.abscissa());
+    EXPECT_NEAR(*m.value, expected, 2 * (*m.high - *m.low)) << *m.abscissa();
     EXPECT_LT(*m.high - *m.low, 0.2 * expected);
   }
   const auto& rest = reference_row(r, "distance of the reference");

@@ -46,7 +46,8 @@ TEST(Escape, IsRarerAtSmallerSteps) {
   ASSERT_EQ(in.bound.schemes.size(), 3u);
   for (const auto& scheme : in.bound.schemes) {
     report::results out;
-    report_escape(in, scheme, out);
+    recorder record("stability", scheme.info.name, out);
+    report_escape(in, scheme, record);
     std::vector<double> share;
     for (const auto& m : out.measurements)
       if (m.quantity == "share_leaving_shell") share.push_back(*m.value);

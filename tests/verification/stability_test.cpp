@@ -7,7 +7,7 @@
 
 #include "experiments/common/levels.hpp"
 #include "experiments/common/noise_verdict.hpp"
-#include "experiments/stability/stability_border.hpp"
+#include "experiments/stability/stability_limit.hpp"
 #include "experiments/stability/stability_long.hpp"
 #include "experiments/stability/stability_run.hpp"
 #include "platform/work_counters.hpp"
@@ -29,7 +29,7 @@ report::results quick(const scene& s, const names& schemes, int threads = 2) {
   return verify(s, options);
 }
 
-const report::measurement& border(const report::results& r, const std::string& scheme, const std::string& in) {
+const report::measurement& limit(const report::results& r, const std::string& scheme, const std::string& in) {
   for (const auto& m : r.measurements)
     if (m.scheme == scheme && m.quantity == "largest_stable_dt" && m.observable == in) return m;
   throw std::out_of_range(scheme + " " + in);
@@ -49,50 +49,50 @@ scene spherical(report::number_rows sigma) {
   return s;
 }
 
-stability_border find_border(const step_range& range, const std::function<bool(std::int64_t)>& stable) {
-  border_search search(range);
+stability_limit find_limit(const step_range& range, const std::function<bool(std::int64_t)>& stable) {
+  limit_search search(range);
   while (const auto steps = search.asks()) search.tell(stable(*steps));
-  return search.border();
+  return search.limit();
 }
 
-TEST(Border, IsFoundToFivePercentFromEitherSide) {
+TEST(StabilityLimit, IsFoundToFivePercentFromEitherSide) {
   for (const std::int64_t edge : {3, 40, 64, 65, 700, 100'000}) {
-    const auto b = find_border({2, 64, 1 << 20}, [&](std::int64_t n) { return n >= edge; });
+    const auto b = find_limit({2, 64, 1 << 20}, [&](std::int64_t n) { return n >= edge; });
     EXPECT_GE(b.stable, edge);
     EXPECT_LT(b.broken, edge);
     EXPECT_TRUE(b.stable == b.broken + 1 || 20 * b.stable <= 21 * b.broken) << edge;
   }
 }
 
-TEST(Border, HasNoOtherSideWhereNothingOrAllBreaks) {
-  const auto never = find_border({2, 64, 512}, [](std::int64_t) { return true; });
+TEST(StabilityLimit, HasNoOtherSideWhereNothingOrAllBreaks) {
+  const auto never = find_limit({2, 64, 512}, [](std::int64_t) { return true; });
   EXPECT_EQ(never.stable, 2);
   EXPECT_EQ(never.broken, 0);
-  const auto always = find_border({2, 64, 512}, [](std::int64_t) { return false; });
+  const auto always = find_limit({2, 64, 512}, [](std::int64_t) { return false; });
   EXPECT_EQ(always.stable, 0);
   EXPECT_EQ(always.broken, 512);
 }
 
 // A step of dt = 4 that is whole by accident, beyond steps that are not.
-TEST(Border, LongerStepsThatAreStableByAccidentDoNotCount) {
-  const auto b = find_border({2, 64, 512}, [](std::int64_t n) { return n >= 20 || n <= 4; });
+TEST(StabilityLimit, LongerStepsThatAreStableByAccidentDoNotCount) {
+  const auto b = find_limit({2, 64, 512}, [](std::int64_t n) { return n >= 20 || n <= 4; });
   EXPECT_EQ(b.stable, 20);
 }
 
 // Nothing moves: c/I is the only rate, and no step of any size changes Pi.
 TEST(Stability, BodyAtRestIsStableAtEveryStep) {
   const auto r = quick(spherical({}), {});
-  std::size_t borders = 0;
+  std::size_t limits = 0;
   for (const auto& m : r.measurements)
     if (m.quantity == "largest_stable_dt" && m.observable == "scene") {
-      ++borders;
+      ++limits;
       EXPECT_EQ(m.status, "stable at every dt tried") << m.scheme;
       EXPECT_NEAR(*m.value * row(r, "fastest_rate", "scene"), 32, 1e-12) << m.scheme;
     }
-  EXPECT_EQ(borders, list_schemes().size());
+  EXPECT_EQ(limits, list_schemes().size());
 }
 
-/// The border of |Pi| = c (1 + x)^(n/2) >= 1.05^(1/2) or 1.1 c: dt with n dt = T.
+/// The limit of |Pi| = c (1 + x)^(n/2) >= 1.05^(1/2) or 1.1 c: dt with n dt = T.
 double first_dt(double horizon, const std::function<double(double dt)>& growth_per_step, double most) {
   std::int64_t n = 1;
   while (std::pow(growth_per_step(horizon / static_cast<double>(n)), static_cast<double>(n)) > most) ++n;
@@ -114,7 +114,7 @@ TEST(Stability, ExplicitEulerBreaksWhereItsClosedFormDoes) {
   const double most = std::min({by_energy, by_length, by_mean});
   const double dt = first_dt(
       row(r, "horizon", "scene"), [&](double h) { return 1 + w * w * h * h; }, most);
-  const auto& found = border(r, "euler_maruyama", "scene");
+  const auto& found = limit(r, "euler_maruyama", "scene");
   EXPECT_LE(*found.low, dt * (1 + 1e-9));
   EXPECT_GE(*found.high, dt * (1 - 1e-9));
   EXPECT_EQ(found.status, "first broken: mean energy");
@@ -222,10 +222,11 @@ TEST(Stability, RareBreaksAreCountedAmongTheirPaths) {
   c.least_energy = c.greatest_energy = 0.5;
   report::results out;
   const context at{s, effort::thorough, 1, 1, noise_generator::philox, [](double) {}};
-  report_rare_breaks(at, c, s.schemes.front(), {256, 128}, out);
+  recorder record("stability", s.schemes.front().info.name, out);
+  report_rare_breaks(at, c, s.schemes.front(), {256, 128}, record);
   ASSERT_EQ(out.measurements.size(), 1u);
   const auto& m = out.measurements.front();
-  EXPECT_EQ(*m.dt, 8.0 / 512);
+  EXPECT_EQ(*m.dt(), 8.0 / 512);
   EXPECT_LE(*m.low, *m.value);
   EXPECT_GE(*m.high, *m.value);
   EXPECT_LT(*m.high - *m.low, 4e-3);
@@ -267,10 +268,10 @@ TEST(Stability, SchemesThatKeepTheOrbitNeverBreakByIt) {
       EXPECT_EQ(v.kind, report::verdict_kind::holds) << v.scheme << ": " << v.reason;
     }
   EXPECT_EQ(judged, 4);
-  EXPECT_EQ(border(r, "implicit_midpoint", "scene").status, "first broken: step not solved");
-  EXPECT_EQ(border(r, "lie_heun", "scene").status, "first broken: mean energy");
-  EXPECT_LT(*border(r, "heun", "scene").value, 0.1 * *border(r, "lie_heun", "scene").value);
-  EXPECT_FALSE(border(r, "lie_heun", "denormal c").value);
+  EXPECT_EQ(limit(r, "implicit_midpoint", "scene").status, "first broken: step not solved");
+  EXPECT_EQ(limit(r, "lie_heun", "scene").status, "first broken: mean energy");
+  EXPECT_LT(*limit(r, "heun", "scene").value, 0.1 * *limit(r, "lie_heun", "scene").value);
+  EXPECT_FALSE(limit(r, "lie_heun", "denormal c").value);
   expect_the_noise_of(r, {"reference", "border", "map"});
 }
 

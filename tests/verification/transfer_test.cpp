@@ -37,7 +37,7 @@ double value_at(const report::results& r, std::string_view scheme, std::string_v
                 std::string_view observable, int steps) {
   for (const auto& m : r.measurements)
     if (m.scheme == scheme && m.quantity == quantity && m.observable == observable && m.method == "transfer" &&
-        std::fabs(*m.dt - 2.0 / steps) < 1e-12)
+        std::fabs(*m.dt() - 2.0 / steps) < 1e-12)
       return *m.value;
   return std::nan("");
 }
@@ -102,16 +102,16 @@ TEST(Weak, CoupledLevelsFindWhatTheOperatorFinds) {
   report_sampled_orders({s, effort::quick, 2, 5}, s.schemes, q, {*named_observable("energy", *s.sphere())}, out);
   int compared = 0;
   for (const auto& m : out.measurements) {
-    if (m.quantity != "difference" || m.scheme != "lie_euler" || *m.dt < 0.02) continue;
-    const int steps = static_cast<int>(std::lround(asymptotic_levels(s, 64).horizon / *m.dt));
+    if (m.quantity != "difference" || m.scheme != "lie_euler" || *m.dt() < 0.02) continue;
+    const int steps = static_cast<int>(std::lround(asymptotic_levels(s, 64).horizon / *m.dt()));
     const auto& e = scheme_of(s, "lie_euler");
     const transfer_rule rule{{16, 1, 0}, {7, 2}};
     const double time = asymptotic_levels(s, 64).horizon, radius = s.sphere()->radius;
     const auto h = *named_observable("energy", *s.sphere());
     const Eigen::Vector3d start = radius * Eigen::Vector3d(s.scene.momentum.data()).normalized();
     const double exact = *expectation(*s.sphere(), h, start, time, 1e-10).value;
-    EXPECT_NEAR(*m.value, std::fabs(transferred_energy(s, e, *m.dt, steps, rule) - exact), 2 * (*m.high - *m.value))
-        << *m.dt;  // four standard errors
+    EXPECT_NEAR(*m.value, std::fabs(transferred_energy(s, e, *m.dt(), steps, rule) - exact), 2 * (*m.high - *m.value))
+        << *m.dt();  // four standard errors
     ++compared;
   }
   EXPECT_GE(compared, 4);

@@ -41,15 +41,15 @@ TEST(WeakCourse, TheLargestErrorIsThatOfAllSteps) {
   const auto r = weak_of(restricted(bind_scene(noise_alone()), {"strang"}));
   int compared = 0;
   for (const auto& m : r.measurements) {
-    if (m.quantity != "largest error up to T" || m.observable != "pi1" || !m.dt) continue;
+    if (m.quantity != "largest error up to T" || m.observable != "pi1" || !m.dt()) continue;
     double largest = 0;
-    const auto steps = std::lround(horizon / *m.dt);
+    const auto steps = std::lround(horizon / *m.dt());
     for (int n = 1; n <= steps; ++n)
-      largest = std::max(largest, 0.6 * std::fabs(std::pow(factor(0.25 * *m.dt), n) - std::exp(-0.25 * *m.dt * n)));
-    EXPECT_GE(largest, *m.low - 1e-13) << *m.dt;
-    EXPECT_LE(largest, *m.high + 1e-13) << *m.dt;
-    EXPECT_LT(*m.high - *m.low, 1e-3 * largest) << *m.dt;
-    const double at_end = 0.6 * std::fabs(std::pow(factor(0.25 * *m.dt), steps) - std::exp(-0.25 * horizon));
+      largest = std::max(largest, 0.6 * std::fabs(std::pow(factor(0.25 * *m.dt()), n) - std::exp(-0.25 * *m.dt() * n)));
+    EXPECT_GE(largest, *m.low - 1e-13) << *m.dt();
+    EXPECT_LE(largest, *m.high + 1e-13) << *m.dt();
+    EXPECT_LT(*m.high - *m.low, 1e-3 * largest) << *m.dt();
+    const double at_end = 0.6 * std::fabs(std::pow(factor(0.25 * *m.dt()), steps) - std::exp(-0.25 * horizon));
     EXPECT_GT(largest, 1.2 * at_end);
     ++compared;
   }

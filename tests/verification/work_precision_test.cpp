@@ -41,7 +41,7 @@ TEST(CostFront, HoldsNoPointThatAnotherBeatsAndLeavesOutNoneThatIsUnbeaten) {
 }
 
 TEST(CostFront, AnErrorLostInItsUncertaintyBeatsNothing) {
-  std::vector<cost_point> all{point("clear", 1, 1e-3, 2), point("lost", 1, 1e-9, 1)};
+  std::vector<cost_point> all{point("resolved", 1, 1e-3, 2), point("lost", 1, 1e-9, 1)};
   all[1].error_low = 0;
   all[1].error_high = 1e-2;
   mark_front(all);
@@ -98,9 +98,9 @@ TEST(WorkPrecision, EveryEntryOfTheTableLiesBetweenMeasuredNeighbours) {
     const auto kind = m.observable.substr(0, m.observable.find(' '));
     std::map<double, double> costs;
     for (const auto& c : r.measurements)
-      if (c.quantity == "cost" && c.scheme == m.scheme && c.observable == kind) costs[*c.dt] = *c.value;
-    const auto coarse = costs.lower_bound(*m.dt * (1 - 1e-12)),
-               fine = std::prev(costs.upper_bound(*m.dt * (1 + 1e-12)));
+      if (c.quantity == "cost" && c.scheme == m.scheme && c.observable == kind) costs[*c.dt()] = *c.value;
+    const auto coarse = costs.lower_bound(*m.dt() * (1 - 1e-12)),
+               fine = std::prev(costs.upper_bound(*m.dt() * (1 + 1e-12)));
     ASSERT_NE(coarse, costs.end());
     EXPECT_LE(std::min(coarse->second, fine->second) * (1 - 1e-9), *m.value) << m.scheme << " " << m.observable;
     EXPECT_GE(std::max(coarse->second, fine->second) * (1 + 1e-9), *m.value) << m.scheme << " " << m.observable;
@@ -121,7 +121,7 @@ TEST(WorkPrecision, IsTheSameForAnyNumberOfThreadsButForTheClock) {
     std::map<std::string, double> rows;
     for (const auto& m : r.measurements)
       if (m.experiment == "work_precision" && !timed(m))
-        rows[m.scheme + m.quantity + m.observable + std::to_string(*m.dt)] = *m.value;
+        rows[m.scheme + m.quantity + m.observable + std::to_string(*m.dt())] = *m.value;
     return rows;
   };
   EXPECT_FALSE(counted(one).empty());

@@ -1,5 +1,5 @@
 // What has changed since an earlier run: the comparison that the program has made, as plain values.
-import { isObject, number, parsed, text, type Json } from './read';
+import { isObject, number, parsed, text, type Json } from './json';
 
 export const changeKinds = ['worse', 'no longer shown to hold', 'better', 'different'] as const;
 export type ChangeKind = (typeof changeKinds)[number];

@@ -3,27 +3,33 @@
 export type Kind = 'holds' | 'refuted' | 'inconclusive' | 'not tried' | 'skipped';
 export const kindsByWeight: readonly Kind[] = ['refuted', 'inconclusive', 'holds', 'not tried', 'skipped'];
 
+export interface Coordinate {
+  name: string;
+  value: number | null;
+  unit: string;
+}
 export interface Measurement {
   experiment: string;
   scheme: string;
   quantity: string;
   observable: string;
-  dt: number | null;
-  steps: number | null;
+  dt: number | null; // one of its coordinates, as it is asked for often
+  at: Coordinate[];
+  over: string; // the coordinate that is the abscissa of its series
   value: number | null;
   low: number | null;
   high: number | null;
   unit: string;
   method: string;
   status: string;
-  fitted: boolean;
-  abscissa: string; // what `steps` is where it is no number of steps
+  used: boolean; // in the fit of its series
 }
 export interface Fit {
   experiment: string;
   scheme: string;
   quantity: string;
   observable: string;
+  over: string;
   order: number | null;
   low: number | null;
   high: number | null;
@@ -41,6 +47,58 @@ export interface Verdict {
   high: number | null;
   verdict: Kind;
   reason: string;
+  evidence: Series[];
+}
+export interface Series {
+  experiment: string;
+  scheme: string;
+  quantity: string;
+  observable: string;
+  over: string;
+}
+export const plotKinds = ['curve', 'front', 'reach', 'comparison', 'matrix', 'map', 'facts', 'conditions'] as const;
+export type PlotKind = (typeof plotKinds)[number];
+/** A measurement belongs to a line if it is of the series and has the coordinates that are the axes of the plot. */
+export interface PlotLine {
+  series: Series;
+  at: number | null; // of `reach`: the accuracy
+  across: Series | null; // of `front`: the errors; cost and error pair by their step size
+  beside: Series[]; // told with the point of the same step size
+  border: Series | null; // of `map`: measured at one of its coordinates
+}
+export interface PlotAlternative {
+  name: string;
+  title: string;
+  yTitle: string;
+  lines: PlotLine[];
+}
+/** What there is to see: the program says which plots there are, and of which series. Texts are as written in results. */
+export interface PlotDescription {
+  id: string;
+  experiment: string;
+  kind: PlotKind;
+  title: string;
+  note: string;
+  of: string; // of `front` and `reach`: which error
+  x: string; // the coordinates that are its axes
+  y: string;
+  conditions: string[]; // the coordinates that name a condition
+  xTitle: string;
+  yTitle: string;
+  valueTitle: string;
+  borderTitle: string;
+  logX: boolean;
+  logY: boolean;
+  logValues: boolean;
+  absoluteTitle: string; // not empty: there is y < 0, and a logarithm shows |y|
+  diverging: boolean;
+  borderAcross: boolean;
+  hollow: string;
+  slopes: number[];
+  claimed: number | null;
+  lines: PlotLine[];
+  levels: Series[];
+  others: PlotAlternative[];
 }
 export interface Experiment {
   name: string;
@@ -117,6 +175,7 @@ export interface Results {
   measurements: Measurement[];
   fits: Fit[];
   verdicts: Verdict[];
+  plots: PlotDescription[];
   skipped: Skip[];
   savings: Saving[];
   reused: Reuse[];

@@ -11,6 +11,7 @@ import { board } from './page/board';
 import { changes } from './page/changes';
 import { header } from './page/header';
 import { section, type Context, type Printable } from './page/section';
+import { Source } from './plots/source';
 import { readResults } from './read';
 import { followAddress } from './state';
 import './style.css';
@@ -34,6 +35,7 @@ function build(r: Results, earlier: Earlier | null): { page: Node[]; printables:
   const schemes = schemeNames(r),
     experiments = experimentNames(r),
     printables: Printable[] = [],
+    source = new Source(r.measurements, r.fits),
     drawnBehind = behind(earlier);
   const context: Context = {
     results: r,
@@ -41,7 +43,8 @@ function build(r: Results, earlier: Earlier | null): { page: Node[]; printables:
     printables,
     measurements: byExperiment(r.measurements),
     verdicts: byExperiment(r.verdicts),
-    earlier: drawnBehind && byExperiment(drawnBehind),
+    source,
+    before: drawnBehind && new Source(drawnBehind, []),
   };
   const densities = byExperiment(r.densities);
   const sections = experiments.map((name) => section(name, densities.get(name) ?? [], context));
@@ -60,7 +63,7 @@ function build(r: Results, earlier: Earlier | null): { page: Node[]; printables:
     header(r),
     changed,
     first,
-    advice(r),
+    advice(r, source),
     ...sections,
     claims,
     leftOut(r),

@@ -1,5 +1,5 @@
 // In which order things stand, what belongs together, and how the verdicts count up.
-import { kindsByWeight, type Fit, type Kind, type Measurement, type Results, type Verdict } from './data';
+import { kindsByWeight, type Kind, type Results, type Series, type Verdict } from './data';
 
 export type Tally = Record<Kind, number>;
 
@@ -74,14 +74,13 @@ export function grouped<Row>(rows: Iterable<Row>, key: (row: Row) => string): Ma
   return groups;
 }
 
-/** The verdict that was reached from this fit: it carries the same numbers. */
-export function verdictOn(verdicts: Verdict[], f: Fit): Verdict | undefined {
-  if (f.order === null) return undefined;
-  return verdicts.find((v) => v.scheme === f.scheme && v.estimate === f.order && v.low === f.low && v.high === f.high);
-}
+export const isSame = (a: Series, b: Series): boolean =>
+  a.scheme === b.scheme &&
+  a.quantity === b.quantity &&
+  a.observable === b.observable &&
+  a.over === b.over &&
+  a.experiment === b.experiment;
 
-/** What a measurement was held against, where a verdict carries its number. */
-export function expectedOf(verdicts: Verdict[], m: Measurement): number | null {
-  if (m.value === null) return null;
-  return verdicts.find((v) => v.scheme === m.scheme && v.estimate === m.value)?.expected ?? null;
-}
+/** The verdict that holds a claimed number against this series. */
+export const verdictOn = (verdicts: Verdict[], series: Series): Verdict | undefined =>
+  verdicts.find((v) => v.expected !== null && v.evidence.some((one) => isSame(one, series)));

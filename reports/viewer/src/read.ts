@@ -1,5 +1,4 @@
 // Reads results.json tolerantly, so that an older or a partial file is shown with what it has.
-import { columns } from './csv';
 import {
   kindsByWeight,
   type Kind,
@@ -17,16 +16,10 @@ import {
   type Scene,
   type Results,
 } from './data';
+import { isObject, number, numbers, parsed, records, text, type Json } from './json';
+import { plotsOf } from './read_plots';
 
-export const knownVersion = 1;
-export type Json = Record<string, unknown>;
-
-export const isObject = (x: unknown): x is Json => typeof x === 'object' && x !== null && !Array.isArray(x);
-export const text = (x: unknown): string =>
-  typeof x === 'string' ? x : x === undefined || x === null ? '' : String(x);
-export const number = (x: unknown): number | null => (typeof x === 'number' && Number.isFinite(x) ? x : null);
-const numbers = (x: unknown): number[] =>
-  Array.isArray(x) ? x.map(number).filter((n): n is number => n !== null) : [];
+export const knownVersion = 2;
 const kind = (x: unknown): Kind => (kindsByWeight.includes(x as Kind) ? (x as Kind) : 'inconclusive');
 
 function saved(x: unknown): Saved {
@@ -50,6 +43,11 @@ function statusOf(o: Json): string {
   return given === 'ok' && number(o.value) === null ? 'missing' : given;
 }
 
+function placed(o: Json): Pick<Measurement, 'dt' | 'at' | 'over'> {
+  const at = records(o.at).map((c) => ({ name: text(c.name), value: number(c.value), unit: text(c.unit) }));
+  return { dt: at.find((c) => c.name === 'dt')?.value ?? null, at, over: text(o.over) };
+}
+
 const readers = {
   schemes: (o: Json): Scheme => ({
     name: text(o.name),
@@ -67,18 +65,17 @@ const readers = {
   }),
   measurements: (o: Json): Measurement => ({
     ...subject(o),
-    dt: number(o.dt),
-    steps: number(o.steps),
+    ...placed(o),
     value: number(o.value),
     ...interval(o),
     unit: text(o.unit),
     method: text(o.method),
     status: statusOf(o),
-    fitted: o.fitted === true,
-    abscissa: text(o.abscissa),
+    used: o.used === true,
   }),
   fits: (o: Json): Fit => ({
     ...subject(o),
+    over: text(o.over),
     order: number(o.order),
     ...interval(o),
     prefactor: number(o.prefactor),
@@ -93,6 +90,7 @@ const readers = {
     ...interval(o),
     verdict: kind(o.verdict),
     reason: text(o.reason),
+    evidence: records(o.evidence).map((one) => ({ ...subject(one), over: text(one.over) })),
   }),
   skipped: (o: Json): Skip => ({ ...place(o), reason: text(o.reason), saved: saved(o.saved) }),
   savings: (o: Json): Saving => ({ ...place(o), what: text(o.what), reason: text(o.reason), saved: saved(o.saved) }),
@@ -111,7 +109,21 @@ const readers = {
 const required: { [List in keyof typeof readers]?: readonly string[] } = {
   schemes: ['name', 'title', 'source', 'calculus', 'claims'],
   experiments: ['name', 'question'],
-  measurements: columns,
+  measurements: [
+    'experiment',
+    'scheme',
+    'quantity',
+    'observable',
+    'at',
+    'over',
+    'value',
+    'low',
+    'high',
+    'unit',
+    'method',
+    'status',
+    'used',
+  ],
   fits: ['experiment', 'scheme', 'quantity', 'order', 'low', 'high', 'prefactor', 'rule'],
   verdicts: ['experiment', 'scheme', 'claim', 'expected', 'estimate', 'verdict', 'reason'],
   skipped: ['experiment', 'scheme', 'reason'],
@@ -170,19 +182,6 @@ function provenanceOf(x: unknown, source: string, missing: string[]): Record<str
   return facts;
 }
 
-/** Throws an Error of one line where there is no object. */
-export function parsed(source: string): Json {
-  let document: unknown;
-  try {
-    document = JSON.parse(source);
-  } catch (error) {
-    const what = error instanceof Error ? error.message.replace(/\s+/g, ' ').slice(0, 160) : '';
-    throw new Error(`These results cannot be read: not JSON, or cut short (${source.length} characters; ${what}).`);
-  }
-  if (!isObject(document)) throw new Error('These results cannot be read: JSON, but not an object.');
-  return document;
-}
-
 /** Throws an Error of one line where there is nothing to show. */
 export function readResults(source: string): Results {
   const document = parsed(source);
@@ -206,6 +205,7 @@ export function readResults(source: string): Results {
     measurements: list(document, 'measurements', missing),
     fits: list(document, 'fits', missing),
     verdicts: list(document, 'verdicts', missing),
+    plots: plotsOf(document, missing),
     skipped: list(document, 'skipped', missing),
     savings: list(document, 'savings', missing),
     reused: list(document, 'reused', missing),

@@ -2,9 +2,9 @@ import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
 import { changesSentence, comparedSentence, readComparison } from '../src/comparison';
 import { csvOf } from '../src/csv';
-import { gather } from '../src/plots/gather';
 import { earlierPointsIn, pointsIn } from '../src/plots/model';
-import { schemeNames } from '../src/order';
+import { picked } from '../src/plots/pick';
+import { Source } from '../src/plots/source';
 import { readResults } from '../src/read';
 
 const source = readFileSync(new URL('../../../tests/golden/data/results.json', import.meta.url), 'utf8');
@@ -29,14 +29,19 @@ test('what is missing is empty, and what was not compared is said', () => {
   expect(() => readComparison('{')).toThrow(/^These results cannot be read[^\n]*$/);
 });
 
-test('the earlier run stands behind the plots over dt, apart from their own points', () => {
+test('the earlier run stands behind the curves, apart from their own points', () => {
   const r = readResults(source),
-    rows = r.measurements.filter((m) => m.experiment === 'strong');
-  const earlier = rows.filter((m) => m.scheme === 'heun').map((m) => ({ ...m }));
-  const [plot] = gather(r, 'strong', schemeNames(r), rows, earlier).plots;
-  expect([pointsIn(plot!), earlierPointsIn(plot!)]).toEqual([10, earlier.filter((m) => m.value !== null).length]);
-  const [alone] = gather(r, 'strong', schemeNames(r), rows).plots;
-  expect(earlierPointsIn(alone!)).toBe(0);
+    described = r.plots.find((p) => p.experiment === 'strong')!;
+  const earlier = r.measurements
+    .filter((m) => m.experiment === 'strong' && m.scheme === 'heun')
+    .map((m) => ({ ...m, value: -1 }));
+  const now = new Source(r.measurements, r.fits);
+  const plot = picked(described, now, new Source(earlier, []))!;
+  expect([pointsIn(plot), earlierPointsIn(plot)]).toEqual([10, earlier.length]);
+  expect(plot).toMatchObject({ absolute: true, earlier: { rows: earlier, lines: [{ scheme: 'heun', fit: null }] } });
+  const alone = picked(described, now)!;
+  expect(earlierPointsIn(alone)).toBe(0);
+  expect(alone).toMatchObject({ absolute: false });
 });
 
 test('a CSV of two runs names the run', () => {

@@ -4,8 +4,6 @@ import { csvOf } from '../src/csv';
 import { readResults } from '../src/read';
 import { prose, shown, shownAccuracy, shownDuration, slug } from '../src/numbers';
 import { experimentNames, headline, schemeNames, sentence, tally, verdictOn } from '../src/order';
-import { gather } from '../src/plots/gather';
-import { pointsIn } from '../src/plots/model';
 
 const source = readFileSync(new URL('../../../tests/golden/data/results.json', import.meta.url), 'utf8');
 const sample = () => readResults(source);
@@ -30,8 +28,8 @@ test('what is missing is said, and the rest is kept', () => {
     '{"schema":{"name":"polhode-results","version":7},"measurements":[{"experiment":"a","value":1e999},3]}',
   );
   expect(r.measurements).toHaveLength(1);
-  expect(r.measurements[0]).toMatchObject({ experiment: 'a', value: null, status: 'missing', fitted: false });
-  for (const part of ['version 7', 'scene', 'verdicts', '1 entries are no records', 'fitted'])
+  expect(r.measurements[0]).toMatchObject({ experiment: 'a', value: null, status: 'missing', used: false });
+  for (const part of ['version 7', 'scene', 'verdicts', 'no descriptions of plots', '1 entries are no records', 'used'])
     expect(r.missing.join('\n')).toContain(part);
 });
 
@@ -42,25 +40,7 @@ test('a density must have as many values as bins', () => {
   expect(r.missing.join()).toContain('1 values for 2 × 2 bins');
 });
 
-test('every measurement has one home', () => {
-  const r = sample();
-  for (const name of experimentNames(r)) {
-    const rows = r.measurements.filter((m) => m.experiment === name),
-      found = gather(r, name, schemeNames(r), rows);
-    const homes = new Set([...found.plots.flatMap((p) => p.rows), ...found.facts, ...found.settings, ...found.rest]);
-    expect(homes).toEqual(new Set(rows));
-  }
-  const strong = gather(
-    r,
-    'strong',
-    schemeNames(r),
-    r.measurements.filter((m) => m.experiment === 'strong'),
-  );
-  expect(strong.plots.map(pointsIn)).toEqual([10]);
-  expect(strong.plots[0]).toMatchObject({ kind: 'curve', logX: true, logY: true, slopes: [0.5, 1] });
-});
-
-test('verdicts count up, and belong to their fits', () => {
+test('verdicts count up, and belong to the series that they rest on', () => {
   const r = sample(),
     counts = tally(r.verdicts);
   expect(headline(counts)).toBe('1 claim is refuted.');
@@ -71,7 +51,7 @@ test('verdicts count up, and belong to their fits', () => {
 
 test('CSV keeps every digit, and no cell acts', () => {
   const [first, ...lines] = csvOf(sample().measurements).split('\r\n');
-  expect(first).toMatch(/^experiment,scheme,.*,fitted$/);
+  expect(first).toMatch(/^experiment,scheme,.*,method,at,status,used$/);
   expect(lines.join('\n')).toContain('0.3333333333333333');
   expect(lines.join('\n')).toContain('"a|b, ""c"""');
   expect(csvOf([{ ...sample().measurements[0]!, scheme: '=1+1', quantity: '-a' }])).toContain("'=1+1,'-a");

@@ -1,8 +1,7 @@
 import { expect, test } from 'vitest';
 import { scaleOver, viridis } from '../src/globe/colours';
 import { binOf, directionAt, frameOf, mollweideAt, mollweideOf, seen } from '../src/globe/sphere';
-import { placeOf } from '../src/plots/places';
-import { axisOver, spansFactor } from '../src/plots/scale';
+import { axisOver } from '../src/plots/scale';
 
 const uniform = (longitudes: number, heights: number) => ({
   experiment: '',
@@ -43,16 +42,6 @@ test('axes hold their values, and ticks lie on them', () => {
     }
   expect(axisOver([1e-9, 1e-3], true).label(-6)).toBe('10⁻⁶');
   expect(axisOver([0.01, 1], true).label(-1)).toBe('0.1');
-  expect(spansFactor([1, 3], 3) && !spansFactor([1, 2.9], 3) && !spansFactor([0, 9], 3)).toBe(true);
-});
-
-test('places are read as the program writes them', () => {
-  expect(placeOf('sigma=0.5 theta=1e-3')).toEqual([
-    { name: 'sigma', value: 0.5 },
-    { name: 'theta', value: 1e-3 },
-  ]);
-  for (const text of ['', 'energy', 'exp(pi3)', 'a=b', '=1', 'a=', 'a=1 b', 'a=1  b=2', 'a=nan'])
-    expect(placeOf(text)).toEqual([]);
 });
 
 test('a view is a rotation', () => {

@@ -57,7 +57,7 @@ void report_shape(const context& c, const attractor_frame& f, noise_log& log, re
                            "collapse and dimensions: the sign of lambda_1 is not known" +
                                (lambda.reason.empty() ? "" : ", which is " + lambda.reason)});
   else if (*lambda.lambda1 < 0)
-    report_collapse(c, f, log, out);
+    report_synchronisation(c, f, log, out);
   else
     report_dimensions(c, f, log, out);
 }
@@ -72,7 +72,7 @@ void run(const context& c, report::results& out) {
     out.skipped.push_back({"attractor", "", fault});
     return;
   }
-  out.measurements.push_back(measured({"attractor", "", "dt of the averages", "", "time", "exact"}, {}, frame.dt));
+  recorder("attractor", "", out).value({"dt of the averages", "", "time", "exact"}, frame.dt);
   noise_log log(*c.subject.model, 0, {});
   report_averages(part_of(c, 0, 0.5), frame, log, out);
   report_pullback(part_of(c, 0.5, 0.65), frame, log, out);

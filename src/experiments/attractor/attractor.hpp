@@ -9,6 +9,7 @@
 #include "experiments/common/experiment.hpp"
 #include "experiments/common/judge.hpp"
 #include "experiments/common/noise_verdict.hpp"
+#include "experiments/common/recorder.hpp"
 #include "sphere/lyapunov.hpp"
 
 namespace polhode {
@@ -47,7 +48,7 @@ void report_averages(const context&, const attractor_frame&, noise_log&, report:
 /// Snapshots at time 0 of bodies that started at -T, one noise.
 void report_pullback(const context&, const attractor_frame&, noise_log&, report::results&);
 /// Where lambda_1 < 0: the rate at which close bodies meet.
-void report_collapse(const context&, const attractor_frame&, noise_log&, report::results&);
+void report_synchronisation(const context&, const attractor_frame&, noise_log&, report::results&);
 /// Where lambda_1 > 0: dimensions of snapshots.
 void report_dimensions(const context&, const attractor_frame&, noise_log&, report::results&);
 /// Densities to look at: one noise path at four times, and the true law.

@@ -9,26 +9,23 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <utility>
 
 #include "ensemble/noise/paths.hpp"
 #include "ensemble/noise/shared_increments.hpp"
 #include "ensemble/uniform_start.hpp"
 #include "experiments/attractor/attractor.hpp"
-#include "experiments/attractor/harmonic_means.hpp"
+#include "experiments/attractor/harmonic_moments.hpp"
+#include "experiments/attractor/path_averages.hpp"
 #include "experiments/common/progress_counter.hpp"
 #include "experiments/common/sequential.hpp"
 #include "experiments/common/undecided.hpp"
-#include "statistics/resample.hpp"
 #include "transfer/transfer_refine.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr int degree = 2;
-constexpr int row = block_lanes;  // noise paths whose averages over 2, 4, … 64 are one sample of the slope
 constexpr double forgotten = 1e-4;
 constexpr int looks = 12;           // at a path, once it is forgotten
 constexpr int between_looks = 3;    // the part of that time that lies between them
@@ -38,7 +35,6 @@ constexpr double law_tolerance = 0.02;     // of the scheme's own bias
 constexpr double most_path_steps = 1.8e8;  // of one scheme at quick effort
 constexpr int least_paths = 320;
 constexpr const char* average_claim = "mean over noise paths";
-constexpr int replicates = 400;
 
 /// The distance of the scheme's own stationary law from the true one, coefficient by coefficient.
 struct own_law {
@@ -47,9 +43,9 @@ struct own_law {
 };
 
 own_law own_law_of(const context& c, const attractor_frame& f, const scheme_entry& scheme) {
-  const Eigen::VectorXd exact = harmonic_means::of_density(*f.law.density, degree);
+  const Eigen::VectorXd exact = harmonic_moments::of_density(*f.law.density, degree);
   const transfer_question q{[](const transfer_operator& op) -> Eigen::VectorXd {
-                              return harmonic_means::of_density(op.stationary_law().transpose(), degree);
+                              return harmonic_moments::of_density(op.stationary_law().transpose(), degree);
                             },
                             {exact, Eigen::VectorXd::Ones(exact.size()), law_tolerance}};
   const auto found = refine(c.subject, scheme, f.dt, 1, q);
@@ -73,10 +69,10 @@ struct time_course {
 
 void run_paths(const context& c, const attractor_frame& f, const time_course& course, int block,
                std::span<const int> open, std::vector<scheme_run>& runs, const path_listener& hear) {
-  const Eigen::VectorXd truth = harmonic_means::of_density(*f.law.density, degree);
+  const Eigen::VectorXd truth = harmonic_moments::of_density(*f.law.density, degree);
   const bool areas =
       std::ranges::any_of(open, [&](int k) { return runs[static_cast<std::size_t>(k)].scheme->needs_areas; });
-  harmonic_means means(degree);
+  harmonic_moments means(degree);
   std::vector<double> states(3 * block_lanes);
   const auto first = static_cast<std::uint64_t>(block) * block_lanes;
   const auto all =
@@ -98,98 +94,18 @@ void run_paths(const context& c, const attractor_frame& f, const time_course& co
   }
 }
 
-/// Columns averaged in neighbouring pairs.
-Eigen::MatrixXd halved(const Eigen::MatrixXd& m) {
-  Eigen::MatrixXd out(m.rows(), m.cols() / 2);
-  for (Eigen::Index i = 0; i < out.cols(); ++i) out.col(i) = 0.5 * (m.col(2 * i) + m.col(2 * i + 1));
-  return out;
-}
-
-/// The mean over all rows of paths and how far it may be off, 95 % (rows resampled).
-struct grand_mean {
-  Eigen::VectorXd value;
-  double error = 0;
-};
-
-grand_mean mean_of(const Eigen::MatrixXd& means, std::uint64_t seed) {
-  Eigen::MatrixXd rows = means;
-  for (int n = 1; n < row; n *= 2) rows = halved(rows);
-  grand_mean out{rows.rowwise().mean(), 0};
-  std::vector<double> off;
-  for (int r = 0; r < replicates; ++r) {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(rows.rows());
-    for (const int i : resample(seed, r, static_cast<int>(rows.cols()))) sum += rows.col(i);
-    off.push_back((sum / static_cast<double>(rows.cols()) - out.value).norm());
-  }
-  out.error = central_interval(off, 0.9).second;
-  return out;
-}
-
-/// Root-mean-square distance after averaging N = 1, 2, 4, … paths, and what it is fitted to.
-struct distances {
-  std::vector<double> paths, value;
-  std::vector<std::optional<double>> low, high;
-  squared_errors rows;  ///< less the bias, for N up to a row
-};
-
-distances distances_of(const Eigen::MatrixXd& means, double bias) {
-  const int count = static_cast<int>(means.cols()) / row, levels = std::bit_width(static_cast<unsigned>(row));
-  distances out;
-  out.rows = {count, levels, std::vector<double>(static_cast<std::size_t>(count * levels))};
-  int level = 0;
-  for (Eigen::MatrixXd at = means;; at = halved(at), ++level) {
-    const Eigen::ArrayXd square = at.colwise().squaredNorm().transpose();
-    const auto n = square.size();
-    out.paths.push_back(std::exp2(level));
-    out.value.push_back(std::sqrt(square.mean()));
-    const double error = n < 8 ? NAN : 1.96 * std::sqrt((square - square.mean()).square().mean() / double(n - 1));
-    const bool known = std::isfinite(error);
-    out.low.push_back(known ? std::optional(std::sqrt(std::max(0.0, square.mean() - error))) : std::nullopt);
-    out.high.push_back(known ? std::optional(std::sqrt(square.mean() + error)) : std::nullopt);
-    if (level < levels)
-      for (int i = 0; i < count; ++i)
-        out.rows.at(i, level) = square.segment(i * n / count, n / count).mean() - bias * bias;
-    if (n == 1) return out;
-  }
-}
-
-/// The slope over N: that over 1/N with the other sign.
-std::optional<order_fit> slope_over_paths(const distances& d, std::uint64_t seed) {
-  std::vector<double> inverse;
-  for (int i = 0; i < d.rows.levels; ++i) inverse.push_back(1 / d.paths[static_cast<std::size_t>(i)]);
-  auto fit = fit_order(inverse, d.rows, 0, seed);
-  if (!fit) return fit;
-  fit->order = -fit->order;
-  fit->low = -std::exchange(fit->high, -fit->low);
-  fit->used.resize(d.paths.size());
-  fit->rule += "; squares less the exact bias of the scheme's own law";
-  return fit;
-}
-
-void report_slope(const std::string& name, const scheme_run& run, const Eigen::MatrixXd& means, std::uint64_t seed,
-                  report::results& out) {
-  const series s{"attractor", name, "distance to the true law", "density", "of the uniform density", "sampled"};
-  const double bias = run.own.bias.norm();
+void report_slope(const own_law& own, const Eigen::MatrixXd& means, std::uint64_t seed, recorder& record) {
+  const quantity what{"distance to the true law", "density", "of the uniform density", "sampled"};
+  const double bias = own.bias.norm();
   const auto d = distances_of(means, bias);
   const auto fit = slope_over_paths(d, seed);
-  std::vector<report::measurement> points;
-  for (std::size_t i = 0; i < d.paths.size(); ++i) {
-    points.push_back(measured(s, {}, d.value[i], d.low[i], d.high[i]));
-    points.back().steps = d.paths[i];
-    points.back().abscissa = "noise paths";
-  }
-  record_fit(out, s, fit, std::move(points));
-  out.measurements.push_back(measured({s.experiment, name, s.quantity, s.observable, s.unit, "transfer"}, {}, bias,
-                                      bias - run.own.uncertainty, bias + run.own.uncertainty));
-  report::verdict v{"attractor",
-                    name,
-                    "slope over noise paths",
-                    -0.5,
-                    {},
-                    {},
-                    {},
-                    report::verdict_kind::inconclusive,
-                    "fewer than four usable levels"};
+  curve over_paths{what, "noise paths", "1"};
+  for (std::size_t i = 0; i < d.paths.size(); ++i) over_paths.add(d.paths[i], d.value[i], d.low[i], d.high[i]);
+  auto exact = what;
+  exact.method = "transfer";
+  const std::vector evidence{record.series(over_paths, fit),
+                             record.value(exact, bias, bias - own.uncertainty, bias + own.uncertainty)};
+  report::verdict v{.expected = -0.5, .reason = "fewer than four usable levels"};
   if (fit) {
     v.estimate = fit->order;
     v.low = fit->low;
@@ -198,20 +114,20 @@ void report_slope(const std::string& name, const scheme_run& run, const Eigen::M
     v.reason = fmt::format("slope {:.3f} [{:.3f}, {:.3f}] against -0.5 +- {:g}, the bias {:.2e} taken off", fit->order,
                            fit->low, fit->high, order_margin, bias);
   }
-  out.verdicts.push_back(v);
+  record.verdict("slope over noise paths", v, evidence);
 }
 
-void report_mean(const std::string& name, const scheme_run& run, const grand_mean& mean, report::results& out) {
-  const double error = mean.error + run.own.uncertainty, off = (mean.value - run.own.bias).norm();
+void report_mean(const own_law& own, const grand_mean& mean, const sample_size& size, recorder& record) {
+  const double error = mean.error + own.uncertainty, off = (mean.value - own.bias).norm();
   const interval_estimate d{off, std::max(0.0, off - error), off + error};
-  out.measurements.push_back(
-      measured({"attractor", name, "distance to its own law", "density", "of the uniform density", "sampled"}, {},
-               d.value, d.low, d.high));
-  out.verdicts.push_back(judge_distance(
-      {"attractor", name, average_claim}, d, mean_bound,
-      fmt::format("{:.4f} in [{:.4f}, {:.4f}] from the scheme's own exact law, bound {:g}; from the true law {:.4f}, "
-                  "exactly {:.4f}",
-                  d.value, d.low, d.high, mean_bound, mean.value.norm(), run.own.bias.norm())));
+  const auto written = record.value({"distance to its own law", "density", "of the uniform density", "sampled"}, d);
+  record.verdict(
+      average_claim,
+      judge_distance(d, mean_bound,
+                     fmt::format("{:.4f} in [{:.4f}, {:.4f}] from the scheme's own exact law, bound {:g}; from the "
+                                 "true law {:.4f}, exactly {:.4f}; {}",
+                                 d.value, d.low, d.high, mean_bound, mean.value.norm(), own.bias.norm(), size.text())),
+      {written});
 }
 
 std::vector<scheme_run> prepared(const context& c, const attractor_frame& f, int paths) {
@@ -255,10 +171,9 @@ void report_averages(const context& c, const attractor_frame& f, noise_log& log,
         return found[k].error <= tight_share * mean_bound;
       });
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    const std::string name(runs[k].scheme->info.name);
-    report_slope(name, runs[k], runs[k].means.leftCols(looks * sizes[k].used), c.seed, out);
-    report_mean(name, runs[k], found[k], out);
-    out.verdicts.back().reason += "; " + sizes[k].text();
+    recorder record("attractor", runs[k].scheme->info.name, out);
+    report_slope(runs[k].own, runs[k].means.leftCols(looks * sizes[k].used), c.seed, record);
+    report_mean(runs[k].own, found[k], sizes[k], record);
   }
 }
 

@@ -68,57 +68,63 @@ std::vector<cloud> clouds_of(const context& c, const dimension_plan& plan, const
   return clouds;
 }
 
-void report_boxes(const std::string& name, box_kind kind, std::span<const cloud> clouds,
-                  const std::vector<bool>& usable, const std::optional<dimension_estimate>& found,
-                  report::results& out) {
-  const auto k = static_cast<std::size_t>(kind);
-  const series s{"attractor", name, fmt::format("boxes, {}", names[k]), "snapshot", "", "sampled"};
-  for (std::size_t i = 0; i < usable.size(); ++i) {
+/// What is seen of one kind of dimension.
+struct seen_dimension {
+  box_kind kind;
+  std::vector<bool> usable;
+  std::optional<dimension_estimate> found;
+};
+
+/// The numbers of boxes and the dimension.
+std::vector<report::series_id> report_boxes(const seen_dimension& seen, std::span<const cloud> clouds,
+                                            recorder& record) {
+  const auto k = static_cast<std::size_t>(seen.kind);
+  curve boxes{{fmt::format("boxes, {}", names[k]), "snapshot", "", "sampled"}, "side of a box", "1"};
+  for (std::size_t i = 0; i < seen.usable.size(); ++i) {
     double log_sum = 0;
     for (const auto& one : clouds) log_sum += std::log(one[i].boxes[k]);
-    auto m = measured(s, {}, std::exp(log_sum / static_cast<double>(clouds.size())));
-    m.steps = side_of(clouds.front()[i].side);
-    m.abscissa = "side of a box";
-    m.fitted = usable[i];
-    if (!usable[i]) m.status = fmt::format("an occupied box holds fewer than {:g} bodies", least_fill);
-    out.measurements.push_back(m);
+    boxes.add(side_of(clouds.front()[i].side), std::exp(log_sum / static_cast<double>(clouds.size())));
+    boxes.points.back().used = seen.usable[i];
+    if (!seen.usable[i])
+      boxes.points.back().status = fmt::format("an occupied box holds fewer than {:g} bodies", least_fill);
   }
-  if (!found) return;
-  const auto& d = found->value;
-  const double at_one = found->boxes_at_one * std::pow(side_of(1), d.value);
-  out.fits.push_back({s.experiment, name, s.quantity, s.observable, -d.value, -d.high, -d.low, at_one,
-                      fmt::format("{} sizes of boxes in which an occupied one holds {:g} bodies or more",
-                                  std::ranges::count(usable, true), least_fill)});
-  out.measurements.push_back(measured({s.experiment, name, fmt::format("{} dimension", names[k]), "", "", "sampled"},
-                                      {}, d.value, d.low, d.high));
+  const auto counted = record.series(boxes);
+  if (!seen.found) return {counted};
+  const auto& d = seen.found->value;
+  const double at_one = seen.found->boxes_at_one * std::pow(side_of(1), d.value);
+  record.fit(counted, -d.value, -d.high, -d.low, at_one,
+             fmt::format("{} sizes of boxes in which an occupied one holds {:g} bodies or more",
+                         std::ranges::count(seen.usable, true), least_fill));
+  return {counted, record.value({fmt::format("{} dimension", names[k]), "", "", "sampled"}, d)};
 }
 
-void report_cloud(const std::string& name, const dimension_plan& plan, double exact, std::span<const cloud> clouds,
-                  report::results& out) {
+report::verdict judge_dimension(const dimension_plan& plan, double exact, std::size_t paths,
+                                const std::optional<dimension_estimate>& found) {
+  if (!found) return {.expected = exact, .reason = "fewer than three sizes of boxes are full enough"};
+  const auto& d = found->value;
+  return {
+      .expected = exact,
+      .estimate = d.value,
+      .low = d.low,
+      .high = d.high,
+      .kind = judge(exact, d.low, d.high, dimension_margin),
+      .reason = fmt::format("{:.3f} [{:.3f}, {:.3f}] against Kaplan-Yorke {:.3f} +- {:g}: {} bodies, dt = {:.4g}, {}",
+                            d.value, d.low, d.high, exact, dimension_margin, plan.bodies, plan.dt,
+                            sample_size{static_cast<int>(paths), plan.paths}.text())};
+}
+
+void report_clouds(const dimension_plan& plan, double exact, std::span<const cloud> clouds, recorder& record) {
   const auto usable = usable_levels(clouds);
-  report::verdict v{"attractor",
-                    name,
-                    dimension_claim,
-                    exact,
-                    {},
-                    {},
-                    {},
-                    report::verdict_kind::inconclusive,
-                    "fewer than three sizes of boxes are full enough"};
+  report::verdict information;
+  std::vector<report::series_id> evidence;
   for (const auto kind : box_kinds) {
     const auto found = fit_dimension(clouds, kind, usable);
-    report_boxes(name, kind, clouds, usable, found, out);
-    if (kind != box_kind::information || !found) continue;
-    const auto& d = found->value;
-    v.estimate = d.value;
-    v.low = d.low;
-    v.high = d.high;
-    v.kind = judge(exact, d.low, d.high, dimension_margin);
-    v.reason = fmt::format("{:.3f} [{:.3f}, {:.3f}] against Kaplan-Yorke {:.3f} +- {:g}: {} bodies, dt = {:.4g}, {}",
-                           d.value, d.low, d.high, exact, dimension_margin, plan.bodies, plan.dt,
-                           sample_size{static_cast<int>(clouds.size()), plan.paths}.text());
+    const auto written = report_boxes({kind, usable, found}, clouds, record);
+    if (kind != box_kind::information) continue;
+    evidence = written;
+    information = judge_dimension(plan, exact, clouds.size(), found);
   }
-  out.verdicts.push_back(v);
+  record.verdict(dimension_claim, information, evidence);
 }
 
 std::vector<scheme_entry> tried(const context& c, const attractor_frame& f, report::results& out) {
@@ -143,15 +149,16 @@ void report_dimensions(const context& c, const attractor_frame& f, noise_log& lo
                 [](effort e) { return affordable(e, most_path_steps); }},
                out))
     return;
-  out.measurements.push_back(measured({"attractor", "", "Kaplan-Yorke dimension", "", "", "exact"}, {},
-                                      f.exponents.dimension, f.exponents.dimension, f.exponents.dimension));
+  const double exact = f.exponents.dimension;
+  recorder("attractor", "", out).value({"Kaplan-Yorke dimension", "", "", "exact"}, exact, exact, exact);
   const auto schemes = tried(c, f, out);
   progress_counter done(static_cast<int>(schemes.size()), c.progress);
   const auto part = log.open({"dimensions"}, blocks_of(plan.paths));
   const path_listener hear = [&](int path, const increment_view& v) { log.add_path(path, v, plan.dt, part); };
   for (const auto& scheme : schemes) {
     const auto clouds = clouds_of(c, plan, scheme, &scheme == &heard_among(schemes) ? hear : path_listener{});
-    report_cloud(std::string(scheme.info.name), plan, f.exponents.dimension, clouds, out);
+    recorder record("attractor", scheme.info.name, out);
+    report_clouds(plan, exact, clouds, record);
     done.add();
   }
 }

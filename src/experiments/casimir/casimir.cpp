@@ -21,9 +21,9 @@ void run(const context& c, report::results& out) {
   report_casimir_drift(c, log, out);
   log.report("casimir", out);
   for (const auto& scheme : c.subject.schemes) {
-    report_floor({"casimir", std::string(scheme.info.name), "state at the rounding floor"},
-                 rounding_floor_of(c, c.subject, scheme).state, out);
-    report_poisson_map(c, scheme.info.name, out);
+    recorder record("casimir", scheme.info.name, out);
+    report_floor("state at the rounding floor", rounding_floor_of(c, c.subject, scheme).state, record);
+    report_poisson_map(c, record);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/judge.hpp"
 #include "experiments/common/levels.hpp"
+#include "experiments/common/recorder.hpp"
 #include "experiments/common/sequential.hpp"
 #include "statistics/orders/order_fit.hpp"
 
@@ -46,20 +47,17 @@ void run_block(const context& c, const level_grid& grid, std::span<const int> op
   }
 }
 
-void report_drift(const drift_sample& sample, std::span<const double> dt, bool noisy, report::results& out) {
-  const auto& info = sample.scheme->info;
-  const series s{
-      "casimir", std::string(info.name), "drift", "casimir", "relative", noisy ? "sampled" : "deterministic"};
-  std::vector<report::measurement> points;
+void report_drift(const drift_sample& sample, std::span<const double> dt, bool noisy, recorder& record) {
+  curve drift{{"drift", "casimir", "relative", noisy ? "sampled" : "deterministic"}};
   for (int l = 0; l < sample.squares.levels; ++l) {
     const auto m = level_mean(sample.squares, l);
-    points.push_back(measured(s, dt[static_cast<std::size_t>(l)], std::sqrt(m.mean),
-                              std::sqrt(std::max(0.0, m.mean - 1.96 * m.error)), std::sqrt(m.mean + 1.96 * m.error)));
+    drift.add(dt[static_cast<std::size_t>(l)], std::sqrt(m.mean), std::sqrt(std::max(0.0, m.mean - 1.96 * m.error)),
+              std::sqrt(m.mean + 1.96 * m.error));
   }
-  record_fit(out, s, sample.fit, std::move(points));
-  out.verdicts.push_back(judge_order({s.experiment, s.scheme, "order of the Casimir drift"},
-                                     noisy ? info.casimir.noisy_order : info.casimir.deterministic_order, sample.fit,
-                                     true));
+  const auto written = record.series(drift, sample.fit);
+  const auto& claimed = sample.scheme->info.casimir;
+  const double expected = noisy ? claimed.noisy_order : claimed.deterministic_order;
+  record.verdict("order of the Casimir drift", judge_order(expected, sample.fit, true), {written});
 }
 
 }  // namespace
@@ -107,8 +105,9 @@ void report_casimir_drift(const context& c, noise_log& log, report::results& out
         return !fit || half_width(*fit) <= tight_order;  // without a fit more paths would not help
       });
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    report_drift(samples[k], dt, noisy, out);
-    if (noisy) note_sample_size(out, "casimir", samples[k].scheme->info.name, sizes[k]);
+    recorder record("casimir", samples[k].scheme->info.name, out);
+    report_drift(samples[k], dt, noisy, record);
+    if (noisy) record.remark(sizes[k].text());
   }
 }
 

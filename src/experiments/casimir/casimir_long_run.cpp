@@ -8,6 +8,7 @@
 #include "ensemble/noise/paths.hpp"
 #include "experiments/casimir/casimir_drift.hpp"
 #include "experiments/common/judge.hpp"
+#include "experiments/common/recorder.hpp"
 #include "statistics/orders/order_fit.hpp"
 
 namespace polhode {
@@ -33,32 +34,33 @@ struct long_run {
   }
 };
 
-void report_long_run(const long_run& run, double dt, report::results& out) {
-  const series s{"casimir", std::string(run.scheme->info.name), "drift_over_steps", "casimir", "relative", "sampled"};
-  std::vector<report::measurement> points;
-  double judged = 0;
-  for (std::size_t i = 0; i < run.steps.size(); ++i) {
-    auto m = measured(s, dt, run.rms[i], std::nullopt, run.largest[i]);
-    m.steps = run.steps[i];
-    points.push_back(m);
-    judged = std::max(judged, run.largest[i] * std::min(1.0, judged_steps / run.steps[i]));
-  }
-  const auto growth = fit_power_law(run.steps, run.rms);
-  record_fit(out, s, growth, std::move(points));
-  const claim c{s.experiment, s.scheme, "Casimirs kept to rounding"};
+/// judged: the largest relative drift per so many steps as are judged.
+report::verdict judge_long_run(const long_run& run, double judged, const std::optional<order_fit>& growth) {
   if (!std::isfinite(judged)) {
     // An implicit step that found no solution says nothing of the orbit; an explicit path that is gone has left it.
-    auto v = judge_distance(c, {judged, judged, judged}, rounding_bound,
+    auto v = judge_distance({judged, judged, judged}, rounding_bound,
                             run.scheme->info.implicit ? "a path was lost: a step's equation was not solved"
                                                       : "a path left the orbit for infinity");
     if (!run.scheme->info.implicit) v.kind = report::verdict_kind::refuted;
-    out.verdicts.push_back(v);
-    return;
+    return v;
   }
-  out.verdicts.push_back(
-      judge_distance(c, {judged, judged, judged}, rounding_bound,
-                     fmt::format("largest relative drift {:.1e} per 10^6 steps, over {:.0e} steps{}", judged,
-                                 run.steps.back(), growth ? fmt::format("; grows like n^{:.2f}", growth->order) : "")));
+  return judge_distance(
+      {judged, judged, judged}, rounding_bound,
+      fmt::format("largest relative drift {:.1e} per 10^6 steps, over {:.0e} steps{}", judged, run.steps.back(),
+                  growth ? fmt::format("; grows like n^{:.2f}", growth->order) : ""));
+}
+
+void report_long_run(const long_run& run, double dt, recorder record) {
+  curve drift{{"drift_over_steps", "casimir", "relative", "sampled"}, report::step_count, "1"};
+  drift.at = {at_dt(dt)};
+  double judged = 0;
+  for (std::size_t i = 0; i < run.steps.size(); ++i) {
+    drift.add(run.steps[i], run.rms[i], std::nullopt, run.largest[i]);
+    judged = std::max(judged, run.largest[i] * std::min(1.0, judged_steps / run.steps[i]));
+  }
+  const auto growth = fit_power_law(run.steps, run.rms);
+  const auto written = record.series(drift, growth);
+  record.verdict("Casimirs kept to rounding", judge_long_run(run, judged, growth), {written});
 }
 
 }  // namespace
@@ -91,7 +93,7 @@ void report_long_runs(const context& c, noise_log& log, report::results& out) {
   for (auto& r : runs) {
     if (r.steps.back() < static_cast<double>(chunks) * chunk_steps)
       r.measure(*s.model, s.scene.momentum, static_cast<double>(chunks) * chunk_steps);
-    report_long_run(r, dt, out);
+    report_long_run(r, dt, {"casimir", r.scheme->info.name, out});
   }
 }
 

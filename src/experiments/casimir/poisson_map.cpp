@@ -67,14 +67,22 @@ Eigen::MatrixXd bracket_at(const model& m, const std::vector<double>& mu) {
   return out;
 }
 
-report::verdict judge_kept(const claim& c, std::span<const double> defects) {
+report::verdict judge_kept(std::span<const double> defects) {
   const bool finite = std::ranges::all_of(defects, [](double d) { return std::isfinite(d); });
   const double worst = finite ? std::ranges::max(defects) : std::numeric_limits<double>::quiet_NaN();
-  return judge_distance(c, {worst, worst, worst}, bound,
+  return judge_distance({worst, worst, worst}, bound,
                         finite ? fmt::format("|J B J^T - B| / |B| is at most {:.1e} over {} step sizes and {} states, "
                                              "bound {:g}",
                                              worst, defects.size(), block_lanes, bound)
                                : "a step is not finite: its equation was not solved");
+}
+
+/// Of a scheme that does not claim it.
+report::verdict judge_defects(std::span<const double> defects, const std::optional<order_fit>& fit, double expected) {
+  auto kept = judge_kept(defects);
+  if (kept.kind != report::verdict_kind::holds) return judge_order(expected, fit, true);
+  kept.reason = "a Poisson map on this scene, though none in general: " + kept.reason;
+  return kept;
 }
 
 }  // namespace
@@ -99,31 +107,23 @@ double poisson_defect(const subject& s, const scheme_entry& scheme, double dt) {
   return worst;
 }
 
-void report_poisson_map(const context& c, std::string_view name, report::results& out) {
+void report_poisson_map(const context& c, recorder& record) {
   const auto s = c.subject.without_noise().without_dissipation();
-  const auto& scheme = *std::ranges::find(s.schemes, name, [](const scheme_entry& e) { return e.info.name; });
-  const series row{"casimir", std::string(name), "Poisson defect", "bracket", "relative", "exact"};
+  const auto& scheme = *std::ranges::find(s.schemes, record.scheme(), [](const auto& e) { return e.info.name; });
+  curve defect{{"Poisson defect", "bracket", "relative", "exact"}};
   std::vector<double> dt, defects;
-  std::vector<report::measurement> points;
   for (int l = 0; l < levels; ++l) {
     dt.push_back(std::exp2(-l - halvings_to_first) / fastest_rate(s));
     defects.push_back(poisson_defect(s, scheme, dt.back()));
-    points.push_back(measured(row, dt.back(), defects.back()));
+    defect.add(dt.back(), defects.back());
   }
   const auto fit = fit_order(dt, defects, fit_floor);
-  record_fit(out, row, fit, std::move(points));
-  if (scheme.info.poisson) {
-    out.verdicts.push_back(
-        judge_kept({row.experiment, row.scheme, "Poisson map without noise and dissipation"}, defects));
-    return;
-  }
-  const claim order{row.experiment, row.scheme, "order of the Poisson defect"};
-  if (const auto kept = judge_kept(order, defects); kept.kind == report::verdict_kind::holds) {
-    out.verdicts.push_back(kept);
-    out.verdicts.back().reason = "a Poisson map on this scene, though none in general: " + kept.reason;
-    return;
-  }
-  out.verdicts.push_back(judge_order(order, scheme.info.deterministic_order + 1, fit, true));
+  const auto written = record.series(defect, fit);
+  if (scheme.info.poisson)
+    record.verdict("Poisson map without noise and dissipation", judge_kept(defects), {written});
+  else
+    record.verdict("order of the Poisson defect", judge_defects(defects, fit, scheme.info.deterministic_order + 1),
+                   {written});
 }
 
 }  // namespace polhode

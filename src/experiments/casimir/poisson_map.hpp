@@ -11,6 +11,7 @@
 #pragma once
 
 #include "experiments/common/experiment.hpp"
+#include "experiments/common/recorder.hpp"
 
 namespace polhode {
 
@@ -18,7 +19,7 @@ namespace polhode {
 /// as long as the momentum, the same always; s: without noise and dissipation. NaN where a step is not finite.
 double poisson_defect(const subject& s, const scheme_entry&, double dt);
 
-/// A scheme that claims it: the defect is rounding at every dt. Of the others, the order of the defect.
-void report_poisson_map(const context&, std::string_view scheme, report::results&);
+/// Of the recorder's scheme. Where it claims it: the defect is rounding at every dt. Else the order of the defect.
+void report_poisson_map(const context&, recorder&);
 
 }  // namespace polhode

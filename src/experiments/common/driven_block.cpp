@@ -17,8 +17,8 @@ std::vector<direction> directions_of(const subject& s, double dt) {
   const int channels = s.model->layout().active;
   for (int k = 0; k < channels; ++k)
     out.push_back({channels == 1 ? "noise" : fmt::format("noise {}", k + 1), k, s.model->reference(dt)});
-  if (const double theta = dissipation_of(s.scene); theta > 0)
-    out.push_back({"dissipation", -1, s.with(with_dissipation(s.scene, theta * (1 + more))).model->reference(dt)});
+  if (const double damping = dissipation_of(s.scene); damping > 0)
+    out.push_back({"dissipation", -1, s.with(with_dissipation(s.scene, damping * (1 + more))).model->reference(dt)});
   out.push_back({"time", -1, s.model->reference(dt * (1 + more))});
   return out;
 }
@@ -35,7 +35,7 @@ driven_kernels driven_kernels_of(const subject& s, const level_grid& grid, int c
 driven_block::driven_block(const context& c, const level_grid& grid, int cells, noise_source source,
                            const driven_kernels& kernels, int looks)
     : context_(c),
-      ladder_(*c.subject.model, grid, cells, source),
+      coupled_(*c.subject.model, grid, cells, source),
       kernels_(kernels),
       course_(static_cast<std::size_t>(looks)),
       twins_(grid.steps.size()),
@@ -48,15 +48,15 @@ void driven_block::start(std::uint64_t first_path) {
 }
 
 void driven_block::advance(int chunk) {
-  fine_ = ladder_.fill(context_.seed, first_path_, chunk);
+  fine_ = coupled_.fill(context_.seed, first_path_, chunk);
   const int looks = static_cast<int>(course_.size()), each = fine_.steps / looks;
   for (int i = 0; i < looks; ++i) {
     const auto at = static_cast<std::size_t>(i);
     course_[at] = course_[i > 0 ? at - 1 : course_.size() - 1];
     kernels_.truth->advance(course_[at], fine_.part(i * each, each));
   }
-  for (std::size_t l = 0; l < twins_.size(); ++l) kernels_.twins[l]->advance(twins_[l], ladder_.level(l));
-  advance_varied(ladder_.level(varied_among(twins_.size())));
+  for (std::size_t l = 0; l < twins_.size(); ++l) kernels_.twins[l]->advance(twins_[l], coupled_.level(l));
+  advance_varied(coupled_.level(varied_among(twins_.size())));
 }
 
 void driven_block::advance_varied(const increment_view& view) {

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/common/coupled_increments.hpp"
 #include "experiments/common/experiment.hpp"
-#include "experiments/common/increment_ladder.hpp"
 
 namespace polhode {
 
@@ -31,7 +31,7 @@ struct driven_kernels {
   std::vector<direction> directions;           ///< over those of the level of the responses
 };
 
-/// For any system: of its scene it changes theta alone, and a system without has no such direction.
+/// For any system: of its scene it changes the dissipation alone, and a system without has no such direction.
 driven_kernels driven_kernels_of(const subject&, const level_grid&, int cells);
 
 /// One block at a time.
@@ -46,7 +46,7 @@ class driven_block {
   void advance(int chunk);
 
   /// Of the last chunk; coarsest level first.
-  const increment_view& increments(std::size_t level) const { return ladder_.level(level); }
+  const increment_view& increments(std::size_t level) const { return coupled_.level(level); }
   const increment_view& fine() const { return fine_; }
 
   const std::vector<double>& truth() const { return course_.back(); }
@@ -61,7 +61,7 @@ class driven_block {
   void advance_varied(const increment_view&);
 
   const context& context_;
-  increment_ladder ladder_;
+  coupled_increments coupled_;
   increment_view fine_;
   const driven_kernels& kernels_;
   std::uint64_t first_path_ = 0;

@@ -26,7 +26,13 @@ double gap_to(double expected, double low, double high) {
 }  // namespace
 
 report::verdict judge_order(const claim& c, double expected, const std::optional<order_fit>& fit, bool at_least) {
-  report::verdict v{c.experiment, c.scheme, c.text, expected, {}, {}, {}, verdict_kind::inconclusive, ""};
+  auto v = judge_order(expected, fit, at_least);
+  v.experiment = c.experiment, v.scheme = c.scheme, v.claim = c.text;
+  return v;
+}
+
+report::verdict judge_order(double expected, const std::optional<order_fit>& fit, bool at_least) {
+  report::verdict v{.expected = expected};
   if (!fit) {
     v.reason = "fewer than four usable levels";
     return v;
@@ -60,7 +66,13 @@ report::verdict judge_order(const claim& c, double expected, const std::optional
 }
 
 report::verdict judge_distance(const claim& c, const interval_estimate& d, double bound, const std::string& reason) {
-  report::verdict v{c.experiment, c.scheme, c.text, 0.0, {}, {}, {}, verdict_kind::inconclusive, reason};
+  auto v = judge_distance(d, bound, reason);
+  v.experiment = c.experiment, v.scheme = c.scheme, v.claim = c.text;
+  return v;
+}
+
+report::verdict judge_distance(const interval_estimate& d, double bound, const std::string& reason) {
+  report::verdict v{.expected = 0.0, .reason = reason};
   if (!std::isfinite(d.value)) return v;
   v.estimate = d.value;
   v.low = d.low;
@@ -78,7 +90,7 @@ report::measurement measured(const series& s, std::optional<double> dt, double v
   m.observable = s.observable;
   m.unit = s.unit;
   m.method = s.method;
-  m.dt = dt;
+  if (dt) m.set_over({report::step_size, *dt, "time"});
   m.value = value;
   m.low = low;
   m.high = high;
@@ -92,9 +104,9 @@ report::measurement measured(const series& s, std::optional<double> dt, double v
 void record_fit(report::results& out, const series& s, const std::optional<order_fit>& fit,
                 std::vector<report::measurement> points) {
   if (fit) {
-    for (std::size_t i = 0; i < points.size(); ++i) points[i].fitted = fit->used[i];
-    out.fits.push_back(
-        {s.experiment, s.scheme, s.quantity, s.observable, fit->order, fit->low, fit->high, fit->prefactor, fit->rule});
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].used = fit->used[i];
+    out.fits.push_back({s.experiment, s.scheme, s.quantity, s.observable, points.front().over, fit->order, fit->low,
+                        fit->high, fit->prefactor, fit->rule});
   }
   out.measurements.insert(out.measurements.end(), points.begin(), points.end());
 }

@@ -28,13 +28,15 @@ struct claim {
   std::string experiment, scheme, text;
 };
 
-/// Verdict on an order; `at_least`: faster than claimed holds too (a scene can be kinder than the claim) once the slope
-/// has settled: before a zero crossing it is steep for a while, and nothing is concluded. Refuted where the slope has
-/// settled and the two finest levels refute it too, or where they lie no nearer to the claim than the slope does; a
-/// slope that still nears the claim is inconclusive.
+/// Verdict on an order, of nothing yet: a recorder says of what (recorder.hpp). `at_least`: faster than claimed holds
+/// too (a scene can be kinder than the claim) once the slope is asymptotic: before a zero crossing it is steep for a
+/// while, and nothing is concluded. Refuted where the slope is asymptotic and the two finest levels refute it too, or
+/// where they lie no nearer to the claim than the slope does; a slope that still nears the claim is inconclusive.
+report::verdict judge_order(double expected, const std::optional<order_fit>&, bool at_least);
 report::verdict judge_order(const claim&, double expected, const std::optional<order_fit>&, bool at_least);
 
 /// Verdict on a distance that should vanish: holds below `bound`, refuted above it.
+report::verdict judge_distance(const interval_estimate&, double bound, const std::string& reason);
 report::verdict judge_distance(const claim&, const interval_estimate&, double bound, const std::string& reason);
 
 /// Measurements of one series over dt; a value that is not finite becomes a status.

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ensemble/model.hpp"
-#include "experiments/common/judge.hpp"
+#include "experiments/common/recorder.hpp"
 
 namespace polhode {
 namespace {
@@ -18,6 +18,19 @@ noise_audit merged(const std::vector<noise_audit>& blocks) {
 }
 
 bool smaller(const noise_deviation& a, const noise_deviation& b) { return std::fabs(a.z) < std::fabs(b.z); }
+
+report::verdict judge_deviations(const std::vector<noise_deviation>& all, double increments) {
+  const double limit = audit_threshold(all.size());
+  const auto& most = *std::ranges::max_element(all, smaller);
+  const bool lawful = std::fabs(most.z) <= limit;
+  return {.expected = 0.0,
+          .estimate = most.z,
+          .kind = lawful ? report::verdict_kind::holds : report::verdict_kind::refuted,
+          .reason = fmt::format(
+              "{} moments and correlations, {:.1e} increments a channel: the largest is the {}, {:.1f} standard errors "
+              "from its law, at most {:.1f}; increments off by a factor of {:.5f} would be seen",
+              all.size(), increments, most.what, most.z, limit, 1 + limit / std::sqrt(2 * increments))};
+}
 
 }  // namespace
 
@@ -63,7 +76,9 @@ noise_audit noise_log::alone(int path, const increment_view& v, double dt, std::
 }
 
 void noise_log::report(const std::string& experiment, report::results& out) const {
+  recorder record(experiment, noise_name, out);
   std::vector<noise_deviation> all;
+  std::vector<report::series_id> evidence;
   double increments = 0;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     if (audits_[i].empty()) continue;
@@ -74,21 +89,10 @@ void noise_log::report(const std::string& experiment, report::results& out) cons
       if (!parts_[i].name.empty()) d.what = parts_[i].name + ": " + d.what;
     increments = std::max(increments, sum.increments());
     const auto& most = *std::ranges::max_element(found, smaller);
-    out.measurements.push_back(
-        measured({experiment, noise_name, "largest deviation", most.what, "standard errors", "sampled"}, {}, most.z));
+    evidence.push_back(record.value({"largest deviation", most.what, "standard errors", "sampled"}, most.z));
     all.insert(all.end(), found.begin(), found.end());
   }
-  if (all.empty()) return;
-  const double limit = audit_threshold(all.size());
-  const auto& most = *std::ranges::max_element(all, smaller);
-  report::verdict v{experiment, noise_name, noise_claim, 0.0, most.z, {}, {}, report::verdict_kind::holds, ""};
-  if (!(std::fabs(most.z) <= limit)) v.kind = report::verdict_kind::refuted;
-  v.reason = fmt::format(
-      "{} moments and correlations, {:.1e} increments a channel: the largest is the {}, {:.1f} standard errors from "
-      "its "
-      "law, at most {:.1f}; increments off by a factor of {:.5f} would be seen",
-      all.size(), increments, most.what, most.z, limit, 1 + limit / std::sqrt(2 * increments));
-  out.verdicts.push_back(v);
+  if (!all.empty()) record.verdict(noise_claim, judge_deviations(all, increments), evidence);
 }
 
 const scheme_entry& heard_among(const std::vector<scheme_entry>& schemes) {

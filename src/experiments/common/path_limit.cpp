@@ -119,9 +119,15 @@ bool tight(const path_limit& limit) {
 
 report::verdict judge_limit(const claim& c, const path_limit& limit, const std::vector<direction>& directions,
                             double size) {
+  auto v = judge_limit(limit, directions, size);
+  v.experiment = c.experiment, v.scheme = c.scheme, v.claim = c.text;
+  return v;
+}
+
+report::verdict judge_limit(const path_limit& limit, const std::vector<direction>& directions, double size) {
   const auto& d = limit.distance;
-  if (!std::isfinite(d.value)) return judge_distance(c, {NAN, NAN, NAN}, 0, "no usable levels");
-  auto v = judge_distance(c, {d.value / size, d.low / size, d.high / size}, limit.bound / size, "");
+  if (!std::isfinite(d.value)) return judge_distance({NAN, NAN, NAN}, 0, "no usable levels");
+  auto v = judge_distance({d.value / size, d.low / size, d.high / size}, limit.bound / size, "");
   std::vector<std::string> strengths;
   for (std::size_t k = 0; k < limit.strengths.size(); ++k) {
     const auto& m = limit.strengths[k];

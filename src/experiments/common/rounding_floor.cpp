@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "ensemble/noise/paths.hpp"
+#include "experiments/common/judge.hpp"
 #include "experiments/common/levels.hpp"
 #include "problem/vectors.hpp"
 #include "statistics/rounding_noise.hpp"
@@ -48,11 +49,13 @@ rounding_floor rounding_floor_of(const context& c, const subject& s, const schem
           std::sqrt(energy) / (unit * std::fabs(m.energy(s.scene.momentum)))};
 }
 
-void report_floor(const claim& c, double units, report::results& out) {
-  out.measurements.push_back(measured({c.experiment, c.scheme, "rounding", "", "2^-52", "deterministic"}, {}, units));
-  out.verdicts.push_back(judge_distance(
-      c, {units, units, units}, floor_bound,
-      fmt::format("rounding of {:.2g} x 2^-52 a root of the number of steps, bound {:g}", units, floor_bound)));
+void report_floor(const std::string& claim, double units, recorder& record) {
+  const auto rounding = record.value({"rounding", "", "2^-52", "deterministic"}, units);
+  record.verdict(claim,
+                 judge_distance({units, units, units}, floor_bound,
+                                fmt::format("rounding of {:.2g} x 2^-52 a root of the number of steps, bound {:g}",
+                                            units, floor_bound)),
+                 {rounding});
 }
 
 }  // namespace polhode

@@ -7,8 +7,10 @@
 // restored after it.
 #pragma once
 
+#include <string>
+
 #include "experiments/common/experiment.hpp"
-#include "experiments/common/judge.hpp"
+#include "experiments/common/recorder.hpp"
 
 namespace polhode {
 
@@ -21,6 +23,6 @@ rounding_floor rounding_floor_of(const context&, const subject&, const scheme_en
 
 /// At most `floor_bound` units: measurement and verdict. Relative to 2^-52 per root of the number of steps.
 inline constexpr double floor_bound = 16;
-void report_floor(const claim&, double units, report::results& out);
+void report_floor(const std::string& claim, double units, recorder&);
 
 }  // namespace polhode

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "experiments/common/recorder.hpp"
+
 namespace polhode {
 namespace {
 
@@ -14,8 +16,7 @@ constexpr std::array names{"quick", "standard", "thorough"};
 void add_verdicts(std::span<const scheme_entry> schemes, std::string_view experiment, std::string_view claim,
                   report::verdict_kind kind, const std::string& reason, report::results& out) {
   for (const auto& scheme : schemes)
-    out.verdicts.push_back(
-        {std::string(experiment), std::string(scheme.info.name), std::string(claim), {}, {}, {}, {}, kind, reason});
+    recorder(experiment, scheme.info.name, out).verdict(std::string(claim), {.kind = kind, .reason = reason});
 }
 
 }  // namespace

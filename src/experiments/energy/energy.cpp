@@ -22,7 +22,7 @@ bool at_rest(const subject& s) {
   return length(drift) <= 1e-12 * fastest_rate(s) * length(s.scene.momentum);
 }
 
-std::vector<double> true_end(const subject& s, double t) {
+std::vector<double> solved_end(const subject& s, double t) {
   return solve_drift([&](std::span<const double> mu, std::span<double> out) { s.model->drift(mu, out); },
                      s.scene.momentum, t);
 }
@@ -37,9 +37,9 @@ void run(const context& c, report::results& out) {
   const auto damped = c.subject.without_noise();
   const auto free = damped.without_dissipation();
   const auto grid = asymptotic_levels(over_time_scales(damped), by_effort(c.effort, 256.0, 256.0, 1024.0));
-  const auto damped_end = true_end(damped, grid.horizon);
+  const auto damped_end = solved_end(damped, grid.horizon);
   const auto& closed_form = free.offers->free;
-  const auto free_end = closed_form ? closed_form->at(grid.horizon) : true_end(free, grid.horizon);
+  const auto free_end = closed_form ? closed_form->at(grid.horizon) : solved_end(free, grid.horizon);
   const std::string free_method = closed_form ? closed_form->method : "odeint";
   const bool dissipates = dissipation_of(damped.scene) > 0;
   if (!dissipates)
@@ -47,16 +47,16 @@ void run(const context& c, report::results& out) {
         {"energy", "", "decay and end point: theta = 0, nothing dissipates; the free rotation is measured"});
   std::vector<report::results> parts(damped.schemes.size());
   progress_counter done(static_cast<int>(parts.size()), c.progress);
-  parallel_for(c.threads, static_cast<int>(parts.size()), [&](int k) {
-    auto& part = parts[static_cast<std::size_t>(k)];
+  parallel_for(c.threads, static_cast<int>(parts.size()), [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    const auto& scheme = damped.schemes[k];
+    recorder record("energy", scheme.info.name, parts[k]);
     if (dissipates) {
-      report_convergence(damped, damped.schemes[static_cast<std::size_t>(k)], grid, "", "odeint", damped_end, part);
-      report_end(damped, damped.schemes[static_cast<std::size_t>(k)], part);
+      report_convergence(damped, scheme, grid, {"", "odeint", damped_end}, record);
+      report_end(damped, scheme, record);
     }
-    report_convergence(free, free.schemes[static_cast<std::size_t>(k)], grid, "free_", free_method, free_end, part);
-    const auto& scheme = damped.schemes[static_cast<std::size_t>(k)];
-    report_floor({"energy", std::string(scheme.info.name), "energy at the rounding floor"},
-                 rounding_floor_of(c, damped, scheme).energy, part);
+    report_convergence(free, free.schemes[k], grid, {"free_", free_method, free_end}, record);
+    report_floor("energy at the rounding floor", rounding_floor_of(c, damped, scheme).energy, record);
     done.add();
   });
   for (const auto& part : parts) {

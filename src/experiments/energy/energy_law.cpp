@@ -48,15 +48,17 @@ double law_residual(const trajectory& t, double dt) {
 }
 
 /// Counts the steps in which the energy rises by more than rounding.
-void report_monotony(const std::string& scheme, std::span<const double> energy, double dt, double tolerance,
-                     report::results& out) {
+report::verdict judge_monotony(std::span<const double> energy, double dt, double tolerance) {
   int rises = 0;
   for (std::size_t k = 1; k < energy.size(); ++k)
     if (!(energy[k] <= energy[k - 1] + tolerance)) ++rises;
   const double count = rises;
-  out.verdicts.push_back({"energy", scheme, "energy never rises at the finest dt", 0.0, count, count, count,
-                          rises == 0 ? report::verdict_kind::holds : report::verdict_kind::refuted,
-                          fmt::format("{} rises in {} steps of {:.3g}", rises, energy.size() - 1, dt)});
+  return {.expected = 0.0,
+          .estimate = count,
+          .low = count,
+          .high = count,
+          .kind = rises == 0 ? report::verdict_kind::holds : report::verdict_kind::refuted,
+          .reason = fmt::format("{} rises in {} steps of {:.3g}", rises, energy.size() - 1, dt)};
 }
 
 /// The runs of one scheme at every level.
@@ -73,32 +75,32 @@ struct runs_of_levels {
   }
 };
 
-/// By width alone: a slope that has settled and is known well enough, or none to be had by halving on.
-bool order_is_clear(const floored_errors& e) {
+/// By width alone: a slope that is asymptotic and known well enough, or none to be had by halving on.
+bool order_is_resolved(const floored_errors& e) {
   const auto fit = e.fit();
   return !fit || e.reaches_floor() < e.values.size() || (fit->settled && half_width(*fit) <= tight_order);
 }
 
 }  // namespace
 
-void report_convergence(const subject& s, const scheme_entry& scheme, const level_grid& first, const std::string& what,
-                        const std::string& method, std::span<const double> truth, report::results& out) {
+void report_convergence(const subject& s, const scheme_entry& scheme, const level_grid& first, const true_end& truth,
+                        recorder& record) {
   constexpr int most_steps = 1 << 17;
-  const std::string name(scheme.info.name);
   const double order = scheme.info.deterministic_order;
   const double energy = std::fabs(s.model->energy(s.scene.momentum));
   runs_of_levels runs{{first.horizon, {}}, {}, {}, {}};
-  const auto path = [&] { return floored_errors(runs.grid, runs.state_error, length(truth)); };
+  const auto path = [&] { return floored_errors(runs.grid, runs.state_error, length(truth.momentum)); };
   const auto law = [&] { return floored_errors(runs.grid, runs.residual, energy); };
-  for (const int n : first.steps) runs.add(s, scheme, n, truth);
-  while (runs.grid.steps.back() <= most_steps / 2 && !(order_is_clear(path()) && order_is_clear(law())))
-    runs.add(s, scheme, 2 * runs.grid.steps.back(), truth);
-  report_order({"energy", name, what + "state_error", "state", "|mu|", method},
-               what.empty() ? "order of the path" : "order of the free path", path(), order, out);
-  report_order({"energy", name, what + "law_residual", "energy", "energy", "deterministic"},
-               what.empty() ? "order of the energy law" : "order of the free energy", law(), order, out);
+  for (const int n : first.steps) runs.add(s, scheme, n, truth.momentum);
+  while (runs.grid.steps.back() <= most_steps / 2 && !(order_is_resolved(path()) && order_is_resolved(law())))
+    runs.add(s, scheme, 2 * runs.grid.steps.back(), truth.momentum);
+  report_order({truth.prefix + "state_error", "state", "|mu|", truth.method},
+               truth.prefix.empty() ? "order of the path" : "order of the free path", path(), order, record);
+  report_order({truth.prefix + "law_residual", "energy", "energy", "deterministic"},
+               truth.prefix.empty() ? "order of the energy law" : "order of the free energy", law(), order, record);
   if (dissipation_of(s.scene) > 0)
-    report_monotony(name, runs.finest.energy, runs.grid.dt().back(), rounding * energy, out);
+    record.verdict("energy never rises at the finest dt",
+                   judge_monotony(runs.finest.energy, runs.grid.dt().back(), rounding * energy));
 }
 
 }  // namespace polhode

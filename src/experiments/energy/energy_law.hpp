@@ -4,16 +4,22 @@
 #include <span>
 #include <string>
 
-#include "experiments/common/experiment.hpp"
 #include "experiments/common/levels.hpp"
+#include "experiments/common/recorder.hpp"
 
 namespace polhode {
 
-/// One scheme on a scene without noise: the error of the end point against `truth`, by `method`, and the largest
+/// Where the path ends, and how that is known. `prefix` stands before the names of the quantities: empty, or "free_"
+/// without dissipation.
+struct true_end {
+  std::string prefix, method;
+  std::span<const double> momentum;
+};
+
+/// One scheme on a scene without noise: the error of the end point against the true one, and the largest
 /// |h(t) - h(0) + integral of theta |ad*_dh mu|^2| over dt, each with its order; with dissipation also whether the
-/// energy ever rises. Where an order is not clear the steps are halved on: nothing is sampled here, and a leading term
-/// can be small by accident. `what` stands before the quantities' names: empty, or "free_" without dissipation.
-void report_convergence(const subject&, const scheme_entry&, const level_grid& first, const std::string& what,
-                        const std::string& method, std::span<const double> truth, report::results&);
+/// energy ever rises. Where an order is not resolved the steps are halved on: nothing is sampled here, and a leading
+/// term can be small by accident.
+void report_convergence(const subject&, const scheme_entry&, const level_grid& first, const true_end&, recorder&);
 
 }  // namespace polhode

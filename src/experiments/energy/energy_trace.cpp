@@ -79,12 +79,12 @@ transfer_answer answer(const trace_frame& frame, const subject& s, const scheme_
 }
 
 /// Of schemes that keep the sphere, under isotropic noise without a field: h - m is an eigenfunction of the noise.
-void report_bound(const trace_frame& frame, const error_table& t, report::results& out) {
-  const series s{"energy", t.scheme, "error of E[h] at any time, at most", "energy", "energy", "transfer"};
+void report_bound(const trace_frame& frame, const error_table& t, recorder& record) {
+  curve bound{{"error of E[h] at any time, at most", "energy", "energy", "transfer"}};
   const double rate = 3 * frame.problem.covariance(0, 0);
   for (std::size_t i = 0; i < t.dt.size(); ++i)
-    out.measurements.push_back(
-        measured(s, t.dt[i], (t.error[i][2] + t.uncertainty[i][2]) * t.dt[i] / -std::expm1(-rate * t.dt[i])));
+    bound.add(t.dt[i], (t.error[i][2] + t.uncertainty[i][2]) * t.dt[i] / -std::expm1(-rate * t.dt[i]));
+  record.series(bound);
 }
 
 }  // namespace
@@ -102,9 +102,10 @@ void report_energy_trace(const context& c, report::results& out) {
                          [&](const scheme_entry& e, double dt, std::int64_t) { return answer(frame, s, e, dt); }};
   const auto tables = answer_all({s, c.effort, c.threads}, s.schemes, scene_levels(s), q);
   for (std::size_t k = 0; k < tables.size(); ++k) {
-    report_orders(q, expected(s.schemes[k]), tables[k], out);
+    recorder record(q.experiment, tables[k].scheme, out);
+    report_orders(q, expected(s.schemes[k]), tables[k], record);
     if (s.schemes[k].info.casimir.exact && s.model->noise() == noise_class::isotropic && !frame.problem.has_field())
-      report_bound(frame, tables[k], out);
+      report_bound(frame, tables[k], record);
   }
 }
 

@@ -16,8 +16,8 @@ namespace polhode {
 
 inline constexpr const char* energy_trace_claim = "trace formula: drift of E[h] without dissipation";
 
-/// Measurements over dt, of every scheme on the scene with theta = 0: d at the start, along h - m, and its largest size
-/// over the sphere, per unit of time; what bounds the error of E[h] at any time. The verdict: d falls at the weak
+/// Measurements over dt, of every scheme on the scene without dissipation: d at the start, along h - m, and its largest
+/// size over the sphere, per unit of time; what bounds the error of E[h] at any time. The verdict: d falls at the weak
 /// order.
 void report_energy_trace(const context&, report::results&);
 

@@ -61,15 +61,15 @@ std::optional<order_fit> floored_errors::fit() const {
   return fit_order(dt, above, 0);
 }
 
-void report_order(const series& s, const std::string& text, const floored_errors& e, double expected,
-                  report::results& out) {
+void report_order(const quantity& what, const std::string& claim, const floored_errors& e, double expected,
+                  recorder& record) {
   const auto fit = e.fit();
-  std::vector<report::measurement> points;
-  for (std::size_t i = 0; i < e.dt.size(); ++i) points.push_back(measured(s, e.dt[i], e.values[i]));
-  record_fit(out, s, fit, std::move(points));
-  auto v = judge_order({s.experiment, s.scheme, text}, expected, fit, true);
+  curve errors{what};
+  for (std::size_t i = 0; i < e.dt.size(); ++i) errors.add(e.dt[i], e.values[i]);
+  const auto written = record.series(errors, fit);
+  auto v = judge_order(expected, fit, true);
   if (!fit) judge_at_floor(e, expected, v);
-  out.verdicts.push_back(v);
+  record.verdict(claim, v, {written});
 }
 
 }  // namespace polhode

@@ -7,6 +7,7 @@
 
 #include "experiments/common/judge.hpp"
 #include "experiments/common/levels.hpp"
+#include "experiments/common/recorder.hpp"
 
 namespace polhode {
 
@@ -29,6 +30,6 @@ struct floored_errors {
 /// The series with its fit, and the verdict on its order, which is at least `expected`. Where too few levels are above
 /// the floor for a fit: errors at the floor throughout are exactness on this scene; else the fall from the coarsest
 /// level to another bounds the order from below.
-void report_order(const series&, const std::string& claim, const floored_errors&, double expected, report::results&);
+void report_order(const quantity&, const std::string& claim, const floored_errors&, double expected, recorder&);
 
 }  // namespace polhode

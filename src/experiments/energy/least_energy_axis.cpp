@@ -9,7 +9,6 @@
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/judge.hpp"
 #include "experiments/common/levels.hpp"
-#include "experiments/common/undecided.hpp"
 #include "sphere/equilibria.hpp"
 
 namespace polhode {
@@ -42,18 +41,16 @@ double above_nearest_well(sphere_problem p, const Eigen::Vector3d& end) {
 
 }  // namespace
 
-void report_end(const subject& s, const scheme_entry& scheme, report::results& out) {
+void report_end(const subject& s, const scheme_entry& scheme, recorder& record) {
   if (!s.sphere()) return;
   const auto& p = *s.sphere();
   const auto all = equilibria(p);
   const double rate = fastest_rate(s);
   const double time = least_axis_time_scales / slowest_decay(p, all), dt = 0.05 / rate;
-  const std::string name(scheme.info.name);
   if (time / dt > most_end_steps) {
-    leave_open(
-        {&scheme, 1}, "energy", end_claim,
-        fmt::format("the slowest decay needs {:.1e} steps, at most {:g} are affordable", time / dt, most_end_steps),
-        out);
+    record.verdict(end_claim,
+                   {.reason = fmt::format("the slowest decay needs {:.1e} steps, at most {:g} are affordable",
+                                          time / dt, most_end_steps)});
     return;
   }
   const int steps = static_cast<int>(time / dt);
@@ -62,8 +59,9 @@ void report_end(const subject& s, const scheme_entry& scheme, report::results& o
   stepper->advance(states, silence(steps));
   const auto end = lane_of(states, 0, s.model->dimension());
   const double above = above_nearest_well(p, Eigen::Vector3d(end.data()));
-  out.verdicts.push_back(
-      judge_distance({"energy", name, end_claim}, {above, above, above}, end_bound,
+  record.verdict(
+      end_claim,
+      judge_distance({above, above, above}, end_bound,
                      fmt::format("after time {:.3g}: {:.1e} of the energy's range above the least", time, above)));
 }
 

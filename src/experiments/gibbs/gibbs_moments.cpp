@@ -15,23 +15,15 @@ namespace {
 constexpr double uniform_deviation = 0.298;  // of Pi_k^2 / c^2 on the uniform sphere: sqrt(4/45)
 constexpr double tight_share = 1.0 / 3;      // of a margin: the half-width at which sampling stops
 
-void report_moment(const std::string& scheme, const gibbs_moment& what, double dt, const interval_estimate& m,
-                   report::results& out) {
-  out.measurements.push_back(
-      measured({"gibbs", scheme, "mean", what.observable, "", "sampled"}, dt, m.value, m.low, m.high));
-  report::verdict v{"gibbs", scheme, "mean of " + what.observable,       what.exact, {},
-                    {},      {},     report::verdict_kind::inconclusive, ""};
-  if (!std::isfinite(m.value)) {
-    v.reason = "paths were lost: not finite";
-  } else {
-    v.estimate = m.value;
-    v.low = m.low;
-    v.high = m.high;
-    v.kind = judge(what.exact, m.low, m.high, what.margin);
-    v.reason = fmt::format("[{:.6f}, {:.6f}] against {:.6f} +- {:.2g} (a tenth of a standard deviation)", m.low, m.high,
-                           what.exact, what.margin);
-  }
-  out.verdicts.push_back(v);
+report::verdict judge_moment(const gibbs_moment& what, const interval_estimate& m) {
+  if (!std::isfinite(m.value)) return {.expected = what.exact, .reason = "paths were lost: not finite"};
+  return {.expected = what.exact,
+          .estimate = m.value,
+          .low = m.low,
+          .high = m.high,
+          .kind = judge(what.exact, m.low, m.high, what.margin),
+          .reason = fmt::format("[{:.6f}, {:.6f}] against {:.6f} +- {:.2g} (a tenth of a standard deviation)", m.low,
+                                m.high, what.exact, what.margin)};
 }
 
 }  // namespace
@@ -75,15 +67,18 @@ bool tight(const std::vector<gibbs_moment>& moments, const gibbs_finding& f) {
   return f.ks.high - f.ks.value <= tight_share * ks_bound;
 }
 
-void report_finding(const std::vector<gibbs_moment>& moments, const std::string& scheme, double dt,
-                    const gibbs_finding& f, report::results& out) {
-  for (std::size_t i = 0; i < moments.size(); ++i) report_moment(scheme, moments[i], dt, f.means[i], out);
-  out.measurements.push_back(
-      measured({"gibbs", scheme, "ks_distance", "energy", "", "sampled"}, dt, f.ks.value, f.ks.low, f.ks.high));
-  out.verdicts.push_back(
-      judge_distance({"gibbs", scheme, "law of the energy"}, f.ks, ks_bound,
-                     fmt::format("Kolmogorov-Smirnov distance {:.4f} in [{:.4f}, {:.4f}], bound {:g}", f.ks.value,
-                                 f.ks.low, f.ks.high, ks_bound)));
+void report_finding(const std::vector<gibbs_moment>& moments, double dt, const gibbs_finding& f, recorder& record) {
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const auto& what = moments[i];
+    const auto written = record.value({"mean", what.observable, "", "sampled"}, at_dt(dt), f.means[i]);
+    record.verdict("mean of " + what.observable, judge_moment(what, f.means[i]), {written});
+  }
+  const auto written = record.value({"ks_distance", "energy", "", "sampled"}, at_dt(dt), f.ks);
+  record.verdict("law of the energy",
+                 judge_distance(f.ks, ks_bound,
+                                fmt::format("Kolmogorov-Smirnov distance {:.4f} in [{:.4f}, {:.4f}], bound {:g}",
+                                            f.ks.value, f.ks.low, f.ks.high, ks_bound)),
+                 {written});
 }
 
 }  // namespace polhode

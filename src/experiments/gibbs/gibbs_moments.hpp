@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ensemble/model.hpp"
-#include "reports/model/results.hpp"
+#include "experiments/common/recorder.hpp"
 #include "sphere/closed_forms/gibbs.hpp"
 #include "statistics/sample.hpp"
 
@@ -47,7 +47,6 @@ gibbs_finding find(const gibbs_law&, const std::vector<gibbs_moment>&, const pat
 bool tight(const std::vector<gibbs_moment>&, const gibbs_finding&);
 
 /// Measurements and verdicts of one scheme.
-void report_finding(const std::vector<gibbs_moment>&, const std::string& scheme, double dt, const gibbs_finding&,
-                    report::results&);
+void report_finding(const std::vector<gibbs_moment>&, double dt, const gibbs_finding&, recorder&);
 
 }  // namespace polhode

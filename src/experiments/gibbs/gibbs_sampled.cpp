@@ -95,9 +95,9 @@ void report_samples(const context& c, const std::vector<scheme_entry>& schemes, 
         return tight(moments, found[k]);
       });
   for (std::size_t k = 0; k < schemes.size(); ++k) {
-    const std::string name(schemes[k].info.name);
-    report_finding(moments, name, d.dt, found[k], out);
-    note_sample_size(out, "gibbs", name, sizes[k]);
+    recorder record("gibbs", schemes[k].info.name, out);
+    report_finding(moments, d.dt, found[k], record);
+    record.remark(sizes[k].text());
   }
   log.report("gibbs", out);
 }

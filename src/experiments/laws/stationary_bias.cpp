@@ -67,7 +67,10 @@ void report_stationary_bias(const context& c, report::results& out) {
         return reference->change_by_far_noise(s, e, dt, steps);
       }};
   const auto tables = answer_all(c, schemes, scene_levels(s), q);
-  for (std::size_t k = 0; k < tables.size(); ++k) report_orders(q, expected(schemes[k]), tables[k], out);
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    recorder record(q.experiment, tables[k].scheme, out);
+    report_orders(q, expected(schemes[k]), tables[k], record);
+  }
 }
 
 }  // namespace polhode

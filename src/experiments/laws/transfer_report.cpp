@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/progress_counter.hpp"
@@ -12,13 +13,22 @@
 namespace polhode {
 namespace {
 
-std::vector<report::measurement> levels_of(const series& s, const error_table& t, Eigen::Index column) {
-  std::vector<report::measurement> out;
+curve errors_of(const error_column& what, const error_table& t, Eigen::Index column) {
+  curve out{{what.quantity, what.observable, "", "transfer"}};
   for (std::size_t i = 0; i < t.dt.size(); ++i) {
     const double error = std::fabs(t.error[i][column]), u = t.uncertainty[i][column];
-    out.push_back(measured(s, t.dt[i], error, std::max(0.0, error - u), error + u));
+    out.add(t.dt[i], error, std::max(0.0, error - u), error + u);
   }
   return out;
+}
+
+/// In units of the observables' sizes; a change that is not a number is the largest.
+double largest_change(const order_question& q, const Eigen::VectorXd& change) {
+  double largest = 0;
+  for (Eigen::Index k = 0; k < change.size(); ++k)
+    if (const double share = change[k] / q.columns[static_cast<std::size_t>(k)].scale; !(share <= largest))
+      largest = share;
+  return largest;
 }
 
 }  // namespace
@@ -90,41 +100,42 @@ std::vector<error_table> answer_all(const context& c, const std::vector<scheme_e
   return out;
 }
 
-void report_errors(const order_question& q, double expected, const error_table& t, report::results& out) {
+std::vector<report::series_id> report_errors(const order_question& q, double expected, const error_table& t,
+                                             recorder& record) {
   const auto found = find_columns(q, expected, t);
+  std::vector<report::series_id> written;
   for (std::size_t k = 0; k < q.columns.size(); ++k) {
-    series s{q.experiment, t.scheme, q.columns[k].quantity, q.columns[k].observable, "", "transfer"};
-    record_fit(out, s, found[k].fit, levels_of(s, t, static_cast<Eigen::Index>(k)));
+    const auto& name = q.columns[k].quantity;
+    written.push_back(record.series(errors_of(q.columns[k], t, static_cast<Eigen::Index>(k)), found[k].fit));
     for (std::size_t power = 0; power < found[k].terms.size(); ++power) {
       const auto& term = found[k].terms[power];
-      s.quantity = power == 0 ? q.columns[k].quantity + " at dt = 0"
-                              : fmt::format("coefficient of dt^{} in the {}", power, q.columns[k].quantity);
-      out.measurements.push_back(
-          measured(s, {}, term.value, term.value - term.certainty(), term.value + term.certainty()));
+      const auto what = power == 0 ? name + " at dt = 0" : fmt::format("coefficient of dt^{} in the {}", power, name);
+      written.push_back(record.value({what, q.columns[k].observable, "", "transfer"}, term.value,
+                                     term.value - term.certainty(), term.value + term.certainty()));
     }
   }
+  return written;
 }
 
-void report_reach(const order_question& q, const error_table& t, report::results& out) {
-  series s{q.experiment, t.scheme, "paths taken back to the shell", "", "share, at most", "transfer"};
-  if (std::ranges::any_of(t.taken_back, [](double share) { return share > 0; }))
-    for (std::size_t i = 0; i < t.taken_back.size(); ++i)
-      out.measurements.push_back(measured(s, t.dt[i], t.taken_back[i]));
-  if (t.far_noise.change.size() == 0) return;
-  double largest = 0;
-  for (Eigen::Index k = 0; k < t.far_noise.change.size(); ++k)
-    if (const double change = t.far_noise.change[k] / q.columns[static_cast<std::size_t>(k)].scale;
-        !(change <= largest))
-      largest = change;  // also what is not a number
-  s.quantity = "largest change by noise far out";
-  s.unit = "size of the observable";
-  out.measurements.push_back(measured(s, t.far_noise.dt, largest));
+std::vector<report::series_id> report_reach(const order_question& q, const error_table& t, recorder& record) {
+  std::vector<report::series_id> written;
+  if (std::ranges::any_of(t.taken_back, [](double share) { return share > 0; })) {
+    curve shares{{"paths taken back to the shell", "", "share, at most", "transfer"}};
+    for (std::size_t i = 0; i < t.taken_back.size(); ++i) shares.add(t.dt[i], t.taken_back[i]);
+    written.push_back(record.series(shares));
+  }
+  if (t.far_noise.change.size() > 0)
+    written.push_back(record.value({"largest change by noise far out", "", "size of the observable", "transfer"},
+                                   at_dt(t.far_noise.dt), largest_change(q, t.far_noise.change)));
+  return written;
 }
 
-void report_orders(const order_question& q, double expected, const error_table& t, report::results& out) {
-  report_errors(q, expected, t, out);
-  report_reach(q, t, out);
-  out.verdicts.push_back(judge_table(q, expected, t));
+std::vector<report::series_id> report_orders(const order_question& q, double expected, const error_table& t,
+                                             recorder& record) {
+  auto evidence = report_errors(q, expected, t, record);
+  std::ranges::move(report_reach(q, t, record), std::back_inserter(evidence));
+  record.verdict(q.claim, judge_table(q, expected, t), evidence);
+  return evidence;
 }
 
 }  // namespace polhode

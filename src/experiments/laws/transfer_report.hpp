@@ -8,6 +8,7 @@
 #include "experiments/common/experiment.hpp"
 #include "experiments/common/judge.hpp"
 #include "experiments/common/levels.hpp"
+#include "experiments/common/recorder.hpp"
 #include "transfer/transfer_refine.hpp"
 
 namespace polhode {
@@ -33,10 +34,10 @@ struct error_table {
 };
 
 /// What is reported of column i, and by how much its truth changes when the noise (the dissipation) grows by a share,
-/// over that share: by sigma d/dsigma and theta d/dtheta of it. 0: not known, or it does not change.
+/// over that share: by s d/ds of it, s their strength. 0: not known, or it does not change.
 struct error_column {
   std::string quantity, observable;
-  double scale;
+  double scale = 1;
   double by_noise = 0, by_dissipation = 0;
   bool distance = false;     ///< never negative, so no power series where it vanishes: its limit is not asked for
   bool limit_alone = false;  ///< its slope is not asked for
@@ -47,10 +48,10 @@ inline constexpr double sensitivity_share = 0.01;
 
 /// What every scheme is asked at every level, and the order it claims.
 struct order_question {
-  std::string experiment, claim;
-  std::vector<error_column> columns;
-  std::function<double(const scheme_entry&)> expected;
-  std::function<transfer_answer(const scheme_entry&, double dt, std::int64_t steps)> answer;
+  std::string experiment = {}, claim = {};
+  std::vector<error_column> columns = {};
+  std::function<double(const scheme_entry&)> expected = {};
+  std::function<transfer_answer(const scheme_entry&, double dt, std::int64_t steps)> answer = {};
   /// change_by_far_noise of the columns; empty: not asked.
   std::function<Eigen::VectorXd(const scheme_entry&, double dt, std::int64_t steps)> far_noise = {};
 };
@@ -62,25 +63,24 @@ std::vector<error_table> answer_all(const context&, const std::vector<scheme_ent
                                     const order_question&);
 inline constexpr int most_halvings = 6;
 
-/// For each column a measurement a level (its interval: the uncertainty), a fit over its finest clear levels, and the
-/// terms of its series below the order that is expected: the error at dt = 0 first.
-void report_errors(const order_question&, double expected, const error_table&, report::results& out);
+/// For each column a measurement a level (its interval: the uncertainty), a fit over its finest resolved levels, and
+/// the terms of its series below the order that is expected: the error at dt = 0 first. What was written.
+std::vector<report::series_id> report_errors(const order_question&, double expected, const error_table&, recorder&);
 
 /// Measurements of what the operators leave out: the share of paths taken back to the shell at each level, and what
-/// noise far out changes.
-void report_reach(const order_question&, const error_table&, report::results& out);
+/// noise far out changes. What was written.
+std::vector<report::series_id> report_reach(const order_question&, const error_table&, recorder&);
 
-/// All of them, and the verdict on the order.
-void report_orders(const order_question&, double expected, const error_table&, report::results& out);
+/// All of them, and the verdict on the order. What it rests on.
+std::vector<report::series_id> report_orders(const order_question&, double expected, const error_table&, recorder&);
 
 /// The verdict alone (transfer_verdict.hpp). The slowest column decides; an order above the claim holds once the slope
-/// has settled. Where no column has four clear levels, the claim holds if all errors are negligible; else nothing is
-/// concluded.
+/// is asymptotic. Where no column has four resolved levels, the claim holds if all errors are negligible; else nothing
+/// is concluded.
 report::verdict judge_table(const order_question&, double expected, const error_table&);
 
 /// The verdict on fits of the question's columns, where a column has one: the worst, and of these the slowest.
-report::verdict judge_columns(const order_question&, double expected, const std::string& scheme,
-                              const std::vector<std::optional<order_fit>>&);
+report::verdict judge_columns(const order_question&, double expected, const std::vector<std::optional<order_fit>>&);
 
 /// Are all errors finite, not negligible, and yet too uncertain for an order?
 bool unresolved(const error_table&, const std::vector<error_column>&);

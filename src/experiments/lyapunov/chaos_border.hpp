@@ -4,18 +4,20 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "experiments/common/experiment.hpp"
+#include "experiments/common/recorder.hpp"
 #include "transfer/transfer.hpp"
 
 namespace polhode {
 
 /// A number of the equation itself with its uncertainty; without a value `reason` says why.
-report::measurement exact_row(const std::string& quantity, const std::string& observable, std::optional<double> value,
-                              double uncertainty, const std::string& unit, const std::string& reason);
+report::measurement exact_row(const quantity&, std::optional<double> value, double uncertainty,
+                              const std::string& reason, std::vector<report::coordinate> at = {});
 
 /// Around the strengths of noise and dissipation that are of one size with the free motion; sigma: of noise in the
 /// problem's own directions, sum of squares 3 sigma^2. Skipped where lambda_1 is not known even under strong noise.
-void report_chaos_border(const context&, const sphere_problem&, report::results&);
+void report_chaos_border(const context&, const sphere_problem&, recorder&, report::results&);
 
 }  // namespace polhode

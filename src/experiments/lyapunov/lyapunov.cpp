@@ -1,8 +1,8 @@
 // Does the flow of one common noise spread or collect, and where is the border between the two?
 //
 // lambda_1 of the equation is exact (sphere/lyapunov.hpp), nothing is sampled; where it changes its sign is the
-// border of chaos (chaos_border.hpp). The exponents of each scheme are its own over dt, without sampling
-// (lyapunov_own.hpp), and at one small dt sampled ones (lyapunov_sampled.hpp).
+// border of chaos (chaos_border.hpp). The exponents of each discretisation are found over dt without sampling
+// (discretisation_exponents.hpp), and at one small dt by sampling (lyapunov_sampled.hpp).
 #include "sphere/lyapunov.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 #include "experiments/common/progress_counter.hpp"
 #include "experiments/common/undecided.hpp"
 #include "experiments/lyapunov/chaos_border.hpp"
-#include "experiments/lyapunov/lyapunov_own.hpp"
+#include "experiments/lyapunov/discretisation_exponents.hpp"
 #include "experiments/lyapunov/lyapunov_sampled.hpp"
 #include "transfer/frame_sums.hpp"
 #include "transfer/transfer_refine.hpp"
@@ -26,13 +26,13 @@ namespace {
 constexpr int affordable_degree = most_frame_degree - 2;  // the next one shows that it is enough
 constexpr double finest_tolerance = 1e-10, tolerance = 1e-7, own_tolerance = 1e-6;
 
-void report_exponents(const lyapunov_exponents& found, report::results& out) {
-  out.measurements.push_back(exact_row("lambda_1", "", found.lambda1, found.uncertainty, "per time", found.reason));
-  out.measurements.push_back(exact_row("lambda_1 + lambda_2", "", found.sum, found.sum_uncertainty, "per time", ""));
+void report_exponents(const lyapunov_exponents& found, recorder& record) {
+  record.row(exact_row({.name = "lambda_1", .unit = "per time"}, found.lambda1, found.uncertainty, found.reason));
+  record.row(exact_row({.name = "lambda_1 + lambda_2", .unit = "per time"}, found.sum, found.sum_uncertainty, ""));
   if (!found.lambda1) return;
-  out.measurements.push_back(exact_row("kaplan_yorke_dimension", "", found.dimension, 0, "", ""));
-  out.measurements.back().low = kaplan_yorke(*found.lambda1 - found.uncertainty, found.sum);
-  out.measurements.back().high = kaplan_yorke(*found.lambda1 + found.uncertainty, found.sum);
+  const double low = kaplan_yorke(*found.lambda1 - found.uncertainty, found.sum),
+               high = kaplan_yorke(*found.lambda1 + found.uncertainty, found.sum);
+  record.value({.name = "kaplan_yorke_dimension", .method = "exact"}, found.dimension, low, high);
 }
 
 /// As exact as is affordable: the errors of the finest schemes are small.
@@ -55,7 +55,8 @@ std::vector<scheme_entry> schemes_on_the_sphere(const subject& s, report::result
   return kept;
 }
 
-/// Why the schemes' own exponents are not asked for; empty: they are. Their laws are about as rough as the exact one.
+/// Why the exponents of the discretisations are not asked for; empty: they are. Their laws are about as rough as the
+/// exact one.
 std::string too_dear(const sphere_problem& p, const lyapunov_exponents& exact) {
   if (!exact.reason.empty()) return "lambda_1 is " + exact.reason;
   const int needed = lyapunov(p, own_tolerance).degree;
@@ -66,7 +67,8 @@ std::string too_dear(const sphere_problem& p, const lyapunov_exponents& exact) {
 }
 
 /// The exponents of each scheme at the step at which they are compared.
-known_growths own_growths(const context& c, const std::vector<scheme_entry>& schemes, const lyapunov_exponents& exact) {
+known_growths discretisation_growths(const context& c, const std::vector<scheme_entry>& schemes,
+                                     const lyapunov_exponents& exact) {
   constexpr double share = 0.25;  // of an error: it is held against a margin
   const Eigen::Vector2d value(*exact.lambda1, exact.sum);
   const transfer_target target{value, Eigen::Vector2d::Constant(fastest_rate(c.subject)), share};
@@ -85,19 +87,21 @@ void report_schemes(const context& c, const sphere_problem& p, const lyapunov_ex
   const auto reason = too_dear(p, exact);
   if (!reason.empty()) {
     report_sampled_exponents(c, schemes, exact, out);
-    leave_open(schemes, "lyapunov", own_order_claim, reason, out);
+    leave_open(schemes, "lyapunov", exponents_order_claim, reason, out);
     return;
   }
-  report_sampled_exponents(part_of(c, 0, 0.5), schemes, exact, out, [&] { return own_growths(c, schemes, exact); });
-  report_own_exponents(part_of(c, 0.5, 1), schemes, exact, out);
+  report_sampled_exponents(part_of(c, 0, 0.5), schemes, exact, out,
+                           [&] { return discretisation_growths(c, schemes, exact); });
+  report_discretisation_exponents(part_of(c, 0.5, 1), schemes, exact, out);
 }
 
 void run(const context& c, report::results& out) {
   const auto p = *c.subject.sphere();
   const auto exact = exact_exponents(p);
-  report_exponents(exact, out);
+  recorder of_equation("lyapunov", "", out);
+  report_exponents(exact, of_equation);
   report_schemes(part_of(c, 0, 0.5), p, exact, out);
-  report_chaos_border(part_of(c, 0.5, 1), p, out);
+  report_chaos_border(part_of(c, 0.5, 1), p, of_equation, out);
 }
 
 std::optional<std::string> cannot_say(const subject& s) {

@@ -6,9 +6,12 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "experiments/common/judge.hpp"
 #include "experiments/common/levels.hpp"
+#include "experiments/common/recorder.hpp"
 #include "experiments/common/undecided.hpp"
 #include "experiments/lyapunov/sampled_growth.hpp"
 #include "statistics/control_variates.hpp"
@@ -35,12 +38,11 @@ struct exponent {
 };
 
 /// found: by sampling, or without it.
-void report_exponent(const exponent& e, const std::string& scheme, const char* method, double dt,
-                     const interval_estimate& found, double margin, report::results& out) {
-  out.measurements.push_back(
-      measured({"lyapunov", scheme, e.name, "", "per time", method}, dt, found.value, found.low, found.high));
+void report_exponent(const exponent& e, const char* method, double dt, const interval_estimate& found, double margin,
+                     recorder& record) {
+  const auto row = record.value({e.name, "", "per time", method}, at_dt(dt), found);
   if (!e.exact) return;
-  report::verdict v{"lyapunov", scheme, "finds " + e.name, e.exact, {}, {}, {}, report::verdict_kind::inconclusive, ""};
+  report::verdict v{.expected = e.exact, .reason = "not finite: a step of the scheme fails"};
   if (std::isfinite(found.value)) {
     v.estimate = found.value;
     v.low = found.low;
@@ -48,31 +50,20 @@ void report_exponent(const exponent& e, const std::string& scheme, const char* m
     v.kind = judge(*e.exact, found.low, found.high, margin - e.uncertainty);
     v.reason = fmt::format("[{:.6f}, {:.6f}] at dt = {:.3g} against {:.6f} +- {:.2g}", found.low, found.high, dt,
                            *e.exact, margin);
-  } else {
-    v.reason = "not finite: a step of the scheme fails";
   }
-  out.verdicts.push_back(v);
+  record.verdict("finds " + e.name, std::move(v), {row});
 }
 
-void report_controls(const std::string& scheme, const control_means& found, bool with_growth, report::results& out) {
-  report::verdict v{"lyapunov",
-                    scheme,
-                    "controls have mean zero",
-                    0.0,
-                    {},
-                    {},
-                    {},
-                    report::verdict_kind::inconclusive,
-                    "not finite: a step of the scheme fails"};
-  if (std::isfinite(found.largest)) {
-    const double limit = audit_threshold(static_cast<std::size_t>(found.count));
-    v.estimate = found.largest;
-    v.kind = std::fabs(found.largest) <= limit ? report::verdict_kind::holds : report::verdict_kind::refuted;
-    v.reason =
-        fmt::format("the largest of {} means{} is {:.1f} standard errors from zero, at most {:.1f}", found.count,
-                    with_growth ? ", growth less the scheme's own exponents among them," : "", found.largest, limit);
-  }
-  out.verdicts.push_back(v);
+report::verdict judge_controls(const control_means& found, bool with_growth) {
+  report::verdict v{.expected = 0.0, .reason = "not finite: a step of the scheme fails"};
+  if (!std::isfinite(found.largest)) return v;
+  const double limit = audit_threshold(static_cast<std::size_t>(found.count));
+  v.estimate = found.largest;
+  v.kind = std::fabs(found.largest) <= limit ? report::verdict_kind::holds : report::verdict_kind::refuted;
+  v.reason =
+      fmt::format("the largest of {} means{} is {:.1f} standard errors from zero, at most {:.1f}", found.count,
+                  with_growth ? ", growth less the scheme's own exponents among them," : "", found.largest, limit);
+  return v;
 }
 
 /// Of each path until it is observed; empty, and the report says why, if that is unknown or too long.
@@ -105,28 +96,28 @@ struct comparison {
   double margin;
 };
 
-void report_scheme(const sampled_growth& sampled, std::size_t k, const std::string& name, double dt,
-                   const comparison& asked, const std::optional<own_growth>& own, report::results& out) {
+void report_scheme(const sampled_growth& sampled, std::size_t k, double dt, const comparison& asked,
+                   const std::optional<discretisation_growth>& own, recorder& record) {
   const int paths = sampled.size(k).used;
+  std::vector<report::series_id> simulated;  // against the exponents of the discretisation
   Eigen::Index i = 0;
   for (const auto& e : asked.exponents) {
     const auto mean = sampled.mean(k, e.values, paths);
-    const auto row = [&](const std::string& quantity, const interval_estimate& found) {
-      out.measurements.push_back(measured({"lyapunov", name, e.name + quantity, "", "per time", "sampled"}, dt,
-                                          found.value, found.low, found.high));
+    const auto row = [&](const char* how, const interval_estimate& found) {
+      return record.value({e.name + how, "", "per time", "sampled"}, at_dt(dt), found);
     };
     if (own) {
       const double value = own->value[i], uncertainty = own->uncertainty[i++];
-      report_exponent(e, name, "transfer", dt, {value, value - uncertainty, value + uncertainty}, asked.margin, out);
-      row(", simulated", mean);
+      report_exponent(e, "transfer", dt, {value, value - uncertainty, value + uncertainty}, asked.margin, record);
+      simulated.push_back(row(", simulated", mean));
     } else {
-      report_exponent(e, name, "sampled", dt, mean, asked.margin, out);
+      report_exponent(e, "sampled", dt, mean, asked.margin, record);
       row(", no controls", sampled.raw_mean(k, e.values, paths));
     }
   }
-  report_controls(name, own ? sampled.controls(k, paths, *own, no_matter * asked.margin) : sampled.controls(k, paths),
-                  own.has_value(), out);
-  note_sample_size(out, "lyapunov", name, sampled.size(k));
+  const auto controls = own ? sampled.controls(k, paths, *own, no_matter * asked.margin) : sampled.controls(k, paths);
+  record.verdict("controls have mean zero", judge_controls(controls, own.has_value()), simulated);
+  record.remark(sampled.size(k).text());
 }
 
 }  // namespace
@@ -140,7 +131,11 @@ void report_sampled_exponents(const context& c, const std::vector<scheme_entry>&
   const auto forgotten = time_to_forget(c, schemes, fastest_rate(c.subject), out);
   if (!forgotten) return;
   const bool known = exact.lambda1 && std::max(exact.uncertainty, exact.sum_uncertainty) <= known_share * margin;
-  if (!known) leave_open(schemes, "lyapunov", length_claim, "lambda_1 itself is " + exact.reason, out);
+  std::vector<recorder> records;
+  for (const auto& scheme : schemes) {
+    records.emplace_back("lyapunov", scheme.info.name, out);
+    if (!known) records.back().verdict(length_claim, {.reason = "lambda_1 itself is " + exact.reason});
+  }
   const auto if_known = [&](double x) { return known ? std::optional(x) : std::nullopt; };
   const comparison asked{{exponent{"lambda_1", &growth::length, if_known(exact.lambda1.value_or(0)), exact.uncertainty},
                           exponent{"lambda_1 + lambda_2", &growth::area, if_known(exact.sum), exact.sum_uncertainty}},
@@ -164,7 +159,7 @@ void report_sampled_exponents(const context& c, const std::vector<scheme_entry>&
     sampled_growth sampled(c, entries, run);
     sampled.sample({256, briefly ? 256 : by_effort(c.effort, 1024, 2048, 4096)}, tight_value * margin);
     for (std::size_t i = 0; i < some.size(); ++i)
-      report_scheme(sampled, i, std::string(entries[i].info.name), run.dt, asked, own_of(some[i]), out);
+      report_scheme(sampled, i, run.dt, asked, own_of(some[i]), records[some[i]]);
     if (!briefly || some.size() == schemes.size()) sampled.report_noise(out);  // of the longest run
   }
 }

@@ -1,4 +1,4 @@
-// Lyapunov exponents of the schemes themselves: sampled growth of the tangents of their own steps, against the exact
+// Lyapunov exponents of the discretisations: sampled growth of the tangents of their own steps, against the exact
 // exponents of the equation.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace polhode {
 /// The step at which exponents are compared: 128 steps per fastest time scale.
 double compared_step(const subject&);
 
-using known_growths = std::vector<std::optional<own_growth>>;  ///< [scheme]
+using known_growths = std::vector<std::optional<discretisation_growth>>;  ///< [scheme]
 
 /// For each scheme, all of which keep the sphere: lambda_1 and lambda_1 + lambda_2 at one small dt, each with a verdict
 /// against the exact value. Where the exact values are not known nothing is compared. own: of each scheme, what is

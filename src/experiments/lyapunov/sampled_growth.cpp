@@ -33,7 +33,8 @@ control_means sampled_growth::controls(std::size_t scheme, int paths) const {
   return means_of_controls(found_[scheme].control.topRows(paths));
 }
 
-control_means sampled_growth::controls(std::size_t scheme, int paths, const own_growth& own, double slack) const {
+control_means sampled_growth::controls(std::size_t scheme, int paths, const discretisation_growth& own,
+                                       double slack) const {
   Eigen::MatrixXd all(paths, growth::controls + 2);
   all.leftCols(growth::controls) = found_[scheme].control.topRows(paths);
   Eigen::Index i = 0;

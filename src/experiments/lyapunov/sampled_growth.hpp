@@ -13,7 +13,7 @@
 namespace polhode {
 
 /// lambda_1 and lambda_1 + lambda_2 of a scheme at a step, known without sampling (frame_transfer.hpp).
-struct own_growth {
+struct discretisation_growth {
   Eigen::Vector2d value, uncertainty;
 };
 
@@ -37,7 +37,7 @@ class sampled_growth {
 
   control_means controls(std::size_t scheme, int paths) const;
   /// With the growths less those that are known: a mean of at most `slack` is none.
-  control_means controls(std::size_t scheme, int paths, const own_growth&, double slack) const;
+  control_means controls(std::size_t scheme, int paths, const discretisation_growth&, double slack) const;
 
  private:
   Eigen::VectorXd without_noise(std::size_t scheme, Eigen::VectorXd growth::*what, int paths) const;

@@ -15,12 +15,12 @@ constexpr double narrow = 1e-3;  // half-width, relative, at the coarsest dt
 
 report::verdict judge(const converging_numbers& what, const error_table& t, Eigen::Index first, int order) {
   const auto& averages = what.exact;
-  report::verdict v{"modified", t.scheme, what.claim, 0.0, {}, {}, {}, report::verdict_kind::inconclusive, ""};
+  report::verdict v{.expected = 0.0};
   if (t.dt.size() < static_cast<std::size_t>(order) + 2) {
     v.reason = "too few step sizes";
     return v;
   }
-  double widest = 0, clearest = 0;
+  double widest = 0, farthest = 0;  // from zero, in half-widths
   for (Eigen::Index i = 0; i < averages.count(); ++i) {
     std::vector<double> value, uncertainty;
     for (std::size_t level = 0; level < t.dt.size(); ++level) {
@@ -32,9 +32,9 @@ report::verdict judge(const converging_numbers& what, const error_table& t, Eige
       const double unit = std::pow(std::ranges::max(t.dt), static_cast<double>(power));
       const double common = power == 0 ? averages.uncertainty[i] / averages.value[i] : 0;  // to all levels
       const double half = unit * (series[power].high - series[power].low) / 2 + common, at = unit * series[power].value;
-      const double clear = std::fabs(at) / std::max(half, 1e-300);
-      if (clear > 1 ? clear <= clearest : clearest > 1 || half <= widest) continue;
-      (clear > 1 ? clearest : widest) = clear > 1 ? clear : half;
+      const double far = std::fabs(at) / std::max(half, 1e-300);
+      if (far > 1 ? far <= farthest : farthest > 1 || half <= widest) continue;
+      (far > 1 ? farthest : widest) = far > 1 ? far : half;
       v.estimate = at;
       v.low = at - half;
       v.high = at + half;
@@ -42,31 +42,34 @@ report::verdict judge(const converging_numbers& what, const error_table& t, Eige
                              averages.names[static_cast<std::size_t>(i)], power, at, at - half, at + half);
     }
   }
-  v.kind = clearest > 1       ? report::verdict_kind::refuted
+  v.kind = farthest > 1       ? report::verdict_kind::refuted
            : widest <= narrow ? report::verdict_kind::holds
                               : report::verdict_kind::inconclusive;
   return v;
 }
 
+/// Over dt, with the order at which it falls.
+report::series_id report_errors(const converging_numbers& what, const error_table& t, Eigen::Index first,
+                                Eigen::Index i, recorder& record) {
+  curve errors{{what.quantity, what.exact.names[static_cast<std::size_t>(i)], "", "transfer"}};
+  std::vector<double> resolved;
+  for (std::size_t level = 0; level < t.dt.size(); ++level) {
+    const double error = std::fabs(t.error[level][first + i]),
+                 u = t.uncertainty[level][first + i] + what.exact.uncertainty[i];
+    errors.add(t.dt[level], error, std::max(0.0, error - u), error + u);
+    resolved.push_back(error > 50 * u ? error : std::numeric_limits<double>::quiet_NaN());
+  }
+  return record.series(errors, fit_order(t.dt, resolved, 0));
+}
+
 }  // namespace
 
 void report_convergence(const converging_numbers& what, const error_table& t, Eigen::Index first, int order,
-                        report::results& out) {
+                        recorder& record) {
   if (what.exact.count() == 0) return;
-  for (Eigen::Index i = 0; i < what.exact.count(); ++i) {
-    const auto& name = what.exact.names[static_cast<std::size_t>(i)];
-    std::vector<report::measurement> points;
-    std::vector<double> clear;
-    const series s{"modified", t.scheme, what.quantity, name, "", "transfer"};
-    for (std::size_t level = 0; level < t.dt.size(); ++level) {
-      const double error = std::fabs(t.error[level][first + i]),
-                   u = t.uncertainty[level][first + i] + what.exact.uncertainty[i];
-      points.push_back(measured(s, t.dt[level], error, std::max(0.0, error - u), error + u));
-      clear.push_back(error > 50 * u ? error : std::numeric_limits<double>::quiet_NaN());
-    }
-    record_fit(out, s, fit_order(t.dt, clear, 0), std::move(points));
-  }
-  out.verdicts.push_back(judge(what, t, first, order));
+  std::vector<report::series_id> errors;
+  for (Eigen::Index i = 0; i < what.exact.count(); ++i) errors.push_back(report_errors(what, t, first, i, record));
+  record.verdict(what.claim, judge(what, t, first, order), errors);
 }
 
 }  // namespace polhode

@@ -16,6 +16,6 @@ struct converging_numbers {
 /// Measurements over dt, fits, and the verdict: of the relative errors (columns `first` … of the table) all
 /// coefficients below dt^order have to vanish (the truth's uncertainty, the same at every dt, is the first one's),
 /// within intervals below a thousandth at the coarsest dt.
-void report_convergence(const converging_numbers&, const error_table&, Eigen::Index first, int order, report::results&);
+void report_convergence(const converging_numbers&, const error_table&, Eigen::Index first, int order, recorder&);
 
 }  // namespace polhode

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/undecided.hpp"
@@ -13,22 +12,10 @@
 namespace polhode {
 namespace {
 
-constexpr double narrow = 0.01;   // of the largest constant
-constexpr double natural = 1e-2;  // of rate^order: a constant below that is small
 constexpr int degree = 12, finer = 16;
 constexpr const char *weak_constant = "leading constant of the weak error",
                      *bias_constant = "leading constant of the stationary bias";
 constexpr std::array<double, 4> expansion_steps{1.0 / 16, 1.0 / 32, 1.0 / 64, 1.0 / 128};  // of the fastest time scale
-
-double half_of(const interval_estimate& e) { return (e.high - e.low) / 2; }
-
-/// The difference of two intervals, which contains zero where they meet.
-interval_estimate difference(const interval_estimate& measured, const interval_estimate& predicted) {
-  return {measured.value - predicted.value, measured.low - predicted.high, measured.high - predicted.low};
-}
-series_coefficient difference(const leading_constant& c) {
-  return {difference(c.measured.sharp, c.predicted), difference(c.measured.sure, c.predicted)};
-}
 
 /// The interval of one rule, and the least that contains those of both.
 series_coefficient of_both_rules(const interval_estimate& sharp, const std::optional<expansion_term>& other) {
@@ -39,61 +26,17 @@ series_coefficient of_both_rules(const interval_estimate& sharp, const std::opti
   return out;
 }
 
-bool excludes_zero(const interval_estimate& e) { return e.low > 0 || e.high < 0; }
-
-std::string shown(const interval_estimate& e) { return fmt::format("{:.5g} [{:.5g}, {:.5g}]", e.value, e.low, e.high); }
-
-/// How far from zero an interval's middle lies, in half-widths.
-double clear(const interval_estimate& e) { return std::fabs(e.low + e.high) / 2 / std::max(half_of(e), 1e-300); }
-
-struct vanishing {
-  const leading_constant* constant;
-  std::size_t power;
-  const series_coefficient& found() const { return constant->below[power]; }
-};
-
-/// A coefficient that has to vanish and does not: by both rules if there is such a one, else by one.
-std::optional<vanishing> not_zero(const std::vector<leading_constant>& constants) {
-  std::optional<vanishing> out;
-  for (const auto& one : constants)
-    for (std::size_t power = 0; power < one.below.size(); ++power) {
-      const vanishing now{&one, power};
-      if (!excludes_zero(now.found().sharp) || (out && !excludes_zero(now.found().sure))) continue;
-      out = now;
-      if (excludes_zero(now.found().sure)) return out;
-    }
-  return out;
-}
-
-report::verdict judged(const claim& c, report::verdict_kind kind, double expected, const interval_estimate& found,
-                       std::string reason) {
-  return {c.experiment, c.scheme, c.text, expected, found.value, found.low, found.high, kind, std::move(reason)};
-}
-
-report::verdict judge_below(const claim& c, const vanishing& there) {
-  const bool sure = excludes_zero(there.found().sure);
-  const auto& found = sure ? there.found().sure : there.found().sharp;
-  return judged(c, sure ? report::verdict_kind::refuted : report::verdict_kind::inconclusive, 0, found,
-                fmt::format("error of {} at order dt^{}: {}, not zero{}", there.constant->observable, there.power,
-                            shown(found), sure ? "" : " by one rule of two: finer steps would tell"));
-}
-
-std::string told(const leading_constant& c, int order, std::size_t observables) {
-  return fmt::format("{}: {} times dt^{} measured, {} predicted by one step; {} observables", c.observable,
-                     shown(c.measured.sharp), order, shown(c.predicted), observables);
-}
-
-void report_constants(const claim& c, const std::string& kind, const std::vector<leading_constant>& constants,
-                      report::results& out) {
+std::vector<report::series_id> report_constants(const std::string& kind, const std::vector<leading_constant>& constants,
+                                                recorder& record) {
+  std::vector<report::series_id> written;
   for (const auto& one : constants) {
     const auto add = [&](const char* how, const interval_estimate& e) {
-      out.measurements.push_back(
-          measured({c.experiment, c.scheme, fmt::format("{}, {}", kind, how), one.observable, "", "transfer"}, {},
-                   e.value, e.low, e.high));
+      written.push_back(record.value({fmt::format("{}, {}", kind, how), one.observable, "", "transfer"}, e));
     };
     add("measured", one.measured.sharp);
     add("predicted", one.predicted);
   }
+  return written;
 }
 
 }  // namespace
@@ -120,34 +63,6 @@ std::vector<leading_constant> leading_constants(const exact_averages& averages, 
     out.push_back(std::move(c));
   }
   return out;
-}
-
-report::verdict judge_constants(const claim& c, const std::vector<leading_constant>& constants, int order,
-                                double rate) {
-  if (constants.empty()) {
-    report::verdict v{c.experiment, c.scheme, c.text, {}, {}, {}, {}, report::verdict_kind::inconclusive, ""};
-    v.reason = fmt::format("too few step sizes for a coefficient of dt^{}", order);
-    return v;
-  }
-  if (const auto there = not_zero(constants)) return judge_below(c, *there);
-  const auto largest = std::ranges::max(
-      constants, {}, [](const leading_constant& one) { return std::fabs(one.predicted.value) / one.size; });
-  const double allowed =
-      narrow * std::max(std::fabs(largest.predicted.value) / largest.size, natural * std::pow(rate, order));
-  const auto by_clear = [](const leading_constant& one) { return clear(difference(one).sure); };
-  const auto by_width = [](const leading_constant& one) { return half_of(difference(one).sharp) / one.size; };
-  const auto& farthest = *std::ranges::max_element(constants, {}, by_clear);
-  const auto& widest = *std::ranges::max_element(constants, {}, by_width);
-  const auto apart =
-      std::ranges::find_if(constants, [](const leading_constant& one) { return excludes_zero(difference(one).sharp); });
-  using enum report::verdict_kind;
-  if (by_clear(farthest) > 1)
-    return judged(c, refuted, farthest.predicted.value, farthest.measured.sure,
-                  told(farthest, order, constants.size()));
-  const bool doubtful = apart != constants.end(), narrow_enough = by_width(widest) <= allowed;
-  const auto& decisive = doubtful ? *apart : narrow_enough ? largest : widest;
-  return judged(c, doubtful || !narrow_enough ? inconclusive : holds, decisive.predicted.value, decisive.measured.sharp,
-                told(decisive, order, constants.size()) + (doubtful ? ", and disjoint by one rule of two" : ""));
 }
 
 void keep_affordable(const context& c, const std::vector<scheme_entry>& schemes, law_averages& averages,
@@ -185,14 +100,14 @@ void report_leading_constants(const context& c, const std::vector<scheme_entry>&
     predicted[k] = predicted_constants(c.subject, schemes[k], averages, coarse, fine, orders[k]);
   });
   for (std::size_t k = 0; k < schemes.size(); ++k) {
+    recorder record("modified", tables[k].scheme, out);
     const std::span all(predicted[k]);
     const auto report = [&](const char* what, const exact_averages& kind, Eigen::Index before) {
       if (kind.count() == 0) return;
-      const claim about{"modified", tables[k].scheme, what};
       const auto found = leading_constants(kind, tables[k], modified_columns::count + before,
                                            all.subspan(static_cast<std::size_t>(before)), orders[k]);
-      report_constants(about, what, found, out);
-      out.verdicts.push_back(judge_constants(about, found, orders[k], rate));
+      const auto rows = report_constants(what, found, record);
+      record.verdict(what, judge_constants(found, orders[k], rate), rows);
     };
     report(weak_constant, averages.at_horizon, 0);
     report(bias_constant, averages.stationary, averages.at_horizon.count());

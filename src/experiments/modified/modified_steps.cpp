@@ -73,7 +73,6 @@ report::verdict judge_steps(const context& c, const scheme_entry& scheme) {
     worst = largest_difference(own_noise(*k, start, noise));
   }
   return judge_distance(
-      {"modified", std::string(scheme.info.name), "n steps are one step, n times"},
       {worst / size, worst / size, worst / size}, allowed,
       fmt::format("{} steps in one call, in pieces of {} and {}, and one at a time: momenta differ by {:.1e} "
                   "of their size, allowed {:.0e}",

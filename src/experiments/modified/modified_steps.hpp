@@ -6,7 +6,9 @@
 
 namespace polhode {
 
-/// "n steps are one step, n times": transfer operators take one step at a time, every other experiment runs many at
+inline constexpr const char* steps_claim = "n steps are one step, n times";
+
+/// Of that claim: transfer operators take one step at a time, every other experiment runs many at
 /// once, and a loop that leaves out the last one, or half of it, would be seen by neither alone. One block of paths,
 /// one noise: in one call, in two pieces, and a step at a time; the same under one noise for all. Holds where all agree
 /// to rounding in every lane.

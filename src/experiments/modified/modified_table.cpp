@@ -32,7 +32,7 @@ static_assert(unseen <= unseen_share);
 Eigen::VectorXd numbers_of(const body_parameters& p, double residual) {
   const auto& q = p.noise;
   Eigen::VectorXd out(modified_columns::count);
-  out << p.inverse_inertia, p.dissipation, q(0, 0), q(0, 1), q(0, 2), q(1, 1), q(1, 2), q(2, 2), residual;
+  out << p.quadratic, p.dissipation, q(0, 0), q(0, 1), q(0, 2), q(1, 1), q(1, 2), q(2, 2), residual;
   return out;
 }
 
@@ -117,11 +117,11 @@ const std::array<std::string_view, modified_columns::count>& modified_columns::n
 
 modified_columns columns_on(const sphere_problem& problem) {
   const auto p = parameters_of(problem);
-  const double c = problem.radius, turn = c * p.inverse_inertia.norm(), damping = c * c * p.dissipation.norm(),
+  const double c = problem.radius, turn = c * p.quadratic.norm(), damping = c * c * p.dissipation.norm(),
                noise = p.noise.norm(), all = turn + damping + noise, least = least_share * all;
-  const auto by_group = [&](double k, double theta_k, double q) {
+  const auto by_group = [&](double k, double damped, double q) {
     Eigen::VectorXd out(modified_columns::count);
-    out << Eigen::Vector3d::Constant(k / c), Eigen::Vector3d::Constant(theta_k / (c * c)),
+    out << Eigen::Vector3d::Constant(k / c), Eigen::Vector3d::Constant(damped / (c * c)),
         Eigen::VectorXd::Constant(6, q), 1;
     return out;
   };

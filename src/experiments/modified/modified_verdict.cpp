@@ -29,7 +29,7 @@ struct found_term {
   double allowed;  ///< half-width
 
   double half() const { return (share.high - share.low) / 2; }
-  double clear() const { return std::fabs(share.value) / std::max(half(), 1e-300); }  // above one: not zero
+  double far() const { return std::fabs(share.value) / std::max(half(), 1e-300); }  // above one: not zero
   double width() const { return half() / allowed; }
 };
 
@@ -78,17 +78,16 @@ std::string shown(const found_term& f) {
 }  // namespace
 
 report::verdict judge_parameters(const modified_columns& columns, const error_table& t, int order) {
-  report::verdict v{"modified", t.scheme, "parameters converge to the scene's", 0.0, {},
-                    {},         {},       report::verdict_kind::inconclusive,   ""};
+  report::verdict v{.expected = 0.0};
   const auto needed = static_cast<std::size_t>(order + 3);
   if (t.dt.size() < needed) {
     v.reason = fmt::format("the logarithm is found at {} step sizes, and {} are needed", t.dt.size(), needed);
     return v;
   }
   const auto terms = terms_of(columns, t, order);
-  const auto worst = *std::ranges::max_element(terms, {}, &found_term::clear);
+  const auto worst = *std::ranges::max_element(terms, {}, &found_term::far);
   const auto widest = *std::ranges::max_element(terms, {}, &found_term::width);
-  const bool refuted = worst.clear() > 1;
+  const bool refuted = worst.far() > 1;
   const auto& decisive = refuted ? worst : widest;
   v.estimate = decisive.share.value;
   v.low = decisive.share.low;

@@ -5,7 +5,9 @@
 
 namespace polhode {
 
-/// "parameters converge to the scene's": differences and residual as power series in dt
+inline constexpr const char* parameters_claim = "parameters converge to the scene's";
+
+/// Of that claim: differences and residual as power series in dt
 /// (statistics/orders/power_series.hpp), whose coefficients below dt^order have to vanish. Refuted where an interval
 /// excludes zero; holds where all include it and are narrower than a ten-thousandth of the parameter at the coarsest dt
 /// (of the square of the residual: 1e-8, or 1e-5 of its largest value); else inconclusive.

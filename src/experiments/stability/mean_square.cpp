@@ -1,16 +1,12 @@
 #include "experiments/stability/mean_square.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "algebra/decompositions.hpp"
 #include "ensemble/noise/paths.hpp"
-#include "experiments/common/judge.hpp"
-#include "experiments/common/levels.hpp"
 #include "problem/vectors.hpp"
 #include "sphere/closed_forms/linearised.hpp"
 #include "sphere/equilibria.hpp"
@@ -19,15 +15,7 @@
 namespace polhode {
 namespace {
 
-using report::verdict_kind;
-
-constexpr int nodes = 24;          // of the noise of a step
-constexpr int levels = 12;         // of the order: dt times the fastest rate from 1/4, halved
-constexpr double neutral = 1e-11;  // rate of growth over the fastest rate: neither stable nor unstable
-constexpr double longest = 8;      // dt times the fastest rate, from where agreement is looked for
-constexpr int per_octave = 8;
-constexpr const char* growth_quantity = "mean_square_growth";
-constexpr const char* claim_text = "growth of mean squares at the equilibria";
+constexpr int nodes = 24;  // of the noise of a step
 
 double strength_along(const report::scene& s, const Eigen::Vector3d& direction) {
   double square = 0;
@@ -67,95 +55,6 @@ noisy_jacobians jacobians_of(const subject& s, const scheme_entry& scheme, const
     out.at.emplace_back(frame.transpose() * moved);
   }
   return out;
-}
-
-/// One equilibrium of one scheme.
-struct growth_finding {
-  noisy_equilibrium at;
-  double truth;
-  std::optional<order_fit> fit;
-  bool exact;                              ///< every error at rounding
-  double agrees_to = 0, disagrees_at = 0;  ///< dt; 0: never
-};
-
-/// From short steps to long ones, up to the first at which scheme and equation disagree.
-void find_agreement(const subject& s, const scheme_entry& scheme, double rate, growth_finding& out) {
-  if (std::fabs(out.truth) <= neutral * rate) return;
-  for (int i = 5 * per_octave; i >= 0; --i) {
-    const double dt = longest / rate * std::exp2(-static_cast<double>(i) / per_octave);
-    const double own = own_mean_square_growth(s, scheme, out.at.direction, dt);
-    if (!(own * out.truth > 0)) {
-      out.disagrees_at = dt;
-      return;
-    }
-    out.agrees_to = dt;
-  }
-}
-
-/// What rounding leaves of a rate: the logarithm of a radius known to some 16 units over dt.
-double rounding_at(double dt) { return 16 * std::numeric_limits<double>::epsilon() / dt; }
-
-/// Thirty times that, so that it does not bend a slope.
-double floor_at(double dt) { return 30 * rounding_at(dt); }
-
-double true_growth(const sphere_problem& p, const noisy_equilibrium& e) {
-  return mean_square_growth(linearised_about(p, e.direction, e.strength));
-}
-
-growth_finding find(const subject& s, const scheme_entry& scheme, const noisy_equilibrium& e, report::results& out) {
-  const double rate = fastest_rate(s);
-  const series growth{"stability", std::string(scheme.info.name), growth_quantity, e.name, "1/time", "transfer"};
-  auto error = growth;
-  error.quantity = "mean_square_error";
-  growth_finding found{e, true_growth(*s.sphere(), e), {}, true};
-  std::vector<double> dt, errors;
-  std::vector<report::measurement> points;
-  for (int l = 0; l < levels; ++l) {
-    dt.push_back(std::exp2(-2 - l) / rate);
-    const double own = own_mean_square_growth(s, scheme, e.direction, dt.back());
-    errors.push_back(std::fabs(own - found.truth));
-    const double size = errors.back(), rounding = rounding_at(dt.back());
-    out.measurements.push_back(measured(growth, dt.back(), own, own - rounding, own + rounding));
-    points.push_back(measured(error, dt.back(), size, std::max(0.0, size - rounding), size + rounding));
-  }
-  for (std::size_t l = 0; l < dt.size(); ++l)
-    if (errors[l] <= floor_at(dt[l]))
-      errors[l] = 0;
-    else
-      found.exact = false;
-  found.fit = fit_order(dt, errors, 0);
-  record_fit(out, error, found.fit, std::move(points));
-  find_agreement(s, scheme, rate, found);
-  if (found.agrees_to > 0)
-    out.measurements.push_back(measured(
-        {growth.experiment, growth.scheme, "mean_square_agreement", e.name, "time", "transfer"}, {}, found.agrees_to,
-        found.agrees_to, found.disagrees_at > 0 ? std::optional(found.disagrees_at) : std::nullopt));
-  return found;
-}
-
-report::verdict judge_growth(const scheme_entry& scheme, const growth_finding& f) {
-  auto v = judge_order({"stability", std::string(scheme.info.name), claim_text}, scheme.info.weak_order.one_vector,
-                       f.fit, true);
-  if (f.exact) {
-    v.kind = verdict_kind::holds;
-    v.reason = "exact on this scene";
-  }
-  v.reason = fmt::format("{}: rate {:.4g}, {}", f.at.name, f.truth, v.reason);
-  if (f.agrees_to > 0)
-    v.reason += fmt::format(", {} up to dt = {:.3g}", f.truth < 0 ? "stable" : "unstable", f.agrees_to);
-  return v;
-}
-
-/// The worst of them, with what is said of each.
-report::verdict worst_of(const std::vector<report::verdict>& all) {
-  const auto badness = [](const report::verdict& v) {
-    return v.kind == verdict_kind::refuted ? 2 : v.kind == verdict_kind::inconclusive ? 1 : 0;
-  };
-  auto worst = *std::ranges::max_element(all, {}, badness);
-  std::vector<std::string> reasons;
-  for (const auto& v : all) reasons.push_back(v.reason);
-  worst.reason = fmt::format("{}", fmt::join(reasons, "; "));
-  return worst;
 }
 
 }  // namespace
@@ -198,20 +97,8 @@ double own_mean_square_growth(const subject& beside, const scheme_entry& scheme,
   return std::log(eigenvalues_of(squares).cwiseAbs().maxCoeff()) / dt;
 }
 
-void report_true_growth(const subject& s, report::results& out) {
-  for (const auto& e : noisy_equilibria(s))
-    out.measurements.push_back(
-        measured({"stability", "", growth_quantity, e.name, "1/time", "exact"}, {}, true_growth(*s.sphere(), e)));
-}
-
-void report_mean_square(const context& c, std::string_view name, report::results& out) {
-  std::vector<report::verdict> all;
-  for (const auto& e : noisy_equilibria(c.subject)) {
-    const auto s = c.subject.with(beside(c.subject.scene, e));
-    const auto& scheme = *std::ranges::find(s.schemes, name, [](const scheme_entry& x) { return x.info.name; });
-    all.push_back(judge_growth(scheme, find(s, scheme, e, out)));
-  }
-  if (!all.empty()) out.verdicts.push_back(worst_of(all));
+double true_mean_square_growth(const sphere_problem& p, const noisy_equilibrium& e) {
+  return mean_square_growth(linearised_about(p, e.direction, e.strength));
 }
 
 }  // namespace polhode

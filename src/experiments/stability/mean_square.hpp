@@ -9,10 +9,10 @@
 
 #include <Eigen/Core>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "experiments/common/experiment.hpp"
+#include "problem/subject.hpp"
+#include "sphere/sphere_problem.hpp"
 
 namespace polhode {
 
@@ -30,12 +30,7 @@ report::scene beside(const report::scene&, const noisy_equilibrium&);
 /// Rate of growth of mean squares under steps of dt of the scheme, on a scene beside the equilibrium.
 double own_mean_square_growth(const subject& beside, const scheme_entry&, const Eigen::Vector3d& direction, double dt);
 
-/// Of no scheme: the rates of the equation.
-void report_true_growth(const subject&, report::results&);
-
-/// Of one scheme: rates and their errors at each equilibrium, the largest dt up to which equation and scheme agree on
-/// stability, and the order of the errors. Nothing where no noise acts along any of
-/// them.
-void report_mean_square(const context&, std::string_view scheme, report::results&);
+/// The same of the equation.
+double true_mean_square_growth(const sphere_problem&, const noisy_equilibrium&);
 
 }  // namespace polhode

@@ -1,7 +1,7 @@
 // How large may a step be before a scheme breaks, and by what does it break first?
 //
-// The border is found by bisection (stability_border.hpp), for each scheme and each case (stability_case.hpp) by
-// itself; a run is many paths over the horizon, watched for what is called broken (stability_run.hpp).
+// The stability limit is found by bisection (stability_limit.hpp), for each scheme and each case (stability_case.hpp)
+// by itself; a run is many paths over the horizon, watched for what is called broken (stability_run.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/levels.hpp"
-#include "experiments/stability/mean_square.hpp"
+#include "experiments/stability/mean_square_report.hpp"
 #include "experiments/stability/stability_escape.hpp"
 #include "experiments/stability/stability_long.hpp"
 #include "experiments/stability/stability_noise.hpp"
@@ -30,9 +30,10 @@ void report_long_runs(const context& c, const std::vector<stability_case>& cases
   std::vector<report::results> parts(schemes.size());
   parallel_for(c.threads, static_cast<int>(schemes.size()), [&](int task) {
     const auto k = static_cast<std::size_t>(task);
-    report_rare_breaks(c, cases[0], schemes[k], all.found[k * cases.size()].border, parts[k],
+    recorder record("stability", schemes[k].info.name, parts[k]);
+    report_rare_breaks(c, cases[0], schemes[k], all.found[k * cases.size()].limit, record,
                        noise.listener(heard_noise::rare_breaks, schemes[k]));
-    report_long_drift(c, schemes[k], parts[k], noise.listener(heard_noise::long_drift, schemes[k]));
+    report_long_drift(c, schemes[k], record, noise.listener(heard_noise::long_drift, schemes[k]));
   });
   for (const auto& part : parts) {
     out.measurements.insert(out.measurements.end(), part.measurements.begin(), part.measurements.end());
@@ -46,25 +47,27 @@ void run(const context& c, report::results& out) {
   const auto& schemes = c.subject.schemes;
   const std::size_t n = cases.size();
   const auto all = search_all(c, cases, noise);
-  report_cases(cases, out);
-  report_true_growth(c.subject, out);
+  recorder of_all("stability", "", out);
+  report_cases(cases, of_all);
+  report_true_growth(c.subject, of_all);
   if (c.subject.model->noise() == noise_class::none)
     out.savings.push_back({"stability", "", "the axis of sigma, and more than one block of paths", "no noise", {}});
   for (std::size_t s = 0; s < schemes.size(); ++s) {
     const auto of_scheme = std::span(all.found).subspan(s * n, n);
-    report_borders(schemes[s], cases, of_scheme, out);
+    recorder record("stability", schemes[s].info.name, out);
+    report_limits(cases, of_scheme, record);
     for (std::size_t i = 0; i < n; ++i)
-      out.measurements.insert(out.measurements.end(), all.map[s * n + i].begin(), all.map[s * n + i].end());
-    judge_orbit(schemes[s], cases, of_scheme, out);
-    report_scale(c, schemes[s], out);
-    report_mean_square(c, schemes[s].info.name, out);
-    report_escape(cases[0], schemes[s], out);
+      for (const auto& cell : all.map[s * n + i]) record.row(cell);
+    judge_orbit(schemes[s], cases, of_scheme, record);
+    report_scale(c, schemes[s], record);
+    report_mean_square(c, record);
+    report_escape(cases[0], schemes[s], record);
   }
   if (c.effort == effort::thorough) report_long_runs(c, cases, all, noise, out);
   noise.report(out);
 }
 
-std::optional<std::string> cannot_say(const subject& s) {
+std::optional<std::string> skip_reason(const subject& s) {
   if (!s.sphere()) return no_exact_law;
   if (const double rate = fastest_rate(s); !std::isfinite(rate) || !(rate > 0))
     return "the rates of the scene are not numbers that double precision holds";
@@ -126,7 +129,7 @@ std::vector<std::string> notes() {
 experiment stability_experiment() {
   return {{"stability", "How large may a step be before the scheme breaks, and by what does it break first?", notes()},
           3,
-          cannot_say,
+          skip_reason,
           run};
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/levels.hpp"
@@ -68,21 +69,28 @@ stability_case bound_case(std::string name, const subject& own, const scene& cha
   return c;
 }
 
+/// Four digits name a place well enough.
+report::coordinate place(std::string_view axis, double x) {
+  return {std::string(axis), std::stod(fmt::format("{:.4g}", x)), ""};
+}
+
 void add_axes(const subject& s, effort e, std::vector<stability_case>& out) {
   const auto& own = s.scene;
+  const auto add = [&](std::string_view axis, double x, const scene& changed) {
+    out.push_back(bound_case("", s, changed, e));
+    out.back().changed = place(axis, x);
+  };
   const auto steps = around(points(e), factor(e));
   for (const double by : steps)
     if (by != 1 && s.model->noise() != noise_class::none)
-      out.push_back(
-          bound_case(fmt::format("sigma x {:.4g}", std::sqrt(by)), s, with_noise_times(own, std::sqrt(by)), e));
-  for (const double theta : stiffness_axis(s, e))
-    out.push_back(bound_case(stiffness_name(theta), s, with_dissipation(own, theta), e));
+      add("sigma factor", std::sqrt(by), with_noise_times(own, std::sqrt(by)));
+  for (const double x : stiffness_axis(s, e)) add(dissipation_key, x, with_dissipation(own, x));
   for (const double by : steps)
-    if (by != 1) out.push_back(bound_case(fmt::format("c={:.4g}", by * radius_of(own)), s, with_momentum(own, by), e));
+    if (by != 1) add("c", by * radius_of(own), with_momentum(own, by));
   const auto& shape = s.offers->shape;
   for (int i = 0, n = points(e); shape && i < n; ++i) {
     const double x = shape->least * std::pow(shape->greatest / shape->least, static_cast<double>(i) / (n - 1));
-    out.push_back(bound_case(fmt::format("{}={:.4g}", shape->name, x), s, shape->at(x), e));
+    add(shape->name, x, shape->at(x));
   }
 }
 
@@ -128,24 +136,19 @@ void sample_mean_energy(const context& c, const block_listener& hear, stability_
 
 std::vector<double> stiffness_axis(const subject& s, effort e) {
   if (!(s.offers->rates.damping > 0)) return {};
-  const double theta = dissipation_of(s.scene), middle = theta > 0 ? theta : 1 / radius_of(s.scene);
+  const double own = dissipation_of(s.scene), middle = own > 0 ? own : 1 / radius_of(s.scene);
   std::vector<double> out = around(points(e), factor(e));
   for (double& x : out) x *= middle;
   return out;
 }
 
-std::string stiffness_name(double theta) { return fmt::format("{}={:.4g}", dissipation_key, theta); }
-
-report::measurement stability_row(std::string_view scheme, std::string quantity, std::string observable,
-                                  std::optional<double> value, std::string unit, std::string method) {
-  report::measurement m;
-  m.experiment = "stability";
-  m.scheme = scheme;
-  m.quantity = std::move(quantity);
-  m.observable = std::move(observable);
-  m.value = value;
-  m.unit = std::move(unit);
-  m.method = std::move(method);
+report::measurement row_in(const stability_case& in, quantity what, std::optional<double> value) {
+  report::measurement m{.quantity = std::move(what.name),
+                        .observable = in.name,
+                        .value = value,
+                        .unit = std::move(what.unit),
+                        .method = std::move(what.method)};
+  if (in.changed) m.at.push_back(*in.changed);
   return m;
 }
 

@@ -13,12 +13,14 @@
 
 #include "ensemble/kernel.hpp"
 #include "experiments/common/experiment.hpp"
+#include "experiments/common/recorder.hpp"
 
 namespace polhode {
 
 /// A scene and what its sphere |Pi| = radius bounds.
 struct stability_case {
-  std::string name;  ///< "scene", "theta=8", "separatrix", …
+  std::string name;                                ///< "scene", "separatrix", …; of one along an axis none
+  std::optional<report::coordinate> changed = {};  ///< of one along an axis: its place there
   subject bound;
   double rate = 0;     ///< the fastest of its rates (experiments/common/levels.hpp)
   double horizon = 0;  ///< T: of the scene, but at least 64 of 1/rate and at most 128 … 1024
@@ -32,15 +34,14 @@ struct stability_case {
   double dt(std::int64_t steps) const { return horizon / static_cast<double>(steps); }
 };
 
-/// dt times the fastest rate: the longest that is tried, and that with which the search for the border begins.
+/// dt times the fastest rate: the longest that is tried, and that with which the search for the limit begins.
 inline constexpr double longest_stable_step = 32, first_stable_step = 1.0 / 8;
 
-/// The values of theta, increasing: the axis of the map; where no dissipation moves anything none.
+/// Strengths of the dissipation, increasing: the axis of the map; where no dissipation moves anything none.
 std::vector<double> stiffness_axis(const subject&, effort);
-std::string stiffness_name(double theta);
 
-report::measurement stability_row(std::string_view scheme, std::string quantity, std::string observable,
-                                  std::optional<double> value, std::string unit, std::string method);
+/// A row about one case, whose name is the observable, at its place along an axis.
+report::measurement row_in(const stability_case&, quantity, std::optional<double> value);
 
 /// Is told of the noise of one block after another, each from its step 0 on, and of the length of a step.
 using block_listener = std::function<void(std::int64_t first_step, const increment_view&, double dt)>;

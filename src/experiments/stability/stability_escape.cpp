@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "ensemble/noise/paths.hpp"
@@ -48,23 +49,23 @@ double escape_radius(const stability_case& in, const scheme_entry& scheme, doubl
   return off;
 }
 
-void report_escape(const stability_case& in, const scheme_entry& scheme, report::results& out) {
+void report_escape(const stability_case& in, const scheme_entry& scheme, recorder& record) {
   if (scheme.info.casimir.exact) return;
-  const auto row = [&](const char* quantity, double dt, double value, const char* unit) {
-    auto m = stability_row(scheme.info.name, quantity, in.name, {}, unit, "exact");
-    if (std::isfinite(value)) m.value = value;
-    m.dt = dt;
-    out.measurements.push_back(m);
+  const auto row = [&](const char* name, double dt, std::optional<double> value, const char* unit) {
+    auto m = row_in(in, {name, "", unit, "exact"}, value);
+    m.set_over(at_dt(dt));
+    record.row(std::move(m));
   };
   double dt = 1 / in.rate;
   for (int i = 0; i <= most_halvings; ++i, dt /= 2) {
     const auto n = static_cast<std::int64_t>(std::ceil(in.horizon / dt));
-    row("escape_radius", dt, escape_radius(in, scheme, dt), "|Pi|");
+    const double radius = escape_radius(in, scheme, dt);
+    row("escape_radius", dt, std::isfinite(radius) ? std::optional(radius) : std::nullopt, "|Pi|");
     if (in.bound.model->noise() == noise_class::none) continue;
     const double share = taken_back(in.bound, scheme, dt, n, shell_rule);
-    row("share_leaving_shell", dt, share, "paths, at most");
+    row("share_leaving_shell", dt, std::isfinite(share) ? std::optional(share) : std::nullopt, "paths, at most");
     if (share > rare) continue;
-    out.measurements.push_back(stability_row(scheme.info.name, "dt_with_rare_escapes", in.name, dt, "time", "exact"));
+    record.row(row_in(in, {"dt_with_rare_escapes", "", "time", "exact"}, dt));
     return;
   }
 }

@@ -16,6 +16,6 @@ double escape_radius(const stability_case&, const scheme_entry&, double dt);
 
 /// Both numbers over dt, from 1/rate down by halves, at most ten, until at most a millionth of the paths leaves the
 /// shell, and that dt; without noise the radius alone. Of schemes that keep the sphere nothing.
-void report_escape(const stability_case&, const scheme_entry&, report::results&);
+void report_escape(const stability_case&, const scheme_entry&, recorder&);
 
 }  // namespace polhode

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "ensemble/noise/paths.hpp"
-#include "experiments/common/judge.hpp"
 #include "statistics/distributions.hpp"
 #include "statistics/orders/order_fit.hpp"
 
@@ -69,34 +69,30 @@ long_drift drift_over(const subject& s, const scheme_entry& scheme, double dt, d
   return out;
 }
 
-void report_long_drift(const context& c, const scheme_entry& scheme, report::results& out, const block_listener& hear) {
+void report_long_drift(const context& c, const scheme_entry& scheme, recorder& record, const block_listener& hear) {
   if (!scheme.info.casimir.exact) return;
   const double dt = c.subject.scene.horizon / static_cast<double>(c.subject.scene.steps.back());
   const auto found =
       drift_over(c.subject, scheme, dt, scheme.info.implicit ? many_steps / 10 : many_steps, c.seed, c.generator, hear);
-  const series s{"stability", std::string(scheme.info.name), "casimir_drift", "casimir", "relative", "sampled"};
-  std::vector<report::measurement> points;
-  for (std::size_t i = 0; i < found.steps.size(); ++i) {
-    points.push_back(measured(s, dt, found.rms[i]));
-    points.back().steps = found.steps[i];
-  }
-  record_fit(out, s, fit_power_law(found.steps, found.rms), std::move(points));
+  curve drift{{"casimir_drift", "casimir", "relative", "sampled"}, report::step_count, "1"};
+  drift.at = {at_dt(dt)};
+  for (std::size_t i = 0; i < found.steps.size(); ++i) drift.add(found.steps[i], found.rms[i]);
+  record.series(drift, fit_power_law(found.steps, found.rms));
 }
 
 void report_rare_breaks(const context& c, const stability_case& in, const scheme_entry& scheme,
-                        const stability_border& border, report::results& out, const block_listener& hear) {
-  if (border.stable == 0 || in.bound.model->noise() == noise_class::none) return;
-  const auto steps = 2 * border.stable;
+                        const stability_limit& limit, recorder& record, const block_listener& hear) {
+  if (limit.stable == 0 || in.bound.model->noise() == noise_class::none) return;
+  const auto steps = 2 * limit.stable;
   const double paths = std::min(many_paths, affordable / static_cast<double>(steps));
   const auto o =
       run_until_broken(in, scheme, {in.dt(steps), steps, static_cast<int>(paths), c.seed, c.generator, true, hear});
-  auto m = stability_row(scheme.info.name, "rare_break_share", in.name, static_cast<double>(o.broken) / o.paths, "1",
-                         "sampled");
-  m.dt = in.dt(steps);
+  auto m = row_in(in, {"rare_break_share", "", "1", "sampled"}, static_cast<double>(o.broken) / o.paths);
+  m.set_over(at_dt(in.dt(steps)));
   const auto share = binomial_bounds(o.paths, o.broken, 0.025);
   m.low = share.low;
   m.high = share.high;
-  out.measurements.push_back(std::move(m));
+  record.row(std::move(m));
 }
 
 }  // namespace polhode

@@ -17,11 +17,11 @@ inline constexpr std::int64_t heard_steps = 1 << 20;
 
 /// A power law of that drift over 10^9 steps (10^8 of an implicit scheme) at the scene's finest dt, for a scheme that
 /// claims the Casimirs.
-void report_long_drift(const context&, const scheme_entry&, report::results&, const block_listener& hear = {});
+void report_long_drift(const context&, const scheme_entry&, recorder&, const block_listener& hear = {});
 
 /// The share of a million paths that breaks at half the largest stable dt, with its exact binomial interval; fewer
 /// paths where that would be more than 2 10^10 steps.
-void report_rare_breaks(const context&, const stability_case&, const scheme_entry&, const stability_border&,
-                        report::results&, const block_listener& hear = {});
+void report_rare_breaks(const context&, const stability_case&, const scheme_entry&, const stability_limit&, recorder&,
+                        const block_listener& hear = {});
 
 }  // namespace polhode

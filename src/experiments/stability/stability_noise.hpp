@@ -1,8 +1,8 @@
 // Which noise of the experiment on stability is audited.
 //
 // Runs of as many steps have the same normals, whatever their scheme and case. So one scheme is heard, and of it the
-// search for the border on the scene itself, the first row of the map, and what only effort thorough has; beside it the
-// first case whose mean energy is sampled.
+// search for the stability limit on the scene itself, the first row of the map, and what only effort thorough has;
+// beside it the first case whose mean energy is sampled.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ namespace polhode {
 /// Each part by one thread at a time.
 class heard_noise {
  public:
-  enum part { reference, border, map, rare_breaks, long_drift };
+  enum part { reference, limit, map, rare_breaks, long_drift };
 
   explicit heard_noise(const subject&);
 

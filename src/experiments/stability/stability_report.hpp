@@ -4,27 +4,26 @@
 #include <span>
 #include <vector>
 
-#include "experiments/stability/stability_border.hpp"
 #include "experiments/stability/stability_case.hpp"
+#include "experiments/stability/stability_limit.hpp"
 #include "experiments/stability/stability_run.hpp"
 
 namespace polhode {
 
 /// What one scheme does in one case.
 struct finding {
-  stability_border border;
+  stability_limit limit;
   breakage first = breakage::none;  ///< at the shortest step that breaks
   double worst_casimir = 0, worst_energy = 0;
 };
 
 /// Of no scheme: rate, horizon and true mean energy of each case.
-void report_cases(const std::vector<stability_case>&, report::results&);
+void report_cases(const std::vector<stability_case>&, recorder&);
 
 /// Of one scheme: [case].
-void report_borders(const scheme_entry&, const std::vector<stability_case>&, std::span<const finding>,
-                    report::results&);
+void report_limits(const std::vector<stability_case>&, std::span<const finding>, recorder&);
 
 /// Of a scheme that claims the Casimirs, over all cases whose |Pi| has a square; of others nothing.
-void judge_orbit(const scheme_entry&, const std::vector<stability_case>&, std::span<const finding>, report::results&);
+void judge_orbit(const scheme_entry&, const std::vector<stability_case>&, std::span<const finding>, recorder&);
 
 }  // namespace polhode

@@ -55,7 +55,7 @@ struct stability_member {
 /// listener of the plan do not count; the noise of all cases has as many channels.
 std::vector<stability_outcome> run_until_broken(std::span<const stability_member>, const stability_plan&);
 
-/// The mean energy at the horizon of the driven ordinary differential equation, 16 steps to a time scale.
+/// The mean energy at the horizon of the Wong-Zakai equation, 16 steps to a time scale.
 double fine_mean_energy(const stability_case&, int paths, std::uint64_t seed, noise_generator,
                         const block_listener& hear = {});
 

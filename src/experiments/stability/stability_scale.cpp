@@ -9,7 +9,6 @@
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/judge.hpp"
 #include "experiments/common/levels.hpp"
-#include "experiments/stability/stability_case.hpp"
 
 namespace polhode {
 namespace {
@@ -52,7 +51,7 @@ int last_good(int near, int far, const Good& good) {
 
 }  // namespace
 
-void report_scale(const context& c, const scheme_entry& scheme, report::results& out) {
+void report_scale(const context& c, const scheme_entry& scheme, recorder& record) {
   const auto& pi = c.subject.scene.momentum;
   const double own = std::hypot(pi[0], pi[1], pi[2]);
   if (std::fabs(std::log10(own)) > decades) return;  // neither could its theta and sigma be scaled
@@ -66,6 +65,7 @@ void report_scale(const context& c, const scheme_entry& scheme, report::results&
   const auto good = [&](int power) { return off(power) <= bound; };
   double worst = 0;
   std::string reach;
+  std::vector<report::series_id> evidence;
   for (const double end : {-decades, decades}) {
     const int far = power_of(end);
     const double apart = off(far);
@@ -73,14 +73,13 @@ void report_scale(const context& c, const scheme_entry& scheme, report::results&
     const int reached = apart <= bound ? far : last_good(unit, far, good);
     const double c_reached = std::ldexp(own, 2 * reached);
     reach += fmt::format("{}{:.0e}", reach.empty() ? "" : " to ", c_reached);
-    out.measurements.push_back(stability_row(scheme.info.name, end < 0 ? "scale_free_from" : "scale_free_to", "c",
-                                             c_reached, "momentum", "deterministic"));
+    const char* name = end < 0 ? "scale_free_from" : "scale_free_to";
+    evidence.push_back(record.value({name, "c", "momentum", "deterministic"}, c_reached));
   }
-  auto v = judge_distance({"stability", std::string(scheme.info.name), "scale-free for |Pi| from 1e-150 to 1e150"},
-                          {worst, worst, worst}, bound,
+  auto v = judge_distance({worst, worst, worst}, bound,
                           fmt::format("off by at most {:.1e}; the same from |Pi| = {}", worst, reach));
   if (!std::isfinite(worst)) v.kind = report::verdict_kind::refuted;
-  out.verdicts.push_back(v);
+  record.verdict("scale-free for |Pi| from 1e-150 to 1e150", v, evidence);
 }
 
 }  // namespace polhode

@@ -3,10 +3,11 @@
 #pragma once
 
 #include "experiments/common/experiment.hpp"
+#include "experiments/common/recorder.hpp"
 
 namespace polhode {
 
 /// For |Pi| from 1e-150 to 1e150: the claim, and how far down and up it holds.
-void report_scale(const context&, const scheme_entry&, report::results& out);
+void report_scale(const context&, const scheme_entry&, recorder&);
 
 }  // namespace polhode

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t together = 16;    // runs under one noise: its cost is small, and threads have work
 constexpr double shortest = 1.0 / 256;  // of the map, times the fastest rate
 
-bool on_the_map(const stability_case& in) { return in.name.starts_with("theta="); }
+bool on_the_map(const stability_case& in) { return in.changed && in.changed->name == dissipation_key; }
 
 /// Where all blocks without noise are the same, one is enough.
 int paths_of(const context& c) {
@@ -32,15 +32,15 @@ step_range range_of(const context& c, const stability_case& in) {
 struct search {
   stability_member run;
   finding* found;
-  border_search border;
+  limit_search limit;
 };
 
 void learn(search& s, const stability_outcome& o) {
   s.found->worst_casimir = std::max(s.found->worst_casimir, o.worst_casimir);
   s.found->worst_energy = std::max(s.found->worst_energy, o.worst_energy);
-  if (!o.stable()) s.found->first = o.first;  // the last run that broke is the one at the border
-  s.border.tell(o.stable());
-  s.found->border = s.border.border();
+  if (!o.stable()) s.found->first = o.first;  // the last run that broke is the one at the limit
+  s.limit.tell(o.stable());
+  s.found->limit = s.limit.limit();
 }
 
 /// Of one number of steps.
@@ -53,7 +53,7 @@ struct piece {
 std::vector<piece> pieces_of_round(std::vector<search>& searches) {
   std::map<std::int64_t, std::vector<search*>, std::greater<>> asked;
   for (auto& s : searches)
-    if (const auto steps = s.border.asks()) asked[*steps].push_back(&s);
+    if (const auto steps = s.limit.asks()) asked[*steps].push_back(&s);
   std::vector<piece> out;
   for (auto& [steps, all] : asked) {
     std::ranges::stable_partition(all, [](const search* s) { return s->run.scheme->needs_areas; });
@@ -78,7 +78,7 @@ bool run_round(const context& c, std::vector<search>& searches, progress_counter
     const auto outcomes = run_until_broken(members, {0, steps, paths_of(c), c.seed, c.generator});
     for (std::size_t k = 0; k < asking.size(); ++k) {
       learn(*asking[k], outcomes[k]);
-      if (!asking[k]->border.asks()) done.add();
+      if (!asking[k]->limit.asks()) done.add();
     }
   });
   return !pieces.empty();
@@ -108,9 +108,8 @@ void run_row(const context& c, double own_rate, map_row& row) {
     const auto outcomes = run_until_broken(members, {0, steps, map_paths, c.seed, c.generator, true});
     for (std::size_t k = 0; k < members.size(); ++k) {
       const auto& o = outcomes[k];
-      auto m = stability_row(members[k].scheme->info.name, "stable_share", in.name,
-                             1 - static_cast<double>(o.broken) / o.paths, "1", "sampled");
-      m.dt = dt;
+      auto m = row_in(in, {"stable_share", "", "1", "sampled"}, 1 - static_cast<double>(o.broken) / o.paths);
+      m.set_over(at_dt(dt));
       if (o.first == breakage::mean_energy) m.status = "mean energy off";
       row.rows[k]->push_back(std::move(m));
     }
@@ -142,8 +141,8 @@ stability_findings search_all(const context& c, const std::vector<stability_case
   for (std::size_t k = 0; k < all; ++k) {
     const auto& in = cases[k % n];
     const auto& scheme = in.bound.schemes[k / n];
-    const auto hear = k % n == 0 ? noise.listener(heard_noise::border, scheme) : block_listener{};
-    searches.push_back({{&in, &scheme, 0, hear}, &out.found[k], border_search(range_of(c, in))});
+    const auto hear = k % n == 0 ? noise.listener(heard_noise::limit, scheme) : block_listener{};
+    searches.push_back({{&in, &scheme, 0, hear}, &out.found[k], limit_search(range_of(c, in))});
   }
   auto rows = map_rows(cases, noise, out);
   progress_counter done(static_cast<int>(all + rows.size()), c.progress);

@@ -1,4 +1,4 @@
-// The borders of all schemes in all cases, searched side by side, and the map of shares that stay whole.
+// The stability limits of all schemes in all cases, searched side by side, and the map of shares that stay whole.
 //
 // Searches ask for the same numbers of steps, and runs of as many steps have the same normals whatever their scheme,
 // case and dt: those that ask for the same number run together, under noise that is drawn once.
@@ -18,7 +18,7 @@ inline constexpr int map_paths = 256;
 /// [scheme][case]
 struct stability_findings {
   std::vector<finding> found;
-  std::vector<std::vector<report::measurement>> map;  ///< of the cases along the axis of theta
+  std::vector<std::vector<report::measurement>> map;  ///< of the cases along the axis of dissipation
 };
 
 stability_findings search_all(const context&, const std::vector<stability_case>&, heard_noise&);

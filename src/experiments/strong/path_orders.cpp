@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "experiments/common/judge.hpp"
 #include "problem/vectors.hpp"
 #include "statistics/orders/level_choice.hpp"
 #include "statistics/orders/path_slopes.hpp"
@@ -39,8 +40,8 @@ void take_larger(const lane_values& now, lane_values& so_far) {
 
 /// A slope below the claim refutes it, a steeper one does not: that an order is no higher than claimed is asked of the
 /// mean square alone.
-report::verdict judge_at_least(const order_question& q, const std::string& text, const std::optional<order_fit>& fit) {
-  auto v = judge_order({"strong", q.scheme, text}, q.claimed, fit, true);
+report::verdict judge_at_least(const path_order_question& q, const std::optional<order_fit>& fit) {
+  auto v = judge_order(q.claimed, fit, true);
   if (v.kind != verdict_kind::inconclusive || !fit || fit->low < q.claimed - order_margin || !q.claimed_seen) return v;
   v.kind = verdict_kind::holds;
   v.reason = fmt::format("order {:.3f} [{:.3f}, {:.3f}] at these dt, above the claimed {:g}, whose term is there",
@@ -51,33 +52,35 @@ report::verdict judge_at_least(const order_question& q, const std::string& text,
 struct norm_in_words {
   const char *quantity, *claim;
   error_norm norm;
+  std::string how = {};  ///< it was measured: a remark for the reason
 };
 
-void report_norm(const order_question& q, const norm_in_words& n, const std::optional<order_fit>& fit,
-                 report::results& out) {
-  const series s{"strong", q.scheme, n.quantity, "state", "|mu|", "sampled"};
-  std::vector<report::measurement> points;
+void report_norm(const path_order_question& q, const norm_in_words& n, const std::optional<order_fit>& fit,
+                 recorder& record) {
+  curve error{{n.quantity, "state", "|mu|", "sampled"}};
   for (std::size_t l = 0; l < q.dt.size(); ++l) {
     const auto m = level_norm(*n.norm.squares, n.norm.p, static_cast<int>(l));
-    points.push_back(measured(s, q.dt[l], m.mean, std::max(0.0, m.mean - 1.96 * m.error), m.mean + 1.96 * m.error));
+    error.add(q.dt[l], m.mean, std::max(0.0, m.mean - 1.96 * m.error), m.mean + 1.96 * m.error);
   }
-  record_fit(out, s, fit, std::move(points));
-  out.verdicts.push_back(judge_at_least(q, n.claim, fit));
+  const auto evidence = record.series(error, fit);
+  auto v = judge_at_least(q, fit);
+  v.reason += n.how;
+  record.verdict(n.claim, v, {evidence});
 }
 
-void report_path_slopes(const order_question& q, const squared_errors& largest, const std::optional<order_fit>& levels,
-                        report::results& out) {
+void report_path_slopes(const path_order_question& q, const squared_errors& largest,
+                        const std::optional<order_fit>& levels, recorder& record) {
   const auto found =
       levels ? fit_path_slopes(q.dt, largest, *levels, q.claimed - order_margin) : std::optional<path_slopes>{};
-  auto v = judge_at_least(q, "strong order of almost every path",
-                          found ? std::optional(found->median) : std::optional<order_fit>{});
+  auto v = judge_at_least(q, found ? std::optional(found->median) : std::optional<order_fit>{});
+  std::vector<report::series_id> evidence;
   if (found) {
-    const series s{"strong", q.scheme, "slope of single paths", "state", "", "sampled"};
-    out.measurements.push_back(measured(s, {}, found->median.order, found->low, found->high));
+    evidence.push_back(
+        record.value({"slope of single paths", "state", "", "sampled"}, found->median.order, found->low, found->high));
     v.reason += fmt::format("; {}; {:.0f} % are at least {:g}", found->median.rule, 100 * found->share_at_least,
                             q.claimed - order_margin);
   }
-  out.verdicts.push_back(v);
+  record.verdict("strong order of almost every path", v, evidence);
 }
 
 }  // namespace
@@ -105,24 +108,23 @@ void largest_errors::advance(const kernel& k, const driven_block& truth, std::si
   }
 }
 
-void report_path_orders(const order_question& q, const squared_errors& at_the_end, const squared_errors& largest,
-                        report::results& out) {
+void report_path_orders(const path_order_question& q, const squared_errors& at_the_end, const squared_errors& largest,
+                        recorder& record) {
+  const int fewest = q.grid.steps.front();
   const std::array norms{
-      norm_in_words{"error in sup", "strong order in the supremum over time", {&largest, 2}},
+      norm_in_words{"error in sup",
+                    "strong order in the supremum over time",
+                    {&largest, 2},
+                    fmt::format(" (largest over the ends of a level's steps, {} to {} times)", fewest,
+                                fewest * looks_in_coarsest(q.grid))},
       norm_in_words{"error in L1", "strong order in L^1", {&at_the_end, 1}},
       norm_in_words{"error in L4", "strong order in L^4", {&at_the_end, 4}},
   };
   std::vector<error_norm> asked;
   for (const auto& n : norms) asked.push_back(n.norm);
   const auto fits = fit_orders(q.dt, asked, 1e-13 * length(q.c.subject.scene.momentum), q.c.seed);
-  for (std::size_t i = 0; i < norms.size(); ++i) {
-    report_norm(q, norms[i], fits[i], out);
-    if (i > 0) continue;
-    const int fewest = q.grid.steps.front();
-    out.verdicts.back().reason += fmt::format(" (largest over the ends of a level's steps, {} to {} times)", fewest,
-                                              fewest * looks_in_coarsest(q.grid));
-  }
-  report_path_slopes(q, largest, fits.front(), out);
+  for (std::size_t i = 0; i < norms.size(); ++i) report_norm(q, norms[i], fits[i], record);
+  report_path_slopes(q, largest, fits.front(), record);
 }
 
 }  // namespace polhode

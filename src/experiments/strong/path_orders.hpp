@@ -7,7 +7,7 @@
 #pragma once
 
 #include "experiments/common/driven_block.hpp"
-#include "experiments/common/judge.hpp"
+#include "experiments/common/recorder.hpp"
 #include "statistics/orders/order_fit.hpp"
 
 namespace polhode {
@@ -29,9 +29,8 @@ struct largest_errors {
 };
 
 /// What is asked of every norm of one scheme.
-struct order_question {
+struct path_order_question {
   const context& c;
-  std::string scheme;
   double claimed;     ///< strong order
   bool claimed_seen;  ///< the mean square error has a term of that order: a steeper slope is the scene's kindness
   std::span<const double> dt;
@@ -39,7 +38,7 @@ struct order_question {
 };
 
 /// Measurements, fits and verdicts of one scheme.
-void report_path_orders(const order_question&, const squared_errors& at_the_end, const squared_errors& largest,
-                        report::results&);
+void report_path_orders(const path_order_question&, const squared_errors& at_the_end, const squared_errors& largest,
+                        recorder&);
 
 }  // namespace polhode

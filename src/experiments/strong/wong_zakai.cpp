@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "experiments/common/judge.hpp"
 #include "experiments/common/noise_verdict.hpp"
 
 namespace polhode {
@@ -35,27 +36,22 @@ reference_distance distance_of_reference(std::span<const double> dt, const halve
 }
 
 void report_reference(const reference_distance& d, std::span<const double> dt, const halved_references& r, double order,
-                      double cell, double size, report::results& out) {
-  const series s{"strong", "", "distance between references", "state", "|mu|", "sampled"};
-  std::vector<report::measurement> points;
+                      double cell, double size, recorder& record) {
+  curve apart{{"distance between references", "state", "|mu|", "sampled"}, "width of a cell"};
   for (int l = 0; l < r.squares.levels; ++l) {
     const auto m = level_norm(r.squares, 2, l);
-    points.push_back(measured(s, dt[static_cast<std::size_t>(l)], m.mean, std::max(0.0, m.mean - 1.96 * m.error),
-                              m.mean + 1.96 * m.error));
-    points.back().abscissa = "width of a cell";
+    apart.add(dt[static_cast<std::size_t>(l)], m.mean, std::max(0.0, m.mean - 1.96 * m.error), m.mean + 1.96 * m.error);
   }
-  record_fit(out, s, d.decay, std::move(points));
-  out.measurements.push_back(measured({s.experiment, s.scheme, "distance of the reference", "", s.unit, s.method}, {},
-                                      d.bound.value, d.bound.low, d.bound.high));
-  auto v =
-      judge_order({s.experiment, noise_name, "reference tends to the Stratonovich solution"}, order, d.decay, true);
+  const auto decay = record.series(apart, d.decay);
+  const auto bound = record.value({"distance of the reference", "", apart.what.unit, apart.what.method}, d.bound);
+  auto v = judge_order(order, d.decay, true);
   if (d.decay && d.decay->low >= order - order_margin) v.kind = report::verdict_kind::holds;  // steeper is nearer
   v.reason += fmt::format(
       "; the reference is the Wong-Zakai solution of cells of {:.2e}, D = |Y_cell - Y_cell/2| = {:.1e} [{:.1e}, "
       "{:.1e}] of |mu_0| there, from the solution at most {:.1e} [{:.1e}, {:.1e}]",
       cell, d.halved.value / size, d.halved.low / size, d.halved.high / size, d.bound.value / size, d.bound.low / size,
       d.bound.high / size);
-  out.verdicts.push_back(v);
+  record.of(noise_name).verdict("reference tends to the Stratonovich solution", v, {decay, bound});
 }
 
 }  // namespace polhode

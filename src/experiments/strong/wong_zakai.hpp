@@ -10,7 +10,7 @@
 #pragma once
 
 #include "experiments/common/driven_block.hpp"
-#include "experiments/common/judge.hpp"
+#include "experiments/common/recorder.hpp"
 #include "statistics/orders/order_fit.hpp"
 
 namespace polhode {
@@ -34,6 +34,6 @@ reference_distance distance_of_reference(std::span<const double> dt, const halve
                                          double cell, std::uint64_t seed);
 
 void report_reference(const reference_distance&, std::span<const double> dt, const halved_references&, double order,
-                      double cell, double size, report::results&);
+                      double cell, double size, recorder&);
 
 }  // namespace polhode

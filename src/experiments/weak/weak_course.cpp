@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -28,8 +29,8 @@ std::int64_t shared_parts(const level_grid& grid, int most) {
   return parts;
 }
 
-expectation_curve curve(const subject& s, const std::vector<sphere_function>& functions, const Eigen::VectorXd& scale,
-                        double accuracy) {
+expectation_curve true_curve(const subject& s, const std::vector<sphere_function>& functions,
+                             const Eigen::VectorXd& scale, double accuracy) {
   const Eigen::Vector3d start(s.scene.momentum.data());
   if (functions.empty()) return {s.scene.horizon, {}, {}, "no observable's mean is known at the horizon"};
   return expectations(*s.sphere(), functions, scale, start, s.scene.horizon, accuracy);
@@ -54,7 +55,7 @@ weak_course::weak_course(const subject& s, const std::vector<error_column>& colu
       start_(s.scene.momentum.data()),
       horizon_(s.scene.horizon),
       shared_(shared_parts(grid, most_shared)),
-      truth_(curve(s, functions_, scales_of(columns), accuracy)) {
+      truth_(true_curve(s, functions_, scales_of(columns), accuracy)) {
   if ((truth_.uncertainty().array() > usable * scales_of(columns).array()).any()) reason_ = truth_.reason();
   all_.push_back({.quantity = largest_quantity, .observable = "all, in their sizes", .scale = 1, .distance = true});
   for (const auto& c : columns)
@@ -111,19 +112,21 @@ transfer_answer weak_course::answer(const subject& s, const scheme_entry& scheme
   return found;
 }
 
-void weak_course::report(const order_question& at_end, double expected, const error_table& t,
-                         report::results& out) const {
+void weak_course::report(const order_question& horizon, double expected, const error_table& t,
+                         std::vector<report::series_id> at_end, recorder& record) const {
   const auto n = static_cast<Eigen::Index>(columns_.size());
-  order_question q{at_end.experiment, claim, {all_[columns_.size()]}, at_end.expected, {}};
-  report_errors(q, expected, part_of(t, n, 1), out);
+  order_question q{horizon.experiment, claim, {all_[columns_.size()]}, horizon.expected};
+  auto evidence = std::move(at_end);
+  std::ranges::move(report_errors(q, expected, part_of(t, n, 1), record), std::back_inserter(evidence));
   q.columns = columns_;
   for (auto& c : q.columns) {
     c.quantity = largest_quantity;
     c.distance = true;
   }
-  report_errors(q, expected, part_of(t, t.error.front().size() - n, n), out);
+  std::ranges::move(report_errors(q, expected, part_of(t, t.error.front().size() - n, n), record),
+                    std::back_inserter(evidence));
   q.columns = all_;
-  out.verdicts.push_back(judge_table(q, expected, t));
+  record.verdict(claim, judge_table(q, expected, t), evidence);
 }
 
 }  // namespace polhode

@@ -29,9 +29,11 @@ class weak_course {
 
   /// The largest errors, and the verdict "weak order, uniformly in time": that of `judge_table` with the limits of all
   /// observables at all shared times, the slopes of the horizon's errors and of the largest of all.
-  void report(const order_question&, double expected, const error_table&, report::results&) const;
+  /// at_end: what was written of the horizon's errors.
+  void report(const order_question&, double expected, const error_table&, std::vector<report::series_id> at_end,
+              recorder&) const;
 
-  /// Of the horizon, and the largest: steps are halved until these are clear.
+  /// Of the horizon, and the largest: steps are halved until these are resolved.
   std::vector<error_column> decisive() const { return {all_.begin(), all_.begin() + std::ssize(columns_) + 1}; }
 
   static constexpr const char* claim = "weak order, uniformly in time";

@@ -6,14 +6,15 @@
 
 #include "experiments/common/noise_verdict.hpp"
 #include "experiments/common/path_limit.hpp"
+#include "experiments/common/recorder.hpp"
 #include "experiments/common/sequential.hpp"
 #include "problem/vectors.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr int cells = 8;     // of the truth in the finest step
-constexpr double clear = 5;  // standard errors
+constexpr int cells = 8;        // of the truth in the finest step
+constexpr double resolved = 5;  // standard errors
 constexpr double resolution = 64;
 
 /// Of one scheme: f(X_dt) - f(X), path by path, and its distance from the path X.
@@ -112,18 +113,18 @@ class coupled_levels {
   std::vector<sample> found_;
 };
 
-void report_levels(const series& s, std::span<const double> dt, const squared_errors& d,
-                   const std::optional<order_fit>& found, report::results& out) {
-  std::vector<report::measurement> points;
-  auto variance = s;
-  variance.quantity = "variance of the difference";
+report::series_id report_levels(const std::string& observable, std::span<const double> dt, const squared_errors& d,
+                                const std::optional<order_fit>& found, recorder& record) {
+  curve size{{"difference", observable, "", "sampled"}},
+      variance{{"variance of the difference", observable, "", "sampled"}};
   for (int l = 0; l < d.levels; ++l) {
     const auto m = level_mean(d, l);
-    const double size = std::fabs(m.mean), step = dt[static_cast<std::size_t>(l)];
-    points.push_back(measured(s, step, size, std::max(0.0, size - 1.96 * m.error), size + 1.96 * m.error));
-    out.measurements.push_back(measured(variance, step, m.error * m.error * d.paths, {}, {}));
+    const double mean = std::fabs(m.mean), step = dt[static_cast<std::size_t>(l)];
+    size.add(step, mean, std::max(0.0, mean - 1.96 * m.error), mean + 1.96 * m.error);
+    variance.add(step, m.error * m.error * d.paths);
   }
-  record_fit(out, s, found, std::move(points));
+  record.series(variance);
+  return record.series(size, found);
 }
 
 }  // namespace
@@ -143,7 +144,7 @@ void report_sampled_orders(const context& c, const std::vector<scheme_entry>& sc
         found.clear();
         for (auto& d : levels.of(scheme).differences) {
           d.paths = so_far;
-          found.push_back(fit_order_of_clear_means(dt, d, clear, c.seed));
+          found.push_back(fit_order_of_clear_means(dt, d, resolved, c.seed));
         }
         const auto& limit = limits[static_cast<std::size_t>(scheme)] = levels.limit(scheme, so_far);
         return tight(limit) &&
@@ -153,19 +154,18 @@ void report_sampled_orders(const context& c, const std::vector<scheme_entry>& sc
   const auto how = fmt::format("; sampled against paths of the driven equation, at time {:.4g} of {:.4g}",
                                levels.grid().horizon, c.subject.scene.horizon);
   for (std::size_t k = 0; k < schemes.size(); ++k) {
-    const std::string name(schemes[k].info.name);
+    recorder record(q.experiment, schemes[k].info.name, out);
+    std::vector<report::series_id> differences;
     for (std::size_t f = 0; f < functions.size(); ++f)
-      report_levels({q.experiment, name, "difference", q.columns[f].observable, "", "sampled"}, dt,
-                    levels.of(static_cast<int>(k)).differences[f], fits[k][f], out);
-    out.measurements.push_back(measured({q.experiment, name, "cost", "", "path-steps", "sampled"}, dt.back(),
-                                        levels.path_steps() * sizes[k].used, {}, {}));
-    auto order = judge_columns(q, q.expected(schemes[k]), name, fits[k]);
+      differences.push_back(report_levels(q.columns[f].observable, dt, levels.of(static_cast<int>(k)).differences[f],
+                                          fits[k][f], record));
+    record.value({"cost", "", "path-steps", "sampled"}, at_dt(dt.back()), levels.path_steps() * sizes[k].used);
+    auto order = judge_columns(q, q.expected(schemes[k]), fits[k]);
     order.reason += how + ", " + sizes[k].text();
-    out.verdicts.push_back(std::move(order));
-    auto limit = judge_limit({q.experiment, name, "limit of the law is that of the Stratonovich solution"}, limits[k],
-                             levels.directions(), size);
+    record.verdict(q.claim, std::move(order), differences);
+    auto limit = judge_limit(limits[k], levels.directions(), size);
     limit.reason += how + ", " + sizes[k].text();
-    out.verdicts.push_back(std::move(limit));
+    record.verdict("limit of the law is that of the Stratonovich solution", std::move(limit));
   }
   levels.log().report(q.experiment, out);
 }

@@ -1,4 +1,4 @@
-// Weak order where no operator can give it: sampled, against the driven equation on the same paths.
+// Weak order where no operator can give it: sampled, against the Wong-Zakai equation on the same paths.
 //
 // d(dt) = E[f(X_dt) - f(X)], X the solution of the ordinary differential equation that the path drives, falls with the
 // weak order, and its variance with twice the strong order, so that few paths do. A limit of the paths that is the true

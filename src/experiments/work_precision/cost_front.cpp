@@ -8,7 +8,7 @@ namespace polhode {
 namespace {
 
 bool beats(const cost_point& a, const cost_point& b) {
-  return a.clear() && a.cost <= b.cost && a.error <= b.error && (a.cost < b.cost || a.error < b.error);
+  return a.resolved() && a.cost <= b.cost && a.error <= b.error && (a.cost < b.cost || a.error < b.error);
 }
 
 /// Between two values, a share of the way from the first in their logarithms.
@@ -18,12 +18,12 @@ double between(double first, double second, double share) { return first * std::
 
 void mark_front(std::span<cost_point> points) {
   for (auto& p : points)
-    p.front = p.clear() && std::ranges::none_of(points, [&](const cost_point& other) { return beats(other, p); });
+    p.front = p.resolved() && std::ranges::none_of(points, [&](const cost_point& other) { return beats(other, p); });
 }
 
 std::optional<reached> reach(std::vector<cost_point> of_scheme, double accuracy) {
   for (auto& p : of_scheme)
-    if (!p.clear()) p.error = p.error_high;
+    if (!p.resolved()) p.error = p.error_high;
   std::ranges::sort(of_scheme, {}, &cost_point::dt);
   const auto above = std::ranges::find_if(of_scheme, [&](const cost_point& p) { return !(p.error <= accuracy); });
   if (above == of_scheme.begin()) return std::nullopt;

@@ -17,11 +17,11 @@ struct cost_point {
   bool front = false;
 
   /// An error lost in its own uncertainty may be small by accident: it beats nothing.
-  bool clear() const { return error > 0 && error_high - error_low <= error; }
+  bool resolved() const { return error > 0 && error_high - error_low <= error; }
 };
 
-/// Marks the points that are clear and that no other clear one beats: none is as cheap and as accurate, and better in
-/// one of the two. By medians and estimates; intervals are for the reader.
+/// Marks the points that are resolved and that no other resolved one beats: none is as cheap and as accurate, and
+/// better in one of the two. By medians and estimates; intervals are for the reader.
 void mark_front(std::span<cost_point>);
 
 /// What an accuracy costs with one scheme.
@@ -32,7 +32,7 @@ struct reached {
 };
 
 /// Of the points of one scheme: the longest dt from which on down all measured errors are at most `accuracy`, between
-/// two measured levels by a power law. An unclear error counts as the end of its interval. Empty where the finest
+/// two measured levels by a power law. An unresolved error counts as the end of its interval. Empty where the finest
 /// measured level is not that accurate.
 std::optional<reached> reach(std::vector<cost_point> of_scheme, double accuracy);
 

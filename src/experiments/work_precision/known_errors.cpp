@@ -21,12 +21,12 @@ using unit_of_row = std::function<std::optional<double>(const report::measuremen
 
 known_error in_units(const report::measurement& m, double unit) {
   const double value = std::fabs(*m.value) / unit;
-  return {m.scheme, *m.dt, value, m.low ? std::max(0.0, *m.low / unit) : value, m.high ? *m.high / unit : value};
+  return {m.scheme, *m.dt(), value, m.low ? std::max(0.0, *m.low / unit) : value, m.high ? *m.high / unit : value};
 }
 
 void gather(const report::results& before, error_kind& kind, const unit_of_row& unit_of) {
   for (const auto& m : before.measurements) {
-    if (m.experiment != kind.source || !m.value || !m.dt) continue;
+    if (m.experiment != kind.source || !m.value || !m.dt()) continue;
     const auto unit = unit_of(m);
     if (!unit || !(*unit > 0)) continue;
     const auto found = in_units(m, *unit);

@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "experiments/common/judge.hpp"
+#include "experiments/common/recorder.hpp"
 #include "experiments/laws/extrapolation.hpp"
 #include "experiments/work_precision/cost_front.hpp"
 #include "experiments/work_precision/known_errors.hpp"
@@ -19,62 +20,74 @@ namespace {
 
 constexpr int finest_accuracy = 12;  // of the table: 10^-12
 
-report::measurement row(const std::string& scheme, const std::string& quantity, const std::string& observable,
-                        const std::string& unit, const std::string& method, std::optional<double> dt, double value,
-                        std::optional<double> low = {}, std::optional<double> high = {}) {
-  return measured({"work_precision", scheme, quantity, observable, unit, method}, dt, value, low, high);
+quantity cost_quantity(const char* name, const std::string& of) {
+  return {name, of, "ns per path and unit of time", "timed"};
+}
+
+report::measurement row_at(double dt, const quantity& what, double value, double low, double high) {
+  auto m = row_of(what, value, low, high);
+  m.set_over(at_dt(dt));
+  return m;
 }
 
 /// The points of a kind, and what needs no clock.
-std::vector<cost_point> priced(const error_kind& kind, const price_list& prices, report::results& out) {
+std::vector<cost_point> priced(const error_kind& kind, const price_list& prices, const recorder& record) {
   std::vector<cost_point> points;
   for (const auto& e : kind.errors) {
     const auto p =
         kind.along_paths ? prices.of_path_with_cells(e.scheme, e.dt) : prices.of_path(e.scheme, e.dt, kind.silent);
     if (!p) continue;
     points.push_back({e.scheme, e.dt, e.value, e.low, e.high, p->ns, p->low, p->high});
-    out.measurements.push_back(
-        row(e.scheme, "steps_per_time", kind.name, "steps per path and unit of time", "counted", e.dt, p->steps));
-    out.measurements.push_back(
-        row(e.scheme, "normals_per_time", kind.name, "normals per path and unit of time", "counted", e.dt, p->normals));
+    auto of_scheme = record.of(e.scheme);
+    of_scheme.value({"steps_per_time", kind.name, "steps per path and unit of time", "counted"}, at_dt(e.dt), p->steps);
+    of_scheme.value({"normals_per_time", kind.name, "normals per path and unit of time", "counted"}, at_dt(e.dt),
+                    p->normals);
   }
   return points;
 }
 
-void report_points(const error_kind& kind, const std::vector<cost_point>& points, report::results& out) {
+void report_points(const error_kind& kind, const std::vector<cost_point>& points, const recorder& record) {
   for (const auto& p : points) {
-    auto cost = row(p.scheme, "cost", kind.name, "ns per path and unit of time", "timed", p.dt, p.cost, p.cost_low,
-                    p.cost_high);
-    auto error =
-        row(p.scheme, "error_at_cost", kind.name, kind.unit, kind.source, p.dt, p.error, p.error_low, p.error_high);
-    cost.fitted = error.fitted = p.front;
-    for (auto* one : {&cost, &error})
-      one->status = p.front ? "on the front" : p.clear() ? "ok" : "not clear of its uncertainty";
-    out.measurements.push_back(std::move(cost));
-    out.measurements.push_back(std::move(error));
+    auto cost = row_at(p.dt, cost_quantity("cost", kind.name), p.cost, p.cost_low, p.cost_high);
+    auto error = row_at(p.dt, {"error_at_cost", kind.name, kind.unit, kind.source}, p.error, p.error_low, p.error_high);
+    cost.used = error.used = p.front;
+    cost.status = error.status = p.front ? "on the front" : p.resolved() ? "ok" : "not clear of its uncertainty";
+    auto of_scheme = record.of(p.scheme);
+    of_scheme.row(std::move(cost));
+    of_scheme.row(std::move(error));
   }
 }
 
 /// One line of the table: the schemes that reach it from the cheapest on, each against the next.
-void report_ranking(const std::string& what, const std::vector<reached>& ranked, report::results& out) {
+void report_ranking(const std::string& what, const std::vector<reached>& ranked, const recorder& record) {
   for (std::size_t i = 0; i < ranked.size(); ++i) {
     const auto& r = ranked[i];
-    auto cost =
-        row(r.scheme, "cost_to_reach", what, "ns per path and unit of time", "timed", r.dt, r.cost, r.low, r.high);
-    cost.fitted = i == 0;
+    auto of_scheme = record.of(r.scheme);
+    auto cost = row_at(r.dt, cost_quantity("cost_to_reach", what), r.cost, r.low, r.high);
+    cost.used = i == 0;
     if (r.coarsest) cost.status = "at the coarsest dt measured";
-    out.measurements.push_back(std::move(cost));
+    of_scheme.row(std::move(cost));
     if (i + 1 == ranked.size()) continue;
     const auto& next = ranked[i + 1];
-    auto ratio = row(r.scheme, "cost_of_next", what, "1", "timed", r.dt, next.cost / r.cost, next.low / r.high,
-                     next.high / r.low);
+    auto ratio =
+        row_at(r.dt, {"cost_of_next", what, "1", "timed"}, next.cost / r.cost, next.low / r.high, next.high / r.low);
     ratio.status = fmt::format("{}: {}", *ratio.low <= 1 ? "tied with" : "next", next.scheme);
-    out.measurements.push_back(std::move(ratio));
+    of_scheme.row(std::move(ratio));
   }
 }
 
+/// Of a scheme that has errors of this kind, but none as small.
+void report_not_reached(const std::string& what, recorder record) {
+  const auto of = cost_quantity("cost_to_reach", what);
+  record.row({.quantity = of.name,
+              .observable = of.observable,
+              .unit = of.unit,
+              .method = of.method,
+              .status = "not reached at the finest dt measured"});
+}
+
 void report_table(const context& c, const error_kind& kind, const std::vector<cost_point>& points,
-                  report::results& out) {
+                  const recorder& record) {
   for (int power = 1; power <= finest_accuracy; ++power) {
     const double accuracy = std::pow(10.0, -power);
     const auto what = fmt::format("{} {:.0e}", kind.name, accuracy);
@@ -83,15 +96,12 @@ void report_table(const context& c, const error_kind& kind, const std::vector<co
       if (power == 1) continue;
       break;  // nor is anything finer reached
     }
-    report_ranking(what, ranked, out);
+    report_ranking(what, ranked, record);
     for (const auto& e : c.subject.schemes) {
-      const std::string name(e.info.name);
+      const auto& name = e.info.name;
       if (std::ranges::find(ranked, name, &reached::scheme) != ranked.end()) continue;
       if (std::ranges::find(points, name, &cost_point::scheme) == points.end()) continue;
-      auto none = row(name, "cost_to_reach", what, "ns per path and unit of time", "timed", {}, 0);
-      none.value.reset();
-      none.status = "not reached at the finest dt measured";
-      out.measurements.push_back(std::move(none));
+      report_not_reached(what, record.of(name));
     }
   }
 }
@@ -126,14 +136,14 @@ void run(const context& c, report::results& out) {
   for (const auto& kind : kinds)
     for (const auto& e : kind.errors) prices.want(e.scheme, e.dt, kind.silent);
   prices.measure();
+  recorder record("work_precision", "", out);
   const auto& yard = prices.yardstick();
-  if (yard.ns > 0)
-    out.measurements.push_back(row("", "yardstick", "", "ns per path-step", "timed", {}, yard.ns, yard.low, yard.high));
+  if (yard.ns > 0) record.value({"yardstick", "", "ns per path-step", "timed"}, yard.ns, yard.low, yard.high);
   for (std::size_t k = 0; k < kinds.size(); ++k) {
-    auto points = priced(kinds[k], prices, out);
+    auto points = priced(kinds[k], prices, record);
     mark_front(points);
-    report_points(kinds[k], points, out);
-    report_table(c, kinds[k], points, out);
+    report_points(kinds[k], points, record);
+    report_table(c, kinds[k], points, record);
     c.progress(static_cast<double>(k + 1) / static_cast<double>(kinds.size()));
   }
   report_missing(c, kinds, out);

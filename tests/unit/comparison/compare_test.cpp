@@ -17,7 +17,10 @@ using report::change_kind;
 using report::verdict_kind;
 
 report::measurement number(double value, double half, const std::string& method, double dt = 0.5) {
-  return {"strong", "heun", "error", "state", dt, value, value - half, value + half, "|mu|", method, "ok", {}, true};
+  report::measurement m{"strong", "heun", "error", "state", value, value - half, value + half, "|mu|", method};
+  m.set_over({report::step_size, dt, "time"});
+  m.used = true;
+  return m;
 }
 
 report::results with(std::vector<report::measurement> numbers, std::vector<report::verdict> verdicts = {}) {
@@ -30,7 +33,7 @@ report::results with(std::vector<report::measurement> numbers, std::vector<repor
   r.schemes[0].name = "heun";
   r.experiments = {{"strong", "?", {}}};
   r.measurements = std::move(numbers);
-  r.fits = {{"strong", "heun", "error", "state", 0.5, 0.4, 0.6, 1, ""}};
+  r.fits = {{"strong", "heun", "error", "state", report::step_size, 0.5, 0.4, 0.6, 1, ""}};
   r.verdicts = std::move(verdicts);
   return r;
 }
@@ -61,8 +64,8 @@ TEST(Compare, AnErrorThatGrowsBeyondItsIntervalIsWorse) {
 
 TEST(Compare, AGrowthLawHasManyNumbersAtOneStepSize) {
   auto first = number(1, 0.1, "sampled"), second = number(3, 0.1, "sampled");
-  first.steps = 1000;
-  second.steps = 2000;
+  first.set_over({report::step_count, 1000});
+  second.set_over({report::step_count, 2000});
   const auto before = with({first, second});
   EXPECT_EQ(kinds(before, before), none{});
   second.value = *second.value + 1;
@@ -157,8 +160,8 @@ struct machine {
     report::results r = with({});
     const auto add = [&](const char* scheme, const char* quantity, const char* kind, double dt, double value,
                          double error) {
-      report::measurement m{"work_precision", scheme, quantity, kind, {}, value, {}, {}, "ns", "timed", "ok", {}};
-      if (dt > 0) m.dt = dt;
+      report::measurement m{"work_precision", scheme, quantity, kind, value, {}, {}, "ns", "timed"};
+      if (dt > 0) m.set_over({report::step_size, dt, "time"});
       m.low = value * std::exp(-1.96 * error);
       m.high = value * std::exp(1.96 * error);
       r.measurements.push_back(m);

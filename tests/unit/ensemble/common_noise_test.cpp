@@ -8,7 +8,7 @@
 #include "ensemble/noise/shared_increments.hpp"
 #include "ensemble/simulation.hpp"
 #include "ensemble/uniform_start.hpp"
-#include "experiments/attractor/harmonic_means.hpp"
+#include "experiments/attractor/harmonic_moments.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
 
@@ -65,7 +65,7 @@ TEST(Pullback, AShorterRunSeesTheLastStepsOfALongerOne) {
 TEST(HarmonicMeans, AreTheHarmonicsOfTheBodies) {
   std::vector<double> states(3 * block_lanes);
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(24);
-  harmonic_means means(4);
+  harmonic_moments means(4);
   for (int block = 0; block < 3; ++block) {
     start_uniformly(1, static_cast<std::uint64_t>(block * block_lanes), 2.5, states);
     means.add(states);

@@ -57,6 +57,7 @@ TEST(Increments, UnusedChannelsAreZero) {
   const auto view = noise.fill(1, 0, 0, 1, 1.0);
   EXPECT_EQ(view.dw[0], normals<1>({1, noise_kind::increment, 0, 0})[0]);
   for (int k = block_lanes; k < 3 * block_lanes; ++k) EXPECT_EQ(view.dw[static_cast<std::size_t>(k)], 0.0);
+  ASSERT_EQ(view.area.size(), 3u * block_lanes);
   for (const double area : view.area) EXPECT_EQ(area, 0.0);
   scene.vectors("sigma").clear();
   EXPECT_EQ(bind_scene(scene).model->layout().active, 0);

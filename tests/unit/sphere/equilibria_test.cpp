@@ -86,7 +86,9 @@ TEST(Equilibria, TheLinearisedEquationIsTheDriftsDerivative) {
       const vector w = p.rate(pi);
       return pi.cross(w + p.damping * pi.cross(w));
     };
-    for (const auto& e : equilibria(p)) {
+    const auto all = equilibria(p);
+    ASSERT_FALSE(all.empty());
+    for (const auto& e : all) {
       const auto frame = tangent_frame(e.direction);
       Eigen::Matrix2d slope;
       const double step = 1e-5 * p.radius;

@@ -102,12 +102,14 @@ TEST(StationaryMean, SlowConvergenceIsNotTakenForConvergence) {
   const Eigen::Vector3d sigma(0.013594, 0.208435, -0.072977);
   p.covariance = sigma * sigma.transpose();
   const double truth = *stationary_mean(p, energy_of(p), 1e-13, 48).value;
+  int answered = 0;
   for (const int degree : {0, 12, 16}) {
     const auto found = stationary_mean(p, energy_of(p), 5e-12, degree);
-    if (found.value) {
-      EXPECT_LE(std::fabs(*found.value - truth), found.uncertainty) << degree;
-    }
+    if (!found.value) continue;
+    ++answered;
+    EXPECT_LE(std::fabs(*found.value - truth), found.uncertainty) << degree;
   }
+  EXPECT_GT(answered, 0);
   EXPECT_GT(needed_degree(p), 1000);
 }
 

@@ -222,7 +222,7 @@ TEST(FinestOrder, HasNotSettledBesideAZeroCrossing) {
   ASSERT_TRUE(before);
   EXPECT_GT(before->order, 1.2);
   EXPECT_FALSE(before->settled);
-  EXPECT_EQ(judge_order({}, 1, before, true).kind, report::verdict_kind::inconclusive);
+  EXPECT_EQ(judge_order(1, before, true).kind, report::verdict_kind::inconclusive);
 }
 
 TEST(FinestOrder, NeedsFourClearLevels) {
@@ -245,9 +245,9 @@ TEST(Judge, FasterThanClaimedHoldsOnlyWhereTheClaimIsABound) {
   fit.low = 2.98;
   fit.high = 3.02;
   fit.finest = {3, 2.98, 3.02};
-  EXPECT_EQ(judge_order({}, 2, fit, true).kind, report::verdict_kind::holds);
-  EXPECT_EQ(judge_order({}, 2, fit, false).kind, report::verdict_kind::refuted);
-  EXPECT_EQ(judge_order({}, 2, std::nullopt, true).kind, report::verdict_kind::inconclusive);
+  EXPECT_EQ(judge_order(2, fit, true).kind, report::verdict_kind::holds);
+  EXPECT_EQ(judge_order(2, fit, false).kind, report::verdict_kind::refuted);
+  EXPECT_EQ(judge_order(2, std::nullopt, true).kind, report::verdict_kind::inconclusive);
 }
 
 // Two powers that cross inside the levels, the slower one below: the slope there is that of neither.
@@ -264,11 +264,11 @@ TEST(Judge, ASlopeThatStillChangesRefutesNothing) {
   auto refuting = *bent;
   refuting.low = 1.4;
   refuting.high = 1.6;
-  EXPECT_EQ(judge_order({}, 1, refuting, false).kind, report::verdict_kind::inconclusive);
-  EXPECT_EQ(judge_order({}, 1, line, false).kind, report::verdict_kind::refuted);
+  EXPECT_EQ(judge_order(1, refuting, false).kind, report::verdict_kind::inconclusive);
+  EXPECT_EQ(judge_order(1, line, false).kind, report::verdict_kind::refuted);
   refuting = *line;
   refuting.finest = {1.15, 1.05, 1.25};
-  EXPECT_EQ(judge_order({}, 1, refuting, false).kind, report::verdict_kind::inconclusive);
+  EXPECT_EQ(judge_order(1, refuting, false).kind, report::verdict_kind::inconclusive);
 }
 
 TEST(OrderFit, SampledSlopesSettleOrNot) {

@@ -4,7 +4,8 @@ import type { Measurement, Results } from '../data';
 import { h, type Child } from '../dom';
 import { prose, shown, shownAccuracy } from '../numbers';
 import { grouped } from '../order';
-import { targetOf } from '../plots/cost';
+import { picked } from '../plots/pick';
+import type { Source } from '../plots/source';
 import { extent } from '../plots/scale';
 import { schemeChip, table } from './tables';
 
@@ -47,17 +48,15 @@ interface Choice {
   next: Measurement | undefined;
 }
 
-function choicesFor(rows: Measurement[], goal: Goal): Choice[] {
-  const own = rows.filter((m) => targetOf(m)?.goal === goal.target);
-  return own
-    .filter((m) => m.quantity === 'cost_to_reach' && m.fitted && m.value !== null)
-    .map((cost) => ({
-      accuracy: targetOf(cost)?.accuracy ?? 0,
-      cost,
-      next: own.find(
-        (m) => m.quantity === 'cost_of_next' && m.observable === cost.observable && m.scheme === cost.scheme,
-      ),
-    }))
+/** The cheapest for each accuracy that any scheme reaches. */
+function choicesFor(r: Results, source: Source, goal: Goal): Choice[] {
+  const described = r.plots.find((p) => p.kind === 'reach' && p.of === goal.target),
+    plot = described && picked(described, source);
+  if (plot?.kind !== 'curve') return [];
+  return plot.lines
+    .flatMap((line) => line.points)
+    .filter((point) => point.filled)
+    .map(({ x, rows: [cost, next] }) => ({ accuracy: x, cost: cost as Measurement, next }))
     .sort((a, b) => b.accuracy - a.accuracy);
 }
 
@@ -130,8 +129,8 @@ function unsaid(r: Results, goal: Goal): string {
     : `Cannot be said: experiment ${goal.experiment} was not run.`;
 }
 
-function card(r: Results, goal: Goal, priced: Measurement[]): Child {
-  const choices = choicesFor(priced, goal),
+function card(r: Results, source: Source, goal: Goal): Child {
+  const choices = choicesFor(r, source, goal),
     seen = choices.length > 0 ? [] : smallest(r.measurements, goal).slice(0, 3);
   const body: Child[] =
     choices.length > 0
@@ -158,14 +157,11 @@ function card(r: Results, goal: Goal, priced: Measurement[]): Child {
   );
 }
 
-export function advice(r: Results): HTMLElement {
-  const priced = r.measurements.filter(
-    (m) => (m.quantity === 'cost_to_reach' || m.quantity === 'cost_of_next') && targetOf(m) !== null,
-  );
+export function advice(r: Results, source: Source): HTMLElement {
   return h(
     'section',
     { id: 'advice' },
     h('h2', {}, 'Which one should I take?'),
-    h('div', { class: 'cards' }, ...goals.map((goal) => card(r, goal, priced))),
+    h('div', { class: 'cards' }, ...goals.map((goal) => card(r, source, goal))),
   );
 }

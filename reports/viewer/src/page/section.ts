@@ -1,12 +1,14 @@
 // One experiment: its question, its plots, its fits, its verdicts, and all that was measured.
-import type { Density, Experiment, Measurement, Results, Verdict } from '../data';
+import { caseOf } from '../coordinates';
+import type { Density, Experiment, Measurement, PlotDescription, PlotKind, Results, Verdict } from '../data';
 import { h, type Child } from '../dom';
 import { Figure } from '../figure';
 import { GlobeFigure } from '../globe/figure';
 import { asWritten, prose, shown, shownCertain } from '../numbers';
 import { symbols, tally } from '../order';
 import { kindsByWeight } from '../data';
-import { gather } from '../plots/gather';
+import { picked, rowsIn } from '../plots/pick';
+import type { Source } from '../plots/source';
 import { chip, fitTable, measurementTable, orderTable, table, verdictTable } from './tables';
 
 const mostPlots = 60;
@@ -23,8 +25,9 @@ export interface Context {
   measurements: Map<string, Measurement[]>;
   verdicts: Map<string, Verdict[]>;
   printables: Printable[];
+  source: Source;
   /** Of the run that this one is held against. */
-  earlier: Map<string, Measurement[]> | null;
+  before: Source | null;
 }
 
 function question(declared: Experiment | undefined): Child[] {
@@ -65,10 +68,12 @@ function facts(rows: Measurement[]): Child {
 }
 
 /** Conditions × quantities, known without a scheme. */
-function settings(rows: Measurement[]): Child {
-  if (rows.length === 0) return false;
+function settings(described: PlotDescription | undefined, source: Source): Child {
+  if (!described) return false;
+  const rows = rowsIn(described, source).filter((m) => m.value !== null),
+    condition = (m: Measurement): string => caseOf(m, described.conditions);
   const quantities = [...new Set(rows.map((m) => m.quantity))],
-    conditions = [...new Set(rows.map((m) => m.observable))].slice(0, 500);
+    conditions = [...new Set(rows.map(condition))].slice(0, 500);
   return h(
     'details',
     {},
@@ -76,11 +81,11 @@ function settings(rows: Measurement[]): Child {
     table(
       'conditions',
       [{ name: 'condition' }, ...quantities.map((name) => ({ name: asWritten(name), kind: 'n' as const }))],
-      conditions.map((condition) => ({
+      conditions.map((one) => ({
         cells: [
-          asWritten(condition),
+          asWritten(one),
           ...quantities.map((name) =>
-            shown(rows.find((m) => m.quantity === name && m.observable === condition)?.value ?? null),
+            shown(rows.find((m) => m.quantity === name && condition(m) === one)?.value ?? null),
           ),
         ],
       })),
@@ -120,8 +125,11 @@ export function section(name: string, densities: Density[], context: Context): H
     rows = context.measurements.get(name) ?? [],
     verdicts = context.verdicts.get(name) ?? [];
   const declared = results.experiments.find((e) => e.name === name),
-    found = gather(results, name, schemes, rows, context.earlier && (context.earlier.get(name) ?? []));
-  const figures = found.plots.slice(0, mostPlots).map((plot) => new Figure(plot, schemes));
+    described = results.plots.filter((p) => p.experiment === name),
+    tableOfKind = (kind: PlotKind): PlotDescription | undefined => described.find((p) => p.kind === kind);
+  const plots = described.flatMap((p) => picked(p, context.source, context.before) ?? []),
+    known = tableOfKind('facts');
+  const figures = plots.slice(0, mostPlots).map((plot) => new Figure(plot, schemes));
   const globes = densities.length > 0 ? [new GlobeFigure(name, densities)] : [];
   context.printables.push(...globes, ...figures);
   const fits = results.fits.filter((f) => f.experiment === name),
@@ -138,15 +146,15 @@ export function section(name: string, densities: Density[], context: Context): H
     { class: 'experiment', id: `experiment.${name}` },
     h('h2', {}, asWritten(name), ' ', standing(verdicts)),
     ...question(declared),
-    facts(found.facts),
+    facts(known ? rowsIn(known, context.source) : []),
     h('div', { class: 'plots' }, ...globes.map((g) => g.element), ...figures.map((f) => f.element), beside),
-    found.plots.length > mostPlots &&
+    plots.length > mostPlots &&
       h(
         'p',
         { class: 'note' },
-        `${found.plots.length - mostPlots} more plots are left out here; their numbers are in the table.`,
+        `${plots.length - mostPlots} more plots are left out here; their numbers are in the table.`,
       ),
-    settings(found.settings),
+    settings(tableOfKind('conditions'), context.source),
     verdicts.length > 0 && lazily(`${verdicts.length} verdicts`, () => verdictTable(verdicts), unsettled),
     fits.length > 0 && lazily(`${fits.length} fits`, () => fitTable(fits, own)),
     rows.length > 0

@@ -1,5 +1,6 @@
 // Tables: what was measured, fitted and decided.
 import type { Fit, Measurement, Verdict } from '../data';
+import { textOf } from '../coordinates';
 import { csvOf } from '../csv';
 import { h, save, type Child } from '../dom';
 import { asWritten, exact, orderInterval, shown, shownInterval, shownOrder } from '../numbers';
@@ -73,8 +74,9 @@ export function table(
 
 const joined = (m: { quantity: string; observable: string }): string =>
   asWritten(m.quantity) + (m.observable === '' ? '' : ` of ${asWritten(m.observable)}`);
+const withoutDt = (m: Measurement): string => textOf(m.at.filter((c) => c.name !== 'dt'));
 
-const useOf = (m: Measurement): string => (m.status !== 'ok' ? m.status : m.fitted ? 'in the fit' : '');
+const useOf = (m: Measurement): string => (m.status !== 'ok' ? m.status : m.used ? 'in the fit' : '');
 
 /** With the rows of an earlier run below those of this one, a column says whose each row is. */
 export function measurementTable(own: Measurement[], earlier: Measurement[] | null = null): HTMLElement {
@@ -83,7 +85,7 @@ export function measurementTable(own: Measurement[], earlier: Measurement[] | nu
     { name: 'scheme' },
     { name: 'quantity' },
     { name: 'dt', kind: 'n' },
-    { name: 'steps', kind: 'n' },
+    { name: 'at' },
     { name: 'value', kind: 'n' },
     { name: '95 % interval', kind: 'i' },
     { name: 'unit' },
@@ -95,7 +97,7 @@ export function measurementTable(own: Measurement[], earlier: Measurement[] | nu
     m.scheme || '–',
     joined(m),
     shown(m.dt),
-    shown(m.steps),
+    withoutDt(m),
     exact(m.value),
     shownInterval(m.low, m.high),
     asWritten(m.unit),

@@ -162,7 +162,7 @@ export function curveOption(plot: CurvePlot, s: Setting, many: boolean): Option 
     series.push(pointSeries(f, line, look, many, then));
   }
   const rows = keyRows(plot, s);
-  const yTitle = plot.absolute && s.logY ? plot.yTitle.replace(/^([^[]*[^[ ])/, '|$1|') : plot.yTitle;
+  const yTitle = (plot.absolute && s.logY && plot.absoluteTitle) || plot.yTitle;
   return {
     grid: { left: s.width < 420 ? 62 : 72, right: 20, top: s.standalone ? 50 : 14, bottom: 48 + 22 * rows },
     xAxis: axisOption(f.x, plot.xTitle, s, 'x'),

@@ -1,4 +1,5 @@
 // Maps over two parameters: a panel a scheme, cells drawn to the middle between their neighbours, the border as a line.
+import { textOf } from '../coordinates';
 import { shown } from '../numbers';
 import { inkOn, mixed } from '../style';
 import type { Option, Series } from './charts';
@@ -110,7 +111,7 @@ function cellSeries(f: Frame, panel: Panel, index: number): Series {
     value: [f.x.at(cell.x) ?? f.x.min, f.y.at(cell.y) ?? f.y.min],
     cell,
     fill: colourOf(f, cell),
-    item: { rows: cell.rows, remark: f.plot.signed ? cell.rows[0]?.observable : `${f.plot.yTitle} = ${cell.y}` },
+    item: { rows: cell.rows, remark: f.plot.signed ? textOf(cell.rows[0]?.at ?? []) : `${f.plot.yTitle} = ${cell.y}` },
   }));
   return {
     type: 'custom',

@@ -39,7 +39,8 @@ export interface CurvePlot extends Common {
   levels: { name: string; value: number }[]; // values that belong to no abscissa
   front: boolean; // filled points are a Pareto front: lower left is better
   hollow: string; // what a hollow marker says
-  absolute: boolean; // drawn is |y|
+  absolute: boolean; // a logarithm shows |y|
+  absoluteTitle: string; // of the ordinate then
   /** The same of the run that this one is held against: lines behind, and their measurements. */
   earlier?: { lines: Line[]; rows: Measurement[] };
   /** The same points over other ordinates, to choose from. */

@@ -22,11 +22,6 @@ export function extent(values: Iterable<number>): [number, number] {
   return [least, most];
 }
 
-export function spansFactor(values: number[], factor: number): boolean {
-  const [least, most] = extent(values);
-  return least > 0 && most >= factor * least;
-}
-
 /** 1, 2 or 5 times a power of ten, at least `least`. */
 function niceStep(least: number): number {
   const scale = 10 ** Math.floor(Math.log10(least)),

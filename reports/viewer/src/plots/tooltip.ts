@@ -1,10 +1,11 @@
 // What a point says when asked: the numbers as they stand in results.json.
+import { textOf } from '../coordinates';
 import type { Measurement } from '../data';
 import { h } from '../dom';
 import { asWritten, exact } from '../numbers';
 
 function lineOf(m: Measurement, withName: boolean): HTMLElement {
-  const name = [asWritten(m.quantity), m.observable === '' ? '' : `of ${asWritten(m.observable)}`].join(' ').trim();
+  const name = `${asWritten(m.quantity)} ${m.observable === '' ? '' : `of ${asWritten(m.observable)}`}`.trim();
   const unit = m.unit === '' || m.unit === '1' ? '' : ` ${asWritten(m.unit)}`;
   return h(
     'div',
@@ -20,12 +21,7 @@ function lineOf(m: Measurement, withName: boolean): HTMLElement {
 
 export function tooltipOf(rows: Measurement[], remark = '', run = ''): HTMLElement {
   const first = rows[0] as Measurement;
-  const where = [
-    first.dt === null ? '' : `dt = ${exact(first.dt)}`,
-    first.steps === null ? '' : `${asWritten(first.abscissa) || 'n'} = ${exact(first.steps)}`,
-  ]
-    .filter((part) => part !== '')
-    .join(', ');
+  const where = textOf(first.at);
   const statuses = [...new Set(rows.map((m) => m.status))].filter((s) => s !== 'ok' && s !== '');
   const methods = [...new Set(rows.map((m) => m.method))].filter((m) => m !== '').join(', ');
   return h(

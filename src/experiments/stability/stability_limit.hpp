@@ -1,4 +1,4 @@
-// The border of stability by bisection in the number of steps.
+// The stability limit by bisection in the number of steps.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ struct step_range {
 };
 
 /// The fewest steps that are stable and the most below them that are not; 0: none was found.
-struct stability_border {
+struct stability_limit {
   std::int64_t stable = 0, broken = 0;
 };
 
@@ -22,23 +22,23 @@ struct stability_border {
 /// `start` by octaves: towards fewer steps until one breaks, or towards more until one does not; then by halves of
 /// log n to 5 %. What lies beyond the first octave that breaks is not asked, so a longer step that is stable by
 /// accident does not count.
-class border_search {
+class limit_search {
  public:
-  explicit border_search(const step_range& range) : range_(range), asks_(range.start) {}
+  explicit limit_search(const step_range& range) : range_(range), asks_(range.start) {}
 
-  /// Nothing: the border is found, or there is none.
+  /// Nothing: the limit is found, or there is none.
   std::optional<std::int64_t> asks() const { return asks_; }
   /// The answer to what it asks.
   void tell(bool stable) {
-    (stable ? border_.stable : border_.broken) = *asks_;
+    (stable ? limit_.stable : limit_.broken) = *asks_;
     asks_ = next();
   }
-  const stability_border& border() const { return border_; }
+  const stability_limit& limit() const { return limit_; }
 
  private:
   std::optional<std::int64_t> next() const {
     constexpr double accuracy = 0.05;
-    const auto [stable, broken] = border_;
+    const auto [stable, broken] = limit_;
     if (broken == 0) return stable > range_.least ? std::optional(std::max(range_.least, stable / 2)) : std::nullopt;
     if (stable == 0) return broken < range_.most ? std::optional(std::min(range_.most, 2 * broken)) : std::nullopt;
     const auto fewer = static_cast<double>(broken), more = static_cast<double>(stable);
@@ -48,7 +48,7 @@ class border_search {
 
   step_range range_;
   std::optional<std::int64_t> asks_;
-  stability_border border_;
+  stability_limit limit_;
 };
 
 }  // namespace polhode

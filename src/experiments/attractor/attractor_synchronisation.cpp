@@ -26,7 +26,7 @@ constexpr double forgotten = 1e-3;    // of the start, before the clock runs
 constexpr double rate_margin = 0.05;  // of |lambda_2|: at so coarse a step a scheme of order one is off by that
 constexpr double tight_share = 0.5;
 constexpr double most_steps = 10'000;
-constexpr const char* collapse_claim = "collapse at the rate lambda_1";
+constexpr const char* synchronisation_claim = "collapse at the rate lambda_1";
 
 struct clock {
   double dt;
@@ -78,9 +78,9 @@ void add_log_distance(const pairs& p, double factor, std::span<double> sums) {
 
 /// Pieces after which the pairs are brought together again: no distance grows to the size of the sphere, or falls to
 /// rounding (Benettin et al., Meccanica 15 (1980) 9). Rates by scheme and path; all schemes see the same noise.
-class collapsing_block {
+class synchronising_block {
  public:
-  collapsing_block(const context& c, const attractor_frame& f, const clock& t, int block)
+  synchronising_block(const context& c, const attractor_frame& f, const clock& t, int block)
       : context_(c),
         radius_(f.problem.radius),
         clock_(t),
@@ -130,34 +130,26 @@ class collapsing_block {
   std::uint64_t first_path_;
 };
 
-void report_rate(const std::string& name, const clock& t, const std::vector<double>& rates, double exact, double margin,
-                 report::results& out) {
-  const auto found = mean_interval(rates);
-  out.measurements.push_back(measured({"attractor", name, "collapse rate", "", "per time", "sampled"}, {}, found.value,
-                                      found.low, found.high));
-  report::verdict v{"attractor", name,      collapse_claim, exact,
-                    found.value, found.low, found.high,     judge(exact, found.low, found.high, margin),
-                    ""};
+report::verdict judge_rate(const clock& t, const interval_estimate& found, double exact, double margin) {
+  if (!std::isfinite(found.value)) return {.expected = exact, .reason = "bodies were lost: not finite"};
+  report::verdict v{.expected = exact, .estimate = found.value, .low = found.low, .high = found.high};
+  v.kind = judge(exact, found.low, found.high, margin);
+  if (v.kind == report::verdict_kind::holds && found.high >= 0) v.kind = report::verdict_kind::inconclusive;
   v.reason = fmt::format(
       "{:.5f} [{:.5f}, {:.5f}] against lambda_1 = {:.5f} +- {:.2g} (a twentieth of |lambda_2|), over a time of {:.3g} "
       "at dt = {:.4g}",
       found.value, found.low, found.high, exact, margin, t.time(), t.dt);
-  if (v.kind == report::verdict_kind::holds && found.high >= 0) v.kind = report::verdict_kind::inconclusive;
-  if (!std::isfinite(found.value)) {
-    v.estimate = v.low = v.high = std::nullopt;
-    v.reason = "bodies were lost: not finite";
-  }
-  out.verdicts.push_back(v);
+  return v;
 }
 
 }  // namespace
 
-void report_collapse(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
+void report_synchronisation(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double exact = *f.exponents.lambda1, margin = rate_margin * -f.lambda2();
   const auto t = clock_of(f);
   const std::int64_t steps = t.steps();
   if (!affords(c, f.schemes,
-               {"attractor", collapse_claim, fmt::format("lambda_1 = {:.2e}", exact), "steps",
+               {"attractor", synchronisation_claim, fmt::format("lambda_1 = {:.2e}", exact), "steps",
                 static_cast<double>(steps), [](effort) { return most_steps; }},
                out))
     return;
@@ -177,7 +169,7 @@ void report_collapse(const context& c, const attractor_frame& f, noise_log& log,
       found.push_back(std::span(rates[k]).subspan(static_cast<std::size_t>(block) * block_lanes, block_lanes));
       areas = areas || f.schemes[k].needs_areas;
     }
-    collapsing_block(c, f, t, block).run(steppers, areas, found, [&](const increment_view& v) {
+    synchronising_block(c, f, t, block).run(steppers, areas, found, [&](const increment_view& v) {
       log.add(block, v, t.dt, part);
     });
   };
@@ -188,8 +180,11 @@ void report_collapse(const context& c, const attractor_frame& f, noise_log& log,
         return half_width(found) <= tight_share * margin;
       });
   for (std::size_t k = 0; k < f.schemes.size(); ++k) {
-    report_rate(std::string(f.schemes[k].info.name), t, so_far(k, sizes[k].used), exact, margin, out);
-    out.verdicts.back().reason += "; " + sizes[k].text();
+    recorder record("attractor", f.schemes[k].info.name, out);
+    const auto found = mean_interval(so_far(k, sizes[k].used));
+    const auto written = record.value({"collapse rate", "", "per time", "sampled"}, found);
+    record.verdict(synchronisation_claim, judge_rate(t, found, exact, margin), {written});
+    record.remark(sizes[k].text());
   }
 }
 

@@ -1,11 +1,11 @@
-#include "experiments/lyapunov/lyapunov_own.hpp"
+#include "experiments/lyapunov/discretisation_exponents.hpp"
 
 #include "experiments/laws/transfer_report.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr double resolution = 32;  // of the finest level: a slope that has not settled by then is followed on
+constexpr double resolution = 32;  // of the finest level: a slope that is not asymptotic by then is followed on
 
 /// By how much both exponents change with noise or dissipation, over the share by which that grows.
 Eigen::Vector2d moved(const lyapunov_exponents& exact, const sphere_problem& other) {
@@ -17,8 +17,8 @@ Eigen::Vector2d moved(const lyapunov_exponents& exact, const sphere_problem& oth
 
 }  // namespace
 
-void report_own_exponents(const context& c, const std::vector<scheme_entry>& schemes, const lyapunov_exponents& exact,
-                          report::results& out) {
+void report_discretisation_exponents(const context& c, const std::vector<scheme_entry>& schemes,
+                                     const lyapunov_exponents& exact, report::results& out) {
   const auto& s = c.subject;
   const auto expected = [&](const scheme_entry& e) { return weak_order_on(e.info, s.model->noise()); };
   const double rate = fastest_rate(s);
@@ -29,15 +29,16 @@ void report_own_exponents(const context& c, const std::vector<scheme_entry>& sch
                         dissipation = moved(exact, with_more_dissipation(problem, sensitivity_share));
   const order_question q{
       "lyapunov",
-      own_order_claim,
+      exponents_order_claim,
       {{"error", "lambda_1", rate, noise[0], dissipation[0]},
        {"error", "lambda_1 + lambda_2", rate, noise[1], dissipation[1]}},
       expected,
       [&](const scheme_entry& e, double dt, std::int64_t) { return refine_exponents(s, e, dt, target); }};
   auto tables = answer_all(c, schemes, asymptotic_levels(s, resolution), q);
   for (std::size_t k = 0; k < tables.size(); ++k) {
+    recorder record(q.experiment, tables[k].scheme, out);
     for (auto& u : tables[k].uncertainty) u += Eigen::Vector2d(exact.uncertainty, exact.sum_uncertainty);
-    report_orders(q, expected(schemes[k]), tables[k], out);
+    report_orders(q, expected(schemes[k]), tables[k], record);
   }
 }
 

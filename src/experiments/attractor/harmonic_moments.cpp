@@ -1,4 +1,4 @@
-#include "experiments/attractor/harmonic_means.hpp"
+#include "experiments/attractor/harmonic_moments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,16 +14,16 @@ const double unit = std::sqrt(4 * std::numbers::pi);
 
 }  // namespace
 
-harmonic_means::harmonic_means(int degree)
+harmonic_moments::harmonic_moments(int degree)
     : basis_(degree, 1, {1, 1}), sums_(static_cast<std::size_t>(basis_.size() * block_lanes)) {}
 
-void harmonic_means::add(std::span<const double> states) {
+void harmonic_moments::add(std::span<const double> states) {
   const double one = 1;
   add_basis({basis_.degree(), 1, 1, 0, basis_.recurrence().data(), block_lanes, 1, &one, states.data(), sums_.data()});
   bodies_ += block_lanes;
 }
 
-Eigen::VectorXd harmonic_means::take() {
+Eigen::VectorXd harmonic_moments::take() {
   const int size = basis_.size(), bodies = std::exchange(bodies_, 0);
   Eigen::VectorXd out = Eigen::VectorXd::Zero(size - 1);
   for (int group = 0; group < block_lanes / sum_lanes; ++group)
@@ -34,7 +34,7 @@ Eigen::VectorXd harmonic_means::take() {
   return unit / bodies * out;
 }
 
-Eigen::VectorXd harmonic_means::of_density(const Eigen::VectorXd& density, int degree) {
+Eigen::VectorXd harmonic_moments::of_density(const Eigen::VectorXd& density, int degree) {
   Eigen::VectorXd out = Eigen::VectorXd::Zero(harmonic_count(degree) - 1);
   const auto known = std::min(out.size(), density.size() - 1);
   out.head(known) = unit * density.segment(1, known);

@@ -1,10 +1,10 @@
-#include "experiments/common/increment_ladder.hpp"
+#include "experiments/common/coupled_increments.hpp"
 
 #include "ensemble/noise/noise_defect.hpp"
 
 namespace polhode {
 
-increment_ladder::increment_ladder(const model& m, const level_grid& grid, int cells, noise_source source)
+coupled_increments::coupled_increments(const model& m, const level_grid& grid, int cells, noise_source source)
     : model_(m),
       cells_(cells),
       levels_(grid.steps.size()),
@@ -18,7 +18,7 @@ increment_ladder::increment_ladder(const model& m, const level_grid& grid, int c
   }
 }
 
-increment_view increment_ladder::fill(std::uint64_t seed, std::uint64_t first_path, int chunk) {
+increment_view coupled_increments::fill(std::uint64_t seed, std::uint64_t first_path, int chunk) {
   const int steps = levels_.back().view.steps * cells_;
   const auto first_step = static_cast<std::uint64_t>(chunk) * static_cast<std::uint64_t>(steps);
   const auto fine = fine_.fill(seed, first_path, first_step, steps, levels_.back().dt / cells_);

@@ -12,9 +12,9 @@ namespace polhode {
 /// Of degrees 1 … degree, in units in which the density is relative to the uniform one: c_lm = sqrt(4 pi) mean(Y_lm),
 /// so that |c - c'| is the largest difference that two laws give to the mean of any function of these degrees whose
 /// mean square over the sphere is one.
-class harmonic_means {
+class harmonic_moments {
  public:
-  explicit harmonic_means(int degree);
+  explicit harmonic_moments(int degree);
 
   /// One block of bodies, [component][lane]. What is not finite makes the means so.
   void add(std::span<const double> states);

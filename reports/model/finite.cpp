@@ -1,0 +1,34 @@
+#include "reports/model/finite.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace polhode::report {
+namespace {
+
+bool any_not_finite(std::initializer_list<std::optional<double>> numbers) {
+  for (const auto& number : numbers)
+    if (number && !std::isfinite(*number)) return true;
+  return false;
+}
+
+}  // namespace
+
+std::optional<double> finite(std::optional<double> number) {
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::string status_of(const measurement& row) {
+  if (row.status != "ok") return row.status;
+  const auto lost = [](const coordinate& c) { return !std::isfinite(c.value); };
+  if (any_not_finite({row.value, row.low, row.high}) || std::ranges::any_of(row.at, lost)) return "not finite";
+  return row.value ? "ok" : "missing";
+}
+
+std::string reason_of(const verdict& row) {
+  if (!any_not_finite({row.expected, row.estimate, row.low, row.high})) return row.reason;
+  return row.reason.empty() ? "not finite" : row.reason + "; not finite";
+}
+
+}  // namespace polhode::report

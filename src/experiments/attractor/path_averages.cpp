@@ -1,0 +1,73 @@
+#include "experiments/attractor/path_averages.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "ensemble/noise/paths.hpp"
+#include "statistics/resample.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr int row = block_lanes;  // noise paths whose averages over 2, 4, … 64 are one sample of the slope
+constexpr int replicates = 400;
+
+/// Columns averaged in neighbouring pairs.
+Eigen::MatrixXd halved(const Eigen::MatrixXd& m) {
+  Eigen::MatrixXd out(m.rows(), m.cols() / 2);
+  for (Eigen::Index i = 0; i < out.cols(); ++i) out.col(i) = 0.5 * (m.col(2 * i) + m.col(2 * i + 1));
+  return out;
+}
+
+}  // namespace
+
+grand_mean mean_of(const Eigen::MatrixXd& means, std::uint64_t seed) {
+  Eigen::MatrixXd rows = means;
+  for (int n = 1; n < row; n *= 2) rows = halved(rows);
+  grand_mean out{rows.rowwise().mean(), 0};
+  std::vector<double> off;
+  for (int r = 0; r < replicates; ++r) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(rows.rows());
+    for (const int i : resample(seed, r, static_cast<int>(rows.cols()))) sum += rows.col(i);
+    off.push_back((sum / static_cast<double>(rows.cols()) - out.value).norm());
+  }
+  out.error = central_interval(off, 0.9).second;
+  return out;
+}
+
+distances distances_of(const Eigen::MatrixXd& means, double bias) {
+  const int count = static_cast<int>(means.cols()) / row, levels = std::bit_width(static_cast<unsigned>(row));
+  distances out;
+  out.rows = {count, levels, std::vector<double>(static_cast<std::size_t>(count * levels))};
+  int level = 0;
+  for (Eigen::MatrixXd at = means;; at = halved(at), ++level) {
+    const Eigen::ArrayXd square = at.colwise().squaredNorm().transpose();
+    const auto n = square.size();
+    out.paths.push_back(std::exp2(level));
+    out.value.push_back(std::sqrt(square.mean()));
+    const double error = n < 8 ? NAN : 1.96 * std::sqrt((square - square.mean()).square().mean() / double(n - 1));
+    const bool known = std::isfinite(error);
+    out.low.push_back(known ? std::optional(std::sqrt(std::max(0.0, square.mean() - error))) : std::nullopt);
+    out.high.push_back(known ? std::optional(std::sqrt(square.mean() + error)) : std::nullopt);
+    if (level < levels)
+      for (int i = 0; i < count; ++i)
+        out.rows.at(i, level) = square.segment(i * n / count, n / count).mean() - bias * bias;
+    if (n == 1) return out;
+  }
+}
+
+std::optional<order_fit> slope_over_paths(const distances& d, std::uint64_t seed) {
+  std::vector<double> inverse;
+  for (int i = 0; i < d.rows.levels; ++i) inverse.push_back(1 / d.paths[static_cast<std::size_t>(i)]);
+  auto fit = fit_order(inverse, d.rows, 0, seed);
+  if (!fit) return fit;
+  fit->order = -fit->order;
+  fit->low = -std::exchange(fit->high, -fit->low);
+  fit->used.resize(d.paths.size());
+  fit->rule += "; squares less the exact bias of the scheme's own law";
+  return fit;
+}
+
+}  // namespace polhode
