@@ -6,17 +6,10 @@
 #include "ensemble/plain_forms.hpp"
 #include "platform/isa.hpp"
 #include "run/verify.hpp"
-#include "support/kernel_cases.hpp"
-#include "support/schemes.hpp"
-#include "systems/rigid_body/rigid_body.hpp"
+#include "support/kernel_checks.hpp"
 
 namespace polhode::test {
 namespace {
-
-vec<double, 3> state_at(std::span<const double> states, int lane) {
-  const auto k = [&](int i) { return states[static_cast<std::size_t>(i * block_lanes + lane)]; };
-  return {{k(0), k(1), k(2)}};
-}
 
 template <class Scheme>
 std::unique_ptr<kernel> kernel_on(const report::scene& scene, double dt) {
@@ -84,6 +77,25 @@ TYPED_TEST(Kernel, AgreesWithTheScalarStepForRotationsOfAnySize) {
   EXPECT_GT(compared, tried / 2) << TypeParam::info.name;
 }
 
+template <class Scheme, rotation_size size>
+void expect_the_step_at_the_end_of_polynomials(double dt) {
+  auto scene = at_the_end_of_polynomials<size>(dt);
+  EXPECT_EQ(rotation_size_of(make_rigid_body(scene), 1, dt), size);
+  for (const isa level : usable_isas()) {
+    choose_isa(level);
+    EXPECT_LE(distance_from_the_step<Scheme>(*kernel_on<Scheme>(scene, dt), scene), 2e-14)
+        << Scheme::info.name << " on " << name_of(level) << ", dt " << dt;
+  }
+  scene.number("theta") *= 1.001;
+  EXPECT_GT(rotation_size_of(make_rigid_body(scene), 1, dt), size);
+}
+
+// Where a polynomial errs most: from everywhere on the sphere, with as much dissipation as its size allows.
+TYPED_TEST(Kernel, AgreesWithTheScalarStepAtTheEndOfEveryPolynomial) {
+  expect_the_step_at_the_end_of_polynomials<TypeParam, rotation_size::tiny>(0.01);
+  expect_the_step_at_the_end_of_polynomials<TypeParam, rotation_size::moderate>(0.1);
+}
+
 TYPED_TEST(Kernel, PiecesAndStopsChangeNothing) {
   constexpr int steps = 24;
   constexpr double dt = 0.01;
@@ -92,17 +104,11 @@ TYPED_TEST(Kernel, PiecesAndStopsChangeNothing) {
   const increments w(*s.model, steps, dt);
   const auto stepper = kernel_on<TypeParam>(scene, dt);
   EXPECT_EQ(stepper->dt(), dt);
-  auto whole = replicated(scene.momentum), pieces = whole, stopped = whole;
+  auto whole = replicated(scene.momentum), pieces = whole;
   stepper->advance(whole, w.view);
-  for (int i = 0; i < steps; ++i) {
-    stepper->advance(pieces, w.step(i), {i == 0, i + 1 == steps});
-    if (i != 9) continue;
-    auto seen = pieces;
-    stepper->finish(seen);
-    stepper->advance(stopped, {10, std::span(w.dw).first(30 * block_lanes), std::span(w.area).first(30 * block_lanes)});
-    EXPECT_EQ(seen, stopped) << "a look in between is the run that ends there";
-  }
+  for (int i = 0; i < steps; ++i) stepper->advance(pieces, w.step(i), {i == 0, i + 1 == steps});
   EXPECT_EQ(whole, pieces);
+  EXPECT_EQ(distance_of_a_look(*stepper, scene), 0) << "a look in between is the run that ends there";
 }
 
 TYPED_TEST(Kernel, ALaneDoesNotSeeItsNeighbours) {
@@ -157,22 +163,8 @@ TEST(PlainKernel, SinglesAreIncrementsInTheirUnit) {
 }
 
 TYPED_TEST(Kernel, ASharedNoiseIsEveryPathsNoise) {
-  constexpr int steps = 200;
-  constexpr double dt = 0.004;
-  for (const auto& scene : every_part()) {
-    const auto s = bind_scene(scene);
-    increments w(*s.model, steps, dt);
-    std::vector<double> dw, area;
-    for (std::size_t row = 0; row < w.dw.size() / block_lanes; ++row) {
-      dw.push_back(w.dw[row * block_lanes]);
-      area.push_back(w.area[row * block_lanes]);
-    }
-    const auto stepper = kernel_on<TypeParam>(scene, dt);
-    auto own = replicated(scene.momentum), common = own;
-    stepper->advance(own, w.view);
-    stepper->advance(common, stepper->share({steps, dw, area}), 0, steps);
-    EXPECT_LE(distance(state_at(own, 0), state_at(common, 5)), 1e-13) << TypeParam::info.name;
-  }
+  for (const auto& scene : every_part())
+    EXPECT_LE(distance_of_common_noise(*kernel_on<TypeParam>(scene, 0.004), scene), 1e-13) << TypeParam::info.name;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "mutants/defective_kernel.hpp"
 #include "mutants/in_step.hpp"
+#include "mutants/in_tuning.hpp"
 #include "run/run_experiment.hpp"
 #include "run/verify.hpp"
 
@@ -36,6 +37,7 @@ constexpr kind_text texts[] = {
     {kind::area_mixed, "areas", "areas redrawn at every level"},
     {kind::channels, "channels correlated", "correlation {:g} of channels 1 and 2"},
     {kind::lanes, "paths repeated", "{:g} paths of 64 repeat others"},
+    {kind::neighbours, "paths interchanged", "noise of the path {:g} places on"},
     {kind::steps, "increments reused", "every second increment is the one before"},
     {kind::clip, "increments clipped", "dW_i cut at {:g} sqrt(dt)"},
     {kind::branch, "rare branch", "no noise beyond {:g} sqrt(dt)"},
@@ -44,13 +46,22 @@ constexpr kind_text texts[] = {
     {kind::turn, "projected but wrong", "turned by {:g} dt, projected"},
     {kind::shrink, "shrinking", "state x (1 - {:g} dt)"},
     {kind::ito_drift, "Ito drift", "Ito drift x {:+g} added"},
-    {kind::dissipation_sign, "dissipation sign", "dissipation sign as the paper prints it"},
+    {kind::unfinished, "look not finished", "half a turn missing in a look between pieces"},
+    {kind::reopened, "pieces opened anew", "half a turn missing between pieces"},
+    {kind::transposed, "common noise transposed", "matrices of the common noise transposed"},
     {kind::weights, "weights of the stages", "weights 1/2 +- {:g}"},
     {kind::half_missing, "1/2 missing", "1/2 of the stages' sum x {:g}", true},
     {kind::stage, "stage misplaced", "second stage {:g} short"},
     {kind::halves, "halves not mirrored", "halves of (1 +- {:g}) dt/2"},
     {kind::exponential, "exponential cut", "exponential cut after two terms"},
     {kind::flip, "rare sign", "state flipped beyond {:g} sqrt(dt)"},
+    {kind::dissipation_sign, "dissipation sign", "dissipation sign as the paper prints it"},
+    {kind::half_turn, "half turn", "half turn x {:g}", true},
+    {kind::half_shear, "half turn, as a shear", "half shear x {:g}", true},
+    {kind::casimir_shift, "Casimir shift", "Casimir shift by the axis {:g}"},
+    {kind::damping_halved, "damping of half a step", "damping of half a step for a whole"},
+    {kind::normalisation, "normalisation", "normalising polynomial a degree short"},
+    {kind::reach, "reach of polynomials", "polynomials beyond their reach"},
     {kind::generator_dw, "generator: increments", "generator: dW x {:g}", true},
     {kind::generator_channels, "generator: channels correlated", "generator: correlation {:g} of channels 1 and 2"},
     {kind::generator_lanes, "generator: paths repeated", "generator: {:g} paths of 64 repeat others"},
@@ -69,8 +80,9 @@ constexpr kind_text texts[] = {
 const kind_text& text_of(kind k) { return *std::ranges::find(texts, k, &kind_text::kind); }
 
 bool is_of_scene(kind k) { return k >= kind::noise && k <= kind::channel_1; }
-bool is_of_kernel(kind k) { return k >= kind::sub_flow && k <= kind::ito_drift; }
-bool is_of_step(kind k) { return k >= kind::dissipation_sign && k <= kind::flip; }
+bool is_of_kernel(kind k) { return k >= kind::sub_flow && k <= kind::transposed; }
+bool is_of_step(kind k) { return k >= kind::weights && k <= kind::flip; }
+bool is_of_tuning(kind k) { return k >= kind::dissipation_sign && k <= kind::reach; }
 
 report::scene changed(report::scene s, const defect& d) {
   const auto vectors = d.kind == kind::noise ? s.vectors("sigma").size() : d.kind == kind::channel_1 ? 1 : 0;
@@ -122,7 +134,11 @@ subject planted(const report::scene& scene, std::string_view scheme, const defec
   if (is_of_scene(d.kind)) entry = bound_to(changed(scene, d), scheme).schemes.front();
   if (is_of_kernel(d.kind))
     entry.make = [healthy = entry, scene, d](double dt) { return defective(healthy, scene, d, dt); };
-  if (is_of_step(d.kind)) entry.make = defective_step(scene, entry, d).make;
+  const auto with = [&](auto defective_kernel) {
+    entry.make = [=, name = std::string(scheme)](double dt) { return defective_kernel(scene, name, d, dt); };
+  };
+  if (is_of_step(d.kind)) with(defective_step);
+  if (is_of_tuning(d.kind)) with(defective_tuning);
   claim_more(entry.info, d);
   s.with = [name = std::string(scheme), d](const report::scene& other) { return planted(other, name, d); };
   return s;

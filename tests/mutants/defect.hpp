@@ -30,6 +30,7 @@ enum class kind {
   area_mixed,  ///< areas drawn anew, from the bits of dW
   channels,    ///< dW_2 = size dW_1 + sqrt(1 - size^2) dW_2; 1: the same
   lanes,       ///< the last `size` paths of a block take the noise of its first
+  neighbours,  ///< every path of a block takes the noise of the one that is `size` places on
   steps,       ///< every second step takes the noise of the step before
   clip,        ///< |dW_i| at most size
   branch,      ///< no noise where |dW| > size
@@ -39,14 +40,25 @@ enum class kind {
   turn,             ///< turned about e_3 by size dt, then back to its sphere
   shrink,           ///< × (1 - size dt)
   ito_drift,        ///< + size dt × the Ito drift: -1 misses a correction, 1 doubles it
+  // Between the pieces of a run, and of a common noise.
+  unfinished,  ///< a look at the states between two pieces is not finished
+  reopened,    ///< every piece begins as if it were the first
+  transposed,  ///< the matrices of the common noise
   // Inside the step (in_step.hpp).
+  weights,       ///< of the stages 1/2 + size and 1/2 - size
+  half_missing,  ///< the sum of the stages not halved
+  stage,         ///< the second stage this far at the state of the first
+  halves,        ///< of Strang (1 + size) dt/2 and (1 - size) dt/2
+  exponential,   ///< cut after the second power
+  flip,          ///< the state's sign changes where |sum sigma_i dW^i| > size of its mean strength
+  // Of a kernel tuned to the rigid body (in_tuning.hpp).
   dissipation_sign,  ///< theta -> -theta, as the paper prints it
-  weights,           ///< of the stages 1/2 + size and 1/2 - size
-  half_missing,      ///< the sum of the stages not halved
-  stage,             ///< the second stage this far at the state of the first
-  halves,            ///< of Strang (1 + size) dt/2 and (1 - size) dt/2
-  exponential,       ///< cut after the second power
-  flip,              ///< the state's sign changes where |dW| > size
+  half_turn,         ///< of Strang's last turn × (1 + size)
+  half_shear,        ///< the same where it is a shear alone
+  casimir_shift,     ///< by the axis `size`, turns about the axes 1 and 3
+  damping_halved,    ///< a whole step damps by the factor of half a step
+  normalisation,     ///< by a polynomial one degree short
+  reach,             ///< rotations by the polynomials of a smaller size
   // The generator, for the whole run: schemes and references alike.
   generator_dw,        ///< increments × (1 + size)
   generator_channels,  ///< as channels

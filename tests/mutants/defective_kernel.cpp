@@ -5,6 +5,7 @@
 #include <cmath>
 #include <polhode/noise/normal.hpp>
 
+#include "ensemble/noise_at.hpp"
 #include "mutants/spoilt_noise.hpp"
 
 namespace polhode::test {
@@ -29,6 +30,20 @@ void redraw_areas(std::vector<double>& area, std::span<const double> dw, double 
   for (std::size_t i = 0; i < area.size() && i < dw.size(); ++i) {
     const auto bits = std::bit_cast<std::uint64_t>(dw[i]);
     area[i] = dt / 2 * normals<1>({99, noise_kind::area, bits % (1ull << 48), i / block_lanes % axes})[0];
+  }
+}
+
+/// Of the rows of a rigid body's kernel.
+void transpose_matrices(shared_steps& shared) {
+  using row = std::array<double, sizeof(shared_step) / sizeof(double)>;
+  row raw;
+  for (auto at = shared.table.begin(); at != shared.table.end(); at += raw.size()) {
+    std::copy_n(at, raw.size(), raw.begin());
+    auto step = std::bit_cast<shared_step>(raw);
+    for (auto* m : {&step.rotation, &step.damped})
+      for (std::size_t i = 0; i < axes; ++i)
+        for (std::size_t j = 0; j < i; ++j) std::swap((*m)[i][static_cast<int>(j)], (*m)[j][static_cast<int>(i)]);
+    std::ranges::copy(std::bit_cast<row>(step), at);
   }
 }
 
@@ -96,7 +111,7 @@ class defective_kernel final : public kernel {
     spoilt_noise spoilt;
     auto view = spoil(given, block_lanes, spoilt);
     view.steps = static_cast<int>(taken_of(view.steps));
-    if (!step_by_step_) return healthy_->advance(states, view, p);
+    if (!step_by_step_) return healthy_->advance(states, view, opened(p));
     std::vector<double> before(states.size());
     for (int i = 0; i < view.steps; ++i) {
       std::ranges::copy(states, before.begin());
@@ -106,12 +121,14 @@ class defective_kernel final : public kernel {
   }
   shared_steps share(const increment_view& one_path) const override {
     spoilt_noise spoilt;
-    return healthy_->share(spoil(one_path, 1, spoilt));
+    auto shared = healthy_->share(spoil(one_path, 1, spoilt));
+    if (defect_.kind == kind::transposed) transpose_matrices(shared);
+    return shared;
   }
 
   void advance(std::span<double> states, const shared_steps& noise, std::int64_t first, std::int64_t steps,
                piece p) const override {
-    if (!step_by_step_) return healthy_->advance(states, noise, first, taken_of(steps), p);
+    if (!step_by_step_) return healthy_->advance(states, noise, first, taken_of(steps), opened(p));
     std::vector<double> before(states.size());
     for (std::int64_t i = first; i < first + steps; ++i) {
       std::ranges::copy(states, before.begin());
@@ -121,7 +138,7 @@ class defective_kernel final : public kernel {
   }
 
   void finish(std::span<double> states) const override {
-    if (!step_by_step_) healthy_->finish(states);
+    if (!step_by_step_ && defect_.kind != kind::unfinished) healthy_->finish(states);
   }
 
  private:
@@ -129,6 +146,8 @@ class defective_kernel final : public kernel {
     std::vector<double> dw, area;
     std::vector<float> singles;
   };
+
+  piece opened(piece p) const { return {p.first || defect_.kind == kind::reopened, p.last}; }
 
   std::int64_t taken_of(std::int64_t steps) const {
     const auto left_out = defect_.kind == kind::last_steps ? static_cast<std::int64_t>(defect_.size) : 0;

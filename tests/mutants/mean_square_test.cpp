@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "experiments/stability/mean_square.hpp"
+#include "experiments/stability/mean_square_report.hpp"
 #include "mutants/defect.hpp"
 #include "scene/scene.hpp"
 
@@ -21,7 +21,8 @@ report::verdict judged(const report::scene& scene, std::string_view scheme, cons
   const auto s = planted(scene, scheme, d);
   const context c{s, effort::quick, 1, 1};
   report::results out;
-  report_mean_square(c, scheme, out);
+  recorder record("stability", scheme, out);
+  report_mean_square(c, record);
   EXPECT_EQ(out.verdicts.size(), 1U);
   return out.verdicts.empty() ? report::verdict{} : out.verdicts.front();
 }
@@ -56,7 +57,8 @@ TEST(MeanSquare, WithoutNoiseNothingIsSaid) {
   const auto bound = planted(s, "strang", {});
   const context c{bound, effort::quick, 1, 1};
   report::results out;
-  report_mean_square(c, "strang", out);
+  recorder record("stability", "strang", out);
+  report_mean_square(c, record);
   EXPECT_TRUE(out.verdicts.empty());
 }
 

@@ -52,6 +52,14 @@ struct noise_rows {
       for (std::size_t k = 0; k < rows; ++k) at(i, k, lane) = at(i, k, lane - (lanes - last));
     });
   }
+  /// Of a block alone, as above.
+  void interchange_lanes(std::size_t by) {
+    if (lanes == 1) return;
+    for (std::size_t row = 0; row < steps * rows; ++row) {
+      const auto all = values.subspan(row * lanes, lanes);
+      std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(by), all.end());
+    }
+  }
   /// Of a block alone: the steps of a quadrature are nodes.
   void repeat_steps() {
     if (lanes == 1) return;
@@ -69,6 +77,7 @@ void spoil_increments(const defect& d, noise_rows<Real> noise) {
     case kind::clip: return noise.clip(d.size);
     case kind::branch: return noise.drop_beyond(d.size);
     case kind::lanes: return noise.repeat_lanes(static_cast<std::size_t>(d.size));
+    case kind::neighbours: return noise.interchange_lanes(static_cast<std::size_t>(d.size));
     case kind::steps: return noise.repeat_steps();
     default: return;
   }

@@ -22,12 +22,25 @@ class rigid_body_at : public Noise {
  public:
   using algebra = typename rotations<size>::algebra;
   static constexpr int dimension = 3, channels = 3;
+  static constexpr bool polynomials = parts.dissipation && size != rotation_size::any;
+  static constexpr int norm_degree = [] {
+    if constexpr (polynomials) return rotations<size>::norm_degree;
+    return 0;
+  }();
 
-  rigid_body_at(const rigid_body_constants& constants, const Noise& noise) : Noise(noise), k_(constants) {
-    if constexpr (polynomials) {
-      norm_ = chebyshev_interpolation<rotations<size>::norm_degree>(
-          [&](long double e) { return k_.radius / std::sqrt(1 + e); }, std::max(k_.spread(), 1e-300));
-    }
+  rigid_body_at(const rigid_body_constants& constants, const Noise& noise)
+      : rigid_body_at(constants, normalisation<norm_degree>(constants), noise) {}
+  /// norm: c / |y| by the excess of |y|^2 over 1.
+  rigid_body_at(const rigid_body_constants& constants, const polynomial<norm_degree>& norm, const Noise& noise)
+      : Noise(noise), k_(constants), norm_(norm) {}
+
+  template <int degree>
+  static polynomial<degree> normalisation(const rigid_body_constants& k) {
+    if constexpr (!polynomials)
+      return {};
+    else
+      return chebyshev_interpolation<degree>([&](long double e) { return k.radius / std::sqrt(1 + e); },
+                                             std::max(k.spread(), 1e-300));
   }
 
   /// The same body with other noise: with that of one step which all paths share, say.
@@ -143,17 +156,6 @@ class rigid_body_at : public Noise {
   double energy(const vec<double, 3>& pi) const { return 0.5 * dot(pi, scaled(k_.inverse_inertia, pi)); }
 
  private:
-  template <body_parts, rotation_size, class>
-  friend class rigid_body_at;
-  static constexpr bool polynomials = parts.dissipation && size != rotation_size::any;
-  static constexpr int norm_degree = [] {
-    if constexpr (polynomials) return rotations<size>::norm_degree;
-    return 0;
-  }();
-
-  rigid_body_at(const rigid_body_constants& constants, const polynomial<norm_degree>& norm, const Noise& noise)
-      : Noise(noise), k_(constants), norm_(norm) {}
-
   template <class S>
   static S value_of(const S& x) {
     return x;

@@ -12,16 +12,24 @@
 
 namespace polhode {
 
-/// A rigid body bound to its step size, in the forms of kernel_of. `first_axis`: the body's axis that is numbered 1 in
-/// the kernel (a symmetric body is turned so that its odd axis is 3).
+/// What the body fixes for every step. `first_axis`: the body's axis that is numbered 1 in the kernel (a symmetric body
+/// is turned so that its odd axis is 3).
+inline rigid_body_constants constants_of(const rigid_body& body, double dt, double radius, int first_axis,
+                                         rotation_size size) {
+  vec<double, 3> inverse;
+  for (int k = 0; k < 3; ++k) inverse[k] = body.inverse_inertia[(k + first_axis) % 3];
+  return {inverse, body.theta, dt, radius, size};
+}
+
+/// A rigid body bound to its step size, in the forms of kernel_of; `bound` by its constants.
 template <body_parts parts, rotation_size size>
 class rigid_body_forms {
  public:
-  rigid_body_forms(const rigid_body& body, double dt, double radius, int first_axis)
+  rigid_body_forms(const rigid_body& body, const rigid_body_at<parts, size, no_noise>& bound, int first_axis)
       : body_(body),
         first_axis_(first_axis),
         diagonal_(first_axis == 0 && body.sigma().isDiagonal(0.0)),
-        own_(rigid_body_constants(turned(body.inverse_inertia), body.theta, dt, radius, size), noise_of(body)) {}
+        own_(bound.with(noise_of(body))) {}
 
   auto own(double unit) const {
     diagonal_noise noise = own_;

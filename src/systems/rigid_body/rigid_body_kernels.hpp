@@ -50,39 +50,44 @@ using loop_scalar = std::conditional_t<
     rotates<Scheme> && size == rotation_size::any, pack,
     std::conditional_t<turns<Scheme> && size == rotation_size::tiny && pack::size() == 8, four_packs, loop_pack>>;
 
-template <class Scheme, body_parts parts>
-std::unique_ptr<kernel> rigid_body_kernel(const rigid_body& body, double radius, double dt) {
-  const int axis = parts.last_turn ? 0 : first_axis_of(body);
-  const auto made = [&]<rotation_size size>() -> std::unique_ptr<kernel> {
-    using forms = rigid_body_forms<parts, size>;
-    return std::make_unique<kernel_of<Scheme, forms, loop_scalar<Scheme, size>>>(forms(body, dt, radius, axis), dt);
-  };
+template <class Scheme, body_parts parts, class Make>
+std::unique_ptr<kernel> by_rotation_size(rotation_size size, const Make& make) {
   if constexpr (rotates<Scheme>) {
-    const auto size = rotation_size_of(body, radius, dt);
     if constexpr (turns<Scheme> && parts.dissipation)
-      if (size == rotation_size::tiny) return made.template operator()<rotation_size::tiny>();
-    if (size <= rotation_size::small) return made.template operator()<rotation_size::small>();
-    if (size == rotation_size::moderate) return made.template operator()<rotation_size::moderate>();
+      if (size == rotation_size::tiny) return make.template operator()<parts, rotation_size::tiny>();
+    if (size <= rotation_size::small) return make.template operator()<parts, rotation_size::small>();
+    if (size == rotation_size::moderate) return make.template operator()<parts, rotation_size::moderate>();
   }
-  return made.template operator()<rotation_size::any>();
+  return make.template operator()<parts, rotation_size::any>();
 }
 
-/// Only the parts that the scheme can tell apart: one that moves by a(Pi) as a whole has no turns to leave out.
+/// make<parts, size>(): only the parts that the scheme can tell apart (one that moves by a(Pi) as a whole has no turns
+/// to leave out), and a size only where it rotates.
+template <class Scheme, class Make>
+std::unique_ptr<kernel> by_parts_and_size(body_parts parts, rotation_size size, const Make& make) {
+  if constexpr (splits<Scheme>)
+    if (!parts.first_turn) return by_rotation_size<Scheme, body_parts{false, false, false}>(size, make);
+  if constexpr (turns<Scheme>)
+    if (!parts.last_turn)
+      return parts.dissipation ? by_rotation_size<Scheme, body_parts{true, false, true}>(size, make)
+                               : by_rotation_size<Scheme, body_parts{true, false, false}>(size, make);
+  return parts.dissipation ? by_rotation_size<Scheme, body_parts{true, true, true}>(size, make)
+                           : by_rotation_size<Scheme, body_parts{true, true, false}>(size, make);
+}
+
 template <class Scheme>
 std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const rigid_body& body, const std::vector<double>& momentum,
                                    double dt) {
   const auto prepared_body = prepared<Scheme>(body, dt);
   const double radius = std::hypot(momentum[0], momentum[1], momentum[2]);
-  const auto parts = parts_of(body);
-  const auto made = [&]<body_parts p>() { return rigid_body_kernel<Scheme, p>(prepared_body, radius, dt); };
-  if constexpr (splits<Scheme>)
-    if (!parts.first_turn) return made.template operator()<body_parts{false, false, false}>();
-  if constexpr (turns<Scheme>)
-    if (!parts.last_turn)
-      return parts.dissipation ? made.template operator()<body_parts{true, false, true}>()
-                               : made.template operator()<body_parts{true, false, false}>();
-  return parts.dissipation ? made.template operator()<body_parts{true, true, true}>()
-                           : made.template operator()<body_parts{true, true, false}>();
+  const auto make = [&]<body_parts parts, rotation_size size>() -> std::unique_ptr<kernel> {
+    const int axis = parts.last_turn ? 0 : first_axis_of(prepared_body);
+    const auto constants = constants_of(prepared_body, dt, radius, axis, size);
+    using forms = rigid_body_forms<parts, size>;
+    return std::make_unique<kernel_of<Scheme, forms, loop_scalar<Scheme, size>>>(
+        forms(prepared_body, {constants, no_noise{}}, axis), dt);
+  };
+  return by_parts_and_size<Scheme>(parts_of(body), rotation_size_of(prepared_body, radius, dt), make);
 }
 
 }  // namespace polhode

@@ -1,0 +1,63 @@
+// The defects that every push tries.
+#include "mutants/table.hpp"
+
+namespace polhode::test {
+
+std::vector<row> sharpest() {
+  return {
+      {{kind::noise, 0.001}, "heun_projected", "paper", true, "gibbs"},
+      {{kind::noise, 0.001}, "lie_heun", "paper", true, "weak"},
+      {{kind::noise, 0.001}, "lie_heun", "paper", true, "strong"},
+      {{kind::noise, 0.001}, "lie_heun", "weak noise", true, "modified"},
+      {{kind::noise, 0.001}, "lie_heun", "paper", true, "stability"},
+      {{kind::noise, 0.001}, "strang", "paper", true, "energy"},
+      {{kind::theta, 0.001}, "strang", "paper", true, "energy"},
+      {{kind::theta, 0.001}, "strang_weak2", "paper", true, "gibbs"},
+      {{kind::theta, 0.001}, "lie_trotter", "paper", true, "weak"},
+      {{kind::inertia_1, 0.001}, "lie_heun", "paper", true, "energy"},
+      {{kind::inertia_2, 0.001}, "strang", "paper", true, "energy"},
+      {{kind::inertia_3, 0.001}, "strang_weak2", "paper", true, "weak"},
+      {{kind::channel_1, 0.01}, "strang_weak2", "paper", true, "gibbs"},
+      {{kind::sub_flow, 0.001}, "strang", "paper", true, "energy"},
+      {{kind::horizon, -0.001}, "lie_heun", "paper", true, "energy"},
+      {{kind::step_count, -1}, "strang_weak2", "paper", true, "weak"},
+      {{kind::last_steps, 1}, "strang", "paper", true, "modified"},
+      {{kind::dw, 0.01}, "cayley_heun", "paper", true, "gibbs"},
+      {{kind::area, 0.01}, "magnus", "paper", true, "strong"},
+      {{kind::channels, 0.3}, "lie_heun", "paper", true, "strong"},
+      {{kind::channels, 0.01}, "strang_weak2", "paper", true, "gibbs"},
+      {{kind::steps, 1}, "strang", "paper", true, "strong"},
+      {{kind::branch, 5}, "lie_heun", "paper", true, "weak"},
+      {{kind::flip, 5}, "lie_heun", "paper", true, "weak"},
+      {{kind::float_state, 1}, "lie_heun", "paper", true, "casimir"},
+      {{kind::float_projected, 1}, "strang", "paper", true, "casimir"},
+      {{kind::float_projected, 1}, "lie_heun", "paper", true, "energy"},
+      {{kind::turn, 0.001}, "lie_heun", "paper", true, "energy"},
+      {{kind::shrink, 1e-6}, "lie_heun", "paper", true, "casimir"},
+      {{kind::ito_drift, 1}, "heun", "paper", true, "strong"},
+      {{kind::dissipation_sign, 1}, "lie_heun", "paper", true, "energy"},
+      {{kind::dissipation_sign, 1}, "lie_heun", "paper", true, "gibbs"},
+      {{kind::weights, 0.01}, "lie_heun", "paper", true, "energy"},
+      {{kind::half_missing, 0.01}, "heun", "paper", true, "energy"},
+      {{kind::stage, 0.01}, "lie_heun", "paper", true, "energy"},
+      {{kind::halves, 0.01}, "strang", "paper", true, "energy"},
+      {{kind::exponential, 1}, "lie_euler", "paper", true, "casimir"},
+      {{kind::half_turn, 0.01}, "strang", "paper", true, "energy"},
+      {{kind::half_shear, 0.01}, "strang", "paper", true, "energy"},
+      {{kind::casimir_shift, 3}, "heun", "paper", true, "energy"},
+      {{kind::casimir_shift, 3}, "strang", "paper", true, "energy"},
+      {{kind::damping_halved, 1}, "lie_trotter", "paper", true, "energy"},
+      {{kind::reach, 1}, "lie_trotter", "undamped", true, "casimir"},
+      {{kind::reopened, 1}, "strang", "paper", true, "modified"},
+      {{kind::neighbours, 1}, "strang", "paper", true, "strong"},
+      {{kind::strong_claim, 0.5}, "lie_heun", "paper", true, "strong"},
+      {{kind::weak_claim, 1}, "strang", "paper", true, "weak"},
+      {{kind::weak_claim, 1}, "strang", "paper", true, "gibbs"},
+      {{kind::path_claim, 1}, "lie_trotter", "paper", true, "energy"},
+      {{kind::drift_claim, 0.5}, "heun", "paper", true, "casimir"},
+      {{kind::casimir_claim, 1}, "heun", "paper", true, "casimir"},
+      {{kind::poisson_claim, 1}, "implicit_midpoint", "paper", true, "casimir"},
+  };
+}
+
+}  // namespace polhode::test
