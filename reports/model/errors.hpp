@@ -5,7 +5,8 @@
 
 namespace polhode {
 
-/// The user's input cannot be taken. The message is one line: file, key, value, and what would be accepted. Exit code 2.
+/// The user's input cannot be taken. The message is one line: file, key, value, and what would be accepted. Exit
+/// code 2.
 struct input_error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

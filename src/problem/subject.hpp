@@ -14,7 +14,8 @@
 #include "ensemble/tangent_kernel.hpp"
 #include "problem/capabilities.hpp"
 #include "problem/drives.hpp"
-#include "reports/model/results.hpp"
+#include "reports/model/scene.hpp"
+#include "reports/model/work.hpp"
 
 namespace polhode {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/model/results.hpp"
+#include "reports/model/scene.hpp"
 
 namespace polhode {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/model/results.hpp"
+#include "reports/model/scene.hpp"
 
 namespace polhode {
 

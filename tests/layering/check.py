@@ -9,79 +9,9 @@ import re
 import sys
 import tempfile
 
-# ---- the rules --------------------------------------------------------------------------------------------------------
-# A room is a file or a folder; the longest path that matches a file names its room.
-INSTALLED = 'integrators/include/polhode/'
-ROOMS = {
-    'helpers':       [INSTALLED + name for name in ('vec.hpp', 'scalar.hpp', 'simd.hpp', 'dual.hpp', 'solve.hpp', 'increment.hpp', 'chebyshev.hpp')],
-    'lie':           [INSTALLED + 'lie/'],
-    'noise':         [INSTALLED + 'noise/'],
-    'concepts':      [INSTALLED + 'systems/lie_poisson.hpp'],
-    'system_noise':  [INSTALLED + 'systems/constant_noise.hpp'],
-    'systems':       [INSTALLED + 'systems/'],
-    'scheme_info':   [INSTALLED + 'schemes/scheme_info.hpp'],
-    'schemes':       [INSTALLED + 'schemes/'],
-    'driver':        [INSTALLED],  # integrate.hpp and what else stands at the top
-    'platform':      ['src/platform/'],
-    'algebra':       ['src/algebra/'],
-    'statistics':    ['src/statistics/'],
-    'references':    ['src/references/'],
-    'sphere':        ['src/sphere/'],
-    'ensemble':      ['src/ensemble/'],
-    'problem':       ['src/problem/'],
-    'transfer':      ['src/transfer/'],
-    'experiments':   ['src/experiments/'],
-    'selection':     ['src/selection/'],
-    'comparison':    ['src/comparison/'],
-    'lab_systems':   ['src/systems/'],
-    'scene':         ['src/scene/'],
-    'run':           ['src/run/'],
-    'cli':           ['src/cli/'],
-    'reports/model': ['reports/model/'],
-    'plots':         ['reports/plots/'],
-    'writers':       ['reports/writers/'],
-}
+from planted import PLANTED
+from rooms import INSTALLED, INSTALLED_ROOMS, MAY, ROOMS, STANDARD
 
-# What a room may include besides itself: what it does include, and no more (of the calculus: all of it, or what is named).
-# A room that needs another says so here.
-CALCULUS = ['helpers', 'lie', 'noise', 'concepts', 'system_noise', 'scheme_info']  # nothing concrete
-INTEGRATORS = CALCULUS + ['systems', 'schemes']
-JUDGES = ['platform', 'algebra', 'references', 'sphere', 'ensemble', 'statistics', 'problem', 'transfer']
-MAY = {
-    'helpers':       [],
-    'lie':           ['helpers'],
-    'noise':         ['helpers'],
-    'concepts':      ['helpers'],
-    'system_noise':  ['helpers'],
-    'systems':       ['helpers', 'lie', 'concepts', 'system_noise'],
-    'scheme_info':   ['concepts'],
-    'schemes':       ['helpers', 'concepts', 'scheme_info'],
-    'driver':        ['noise', 'scheme_info'],
-    'platform':      [],
-    'algebra':       ['platform'],
-    'statistics':    ['helpers', 'noise', 'algebra'],
-    'references':    CALCULUS,
-    'sphere':        ['algebra', 'references'],
-    'ensemble':      CALCULUS + ['platform'],
-    'problem':       CALCULUS + ['sphere', 'ensemble', 'reports/model'],
-    'transfer':      CALCULUS + ['platform', 'algebra', 'sphere', 'ensemble', 'problem'],
-    'experiments':   CALCULUS + JUDGES + ['reports/model'],
-    'selection':     ['ensemble', 'problem', 'transfer', 'experiments', 'reports/model'],
-    'comparison':    ['reports/model'],
-    'lab_systems':   INTEGRATORS + ['platform', 'references', 'sphere', 'ensemble', 'problem', 'reports/model'],
-    'scene':         ['lab_systems', 'reports/model'],
-    'run':           ['noise', 'platform', 'sphere', 'ensemble', 'transfer', 'experiments', 'selection', 'lab_systems', 'scene', 'reports/model'],
-    'cli':           ['run', 'scene', 'lab_systems', 'comparison', 'reports/model', 'writers'],
-    'reports/model': [],
-    'plots':         ['reports/model'],
-    'writers':       ['reports/model', 'plots'],
-}
-
-# What is not ours: the installed headers may use the standard library, the compiler's intrinsics and Eigen; the rest is free.
-STANDARD = re.compile(r'(experimental/)?[a-z_0-9]+$|std(int|def|lib)\.h$|[a-z]+intrin\.h$|arm_neon\.h$|Eigen/')
-INSTALLED_ROOMS = {room for room, paths in ROOMS.items() if paths[0].startswith(INSTALLED)}
-
-# ---- the check --------------------------------------------------------------------------------------------------------
 SEARCHED = ('integrators', 'src', 'reports')
 SOURCES = ('.hpp', '.h', '.cpp', '.cc', '.cxx', '.hxx', '.ipp', '.inl', '.tpp')
 INCLUDE = re.compile(r'\s*(?:#|%:)\s*include(?:_next)?\b\s*(.*)')
@@ -140,139 +70,13 @@ def check(root):
                 file = os.path.relpath(os.path.join(folder, name), root)
                 read += 1
                 if (room := room_of(file)) is None:
-                    found.append((file, 1, '-', 'lies in no room: name one in ' + os.path.basename(__file__)))
+                    found.append((file, 1, '-', 'lies in no room: name one in rooms.py'))
                     continue
                 with open(os.path.join(root, file), encoding='utf-8') as lines:
                     for number, line in enumerate(lines, 1):
                         if (include := INCLUDE.match(line)) and (rule := judge(root, file, room, include[1])):
                             found.append((file, number, include[1].strip(), rule))
     return found, read
-
-
-# ---- the check of the check -------------------------------------------------------------------------------------------
-# file, include, is it a violation. Written out by hand, not derived from the table above.
-PLANTED = [
-    # the installed headers
-    (INSTALLED + 'lie/so3.hpp', '<polhode/vec.hpp>', False),
-    (INSTALLED + 'lie/so3.hpp', '<polhode/noise/philox.hpp>', True),
-    (INSTALLED + 'lie/so3.hpp', '<polhode/systems/lie_poisson.hpp>', True),
-    (INSTALLED + 'noise/increments.hpp', '<polhode/simd.hpp>', False),
-    (INSTALLED + 'noise/increments.hpp', '<polhode/lie/so3.hpp>', True),
-    (INSTALLED + 'simd.hpp', '<experimental/simd>', False),
-    (INSTALLED + 'simd.hpp', '<polhode/lie/so3.hpp>', True),
-    (INSTALLED + 'vec.hpp', '"lie/so3.hpp"', True),
-    (INSTALLED + 'systems/rigid_body.hpp', '"../lie/so3.hpp"', False),
-    (INSTALLED + 'systems/rigid_body.hpp', '<polhode/schemes/heun.hpp>', True),
-    (INSTALLED + 'systems/rigid_body.hpp', '<polhode/noise/philox.hpp>', True),
-    (INSTALLED + 'systems/lie_poisson.hpp', '<polhode/lie/so3.hpp>', True),
-    (INSTALLED + 'systems/lie_poisson.hpp', '"constant_noise.hpp"', True),
-    (INSTALLED + 'systems/lie_poisson.hpp', '<polhode/systems/rigid_body.hpp>', True),
-    (INSTALLED + 'systems/constant_noise.hpp', '<polhode/vec.hpp>', False),
-    (INSTALLED + 'systems/constant_noise.hpp', '<polhode/systems/lie_poisson.hpp>', True),
-    (INSTALLED + 'systems/rigid_body.hpp', '"constant_noise.hpp"', False),
-    (INSTALLED + 'schemes/heun.hpp', '<polhode/increment.hpp>', False),
-    (INSTALLED + 'schemes/heun.hpp', '"scheme_info.hpp"', False),
-    (INSTALLED + 'schemes/heun.hpp', '<polhode/systems/lie_poisson.hpp>', False),
-    (INSTALLED + 'schemes/scheme_info.hpp', '<polhode/systems/lie_poisson.hpp>', False),
-    (INSTALLED + 'schemes/scheme_info.hpp', '"heun.hpp"', True),
-    (INSTALLED + 'schemes/heun.hpp', '<polhode/systems/rigid_body.hpp>', True),
-    (INSTALLED + 'schemes/heun.hpp', '"../systems/rigid_body.hpp"', True),
-    (INSTALLED + 'schemes/heun.hpp', '<polhode/systems/constant_noise.hpp>', True),
-    (INSTALLED + 'schemes/heun.hpp', '<polhode/noise/normal.hpp>', True),
-    (INSTALLED + 'schemes/heun.hpp', '<polhode/lie/so3.hpp>', True),
-    (INSTALLED + 'schemes/heun.hpp', '"reports/model/results.hpp"', True),
-    (INSTALLED + 'schemes/heun.hpp', '"statistics/fit.hpp"', True),
-    (INSTALLED + 'schemes/heun.hpp', '"../../../../src/scene/scene.hpp"', True),
-    (INSTALLED + 'schemes/heun.hpp', '<Eigen/Core>', False),
-    (INSTALLED + 'schemes/heun.hpp', '<cmath>', False),
-    (INSTALLED + 'schemes/heun.hpp', '<fmt/core.h>', True),
-    (INSTALLED + 'schemes/heun.hpp', '<boost/math/constants/constants.hpp>', True),
-    (INSTALLED + 'schemes/heun.hpp', 'POLHODE_HEADER', True),
-    (INSTALLED + 'integrate.hpp', '<polhode/schemes/scheme_info.hpp>', False),
-    (INSTALLED + 'integrate.hpp', '<polhode/noise/normal.hpp>', False),
-    (INSTALLED + 'integrate.hpp', '"lie/so3.hpp"', True),
-    (INSTALLED + 'integrate.hpp', '"schemes/heun.hpp"', True),
-    (INSTALLED + 'integrate.hpp', '<polhode/schemes/heun.hpp>', True),
-    # the laboratory
-    ('src/platform/isa.cpp', '"isa.hpp"', False),
-    ('src/platform/isa.cpp', '"ensemble/run.hpp"', True),
-    ('src/platform/isa.cpp', '<polhode/vec.hpp>', True),
-    ('src/algebra/krylov_space.cpp', '"platform/isa.hpp"', False),
-    ('src/algebra/krylov_space.cpp', '<Eigen/Eigenvalues>', False),
-    ('src/algebra/krylov_space.cpp', '"sphere/wigner.hpp"', True),
-    ('src/algebra/krylov_space.cpp', '<polhode/vec.hpp>', True),
-    ('src/statistics/fit.cpp', '"fit.hpp"', False),
-    ('src/statistics/fit.cpp', '"algebra/decompositions.hpp"', False),
-    ('src/statistics/fit.cpp', '"../ensemble/run.hpp"', True),
-    ('src/statistics/fit.cpp', '<polhode/schemes/scheme_info.hpp>', True),
-    ('src/references/driven_ode.hpp', '<polhode/schemes/scheme_info.hpp>', False),
-    ('src/references/driven_ode.hpp', '<polhode/schemes/heun.hpp>', True),
-    ('src/references/driven_ode.hpp', '<polhode/systems/rigid_body.hpp>', True),
-    ('src/references/driven_ode.hpp', '"sphere/kolmogorov.hpp"', True),
-    ('src/sphere/closed_forms/gibbs.cpp', '<gsl/gsl_sf.h>', False),
-    ('src/sphere/closed_forms/gibbs.cpp', '"references/odeint.hpp"', False),
-    ('src/sphere/closed_forms/gibbs.cpp', '<polhode/systems/rigid_body.hpp>', True),
-    ('src/sphere/closed_forms/gibbs.cpp', '"statistics/fit.hpp"', True),
-    ('src/sphere/closed_forms/gibbs.cpp', '"problem/subject.hpp"', True),
-    ('src/ensemble/run.cpp', '"platform/isa.hpp"', False),
-    ('src/ensemble/run.cpp', '<polhode/systems/constant_noise.hpp>', False),
-    ('src/ensemble/run.cpp', '<polhode/systems/rigid_body.hpp>', True),
-    ('src/ensemble/run.cpp', '<polhode/schemes/heun.hpp>', True),
-    ('src/ensemble/run.cpp', '"sphere/harmonics.hpp"', True),
-    ('src/ensemble/run.cpp', '"scene/scene.hpp"', True),
-    ('src/problem/subject.hpp', '"ensemble/model.hpp"', False),
-    ('src/problem/subject.hpp', '"sphere/sphere_problem.hpp"', False),
-    ('src/problem/subject.hpp', '"transfer/transfer.hpp"', True),
-    ('src/problem/subject.hpp', '<polhode/systems/rigid_body.hpp>', True),
-    ('src/transfer/transfer.cpp', '"problem/subject.hpp"', False),
-    ('src/transfer/transfer.cpp', '"experiments/common/levels.hpp"', True),
-    ('src/transfer/transfer.cpp', '<polhode/systems/rigid_body.hpp>', True),
-    ('src/experiments/weak/weak.cpp', '"sphere/closed_forms/gibbs.hpp"', False),
-    ('src/experiments/weak/weak.cpp', '"reports/model/results.hpp"', False),
-    ('src/experiments/weak/weak.cpp', '<polhode/schemes/scheme_info.hpp>', False),
-    ('src/experiments/weak/weak.cpp', '<polhode/schemes/heun.hpp>', True),
-    ('src/experiments/weak/weak.cpp', '<polhode/systems/rigid_body.hpp>', True),
-    ('src/experiments/weak/weak.cpp', '"systems/bind.hpp"', True),
-    ('src/experiments/weak/weak.cpp', '  "scene/scene.hpp"  // a reason', True),
-    ('src/experiments/weak/weak.cpp', '"reports/writers/json.hpp"', True),
-    ('src/experiments/weak/weak.cpp', '"src/scene/scene.hpp"', True),
-    ('src/selection/select.cpp', '"experiments/weak.hpp"', False),
-    ('src/selection/select.cpp', '<polhode/schemes/heun.hpp>', True),
-    ('src/selection/select.cpp', '"run/verify.hpp"', True),
-    ('src/comparison/compare.cpp', '"reports/model/results.hpp"', False),
-    ('src/comparison/compare.cpp', '"statistics/fit.hpp"', True),
-    ('src/comparison/compare.cpp', '"reports/writers/json.hpp"', True),
-    ('src/systems/rigid_body/rigid_body.cpp', '<polhode/systems/rigid_body.hpp>', False),
-    ('src/systems/rigid_body/rigid_body.cpp', '"sphere/sphere_problem.hpp"', False),
-    ('src/systems/rigid_body/rigid_body.cpp', '"experiments/weak/weak.hpp"', True),
-    ('src/systems/rigid_body/rigid_body.cpp', '"statistics/fit.hpp"', True),
-    ('src/scene/scene.cpp', '"systems/systems.hpp"', False),
-    ('src/scene/scene.cpp', '"problem/subject.hpp"', True),
-    ('src/scene/scene.cpp', '"run/verify.hpp"', True),
-    ('src/run/verify.cpp', '"selection/select.hpp"', False),
-    ('src/run/verify.cpp', '<polhode/schemes/heun.hpp>', True),
-    ('src/run/verify.cpp', '"reports/writers/json.hpp"', True),
-    ('src/run/verify.cpp', '"cli/main.hpp"', True),
-    ('src/cli/main.cpp', '"reports/writers/json.hpp"', False),
-    ('src/cli/main.cpp', '"scene/scene.hpp"', False),
-    ('src/cli/main.cpp', '"experiments/weak.hpp"', True),
-    ('src/cli/main.cpp', '"platform/isa.hpp"', True),
-    ('src/cli/main.cpp', '"selection/select.hpp"', True),
-    ('src/cli/main.cpp', '"tests/unit/helper.hpp"', True),
-    # the reports
-    ('reports/writers/json.cpp', '"json.hpp"', False),
-    ('reports/writers/json.cpp', '"../model/results.hpp"', False),
-    ('reports/writers/json.cpp', '<nlohmann/json.hpp>', False),
-    ('reports/writers/json.cpp', '"reports/plots/descriptions.hpp"', False),
-    ('reports/writers/json.cpp', '"statistics/fit.hpp"', True),
-    ('reports/writers/json.cpp', '<polhode/vec.hpp>', True),
-    ('reports/model/results.hpp', '"reports/writers/json.hpp"', True),
-    ('reports/model/results.hpp', '"reports/plots/descriptions.hpp"', True),
-    ('reports/model/results.hpp', '"scene/scene.hpp"', True),
-    ('reports/plots/curves.cpp', '"reports/model/results.hpp"', False),
-    ('reports/plots/curves.cpp', '"reports/writers/json.hpp"', True),
-    ('reports/plots/curves.cpp', '"statistics/fit.hpp"', True),
-]
 
 
 def self_test():

@@ -153,8 +153,8 @@ export interface Parameter {
 export interface Scene {
   name: string;
   system: string;
-  parameters: Parameter[]; // but theta and sigma, which every system has
-  theta: number | null;
+  parameters: Parameter[]; // but dissipation and noise, which every system has
+  dissipation: number | null;
   sigma: number[][];
   momentum: number[];
   horizon: number | null;

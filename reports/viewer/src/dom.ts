@@ -28,6 +28,39 @@ export function svg(tag: string, attributes: Attributes = {}, ...children: Child
   return fill(document.createElementNS('http://www.w3.org/2000/svg', tag), attributes, children);
 }
 
+/** A button that is pressed or not. */
+export function toggle(name: string, pressed: () => boolean, turn: () => void): HTMLButtonElement {
+  const button = h(
+    'button',
+    {
+      type: 'button',
+      'aria-pressed': String(pressed()),
+      click: () => {
+        turn();
+        button.setAttribute('aria-pressed', String(pressed()));
+      },
+    },
+    name,
+  );
+  return button;
+}
+
+/** Details that are made when they are first looked at. */
+export function lazily(summary: string, make: () => Node, attributes: Attributes = {}): HTMLElement {
+  const details = h(
+    'details',
+    {
+      ...attributes,
+      toggle: () => {
+        if (details.open && details.children.length === 1) details.append(make());
+      },
+    },
+    h('summary', {}, summary),
+  );
+  if (details.open) details.append(make());
+  return details;
+}
+
 /** Gives text or bytes to the reader as a file. */
 export function save(name: string, content: string | Blob, type = 'text/plain'): void {
   const blob = typeof content === 'string' ? new Blob([content], { type: `${type};charset=utf-8` }) : content;

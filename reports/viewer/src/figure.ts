@@ -1,26 +1,22 @@
 // A plot on the page: drawn when it comes near the screen, with its key, its switches, its files and its table.
 import { csvOf } from './csv';
 import type { Measurement } from './data';
-import { h, save, type Child } from './dom';
-import { keySample } from './key';
+import { h, lazily, save, toggle, type Child } from './dom';
+import { Legend } from './legend';
 import { slug } from './numbers';
-import { measurementTable } from './page/tables';
+import { measurementTable } from './page/result_tables';
+import { permalink } from './permalink';
 import { echarts, type Chart } from './plots/charts';
 import { heightOf, optionOf } from './plots/draw';
-import { earlierPointsIn, pointsIn, schemesIn, type Plot } from './plots/model';
-import { pictureWidth, pngPicture, svgPicture } from './plots/picture';
+import { earlierPointsIn, isWide, pointsIn, schemesIn, type Plot } from './plots/model';
+import { ordinates } from './plots/ordinates';
+import { broadPrintWidth, paperPicture, pictureWidth, pngPicture, printWidth, svgPicture } from './plots/picture';
+import { remarks, spoken } from './plots/remarks';
 import { hasManyPoints, lookIn, type Setting } from './plots/setting';
 import { walker } from './plots/walker';
-import { addressOf, goTo, isolate, isolated, on, theme } from './state';
+import { isolated, on, theme } from './state';
 import { papers } from './style';
 import { watch } from './watch';
-
-const printWidth = 560,
-  broadPrintWidth = 1060;
-
-/** Needs the whole width of the page. */
-const isWide = (plot: Plot): boolean =>
-  (plot.kind === 'map' && plot.panels.length > 1) || (plot.kind === 'matrix' && plot.columns.length > 6);
 
 export class Figure {
   readonly element: HTMLElement;
@@ -28,7 +24,7 @@ export class Figure {
   chart: Chart | null = null;
   private readonly canvas = h('div', { class: 'chart', tabindex: 0, role: 'img' });
   private readonly printed = h('div', { class: 'printed', 'aria-hidden': 'true' });
-  private readonly keys: [string, HTMLButtonElement][] = [];
+  private readonly legend: Legend;
   private current: Plot; // the plot itself, or the same points over another ordinate
   private logX: boolean;
   private logY: boolean;
@@ -43,7 +39,10 @@ export class Figure {
     this.current = plot;
     this.logX = plot.kind === 'matrix' ? false : plot.logX;
     this.logY = plot.kind === 'curve' || plot.kind === 'map' ? plot.logY : false;
-    this.canvas.setAttribute('aria-label', this.spoken());
+    this.legend = new Legend(plot.kind === 'curve' ? schemesIn(plot) : [], (scheme) =>
+      lookIn(this.setting(false, 0), scheme),
+    );
+    this.canvas.setAttribute('aria-label', spoken(plot));
     this.canvas.addEventListener(
       'keydown',
       walker(() => this.chart),
@@ -56,11 +55,11 @@ export class Figure {
         'data-points': pointsIn(plot),
         'data-earlier-points': earlierPointsIn(plot) || null,
       },
-      h('figcaption', {}, plot.title, this.permalink()),
+      h('figcaption', {}, plot.title, permalink(plot.id, 'Link to this plot', `Link to ${plot.title}`)),
       this.canvas,
       this.printed,
-      this.legend(),
-      this.remarks(),
+      this.legend.element(),
+      remarks(plot),
       this.tools(),
       this.table(),
     );
@@ -73,14 +72,6 @@ export class Figure {
     );
     on('scheme', () => this.refresh());
     on('theme', () => this.refresh());
-  }
-
-  private spoken(): string {
-    const schemes = schemesIn(this.plot).length;
-    return (
-      `${this.plot.title}: ${pointsIn(this.plot)} values${schemes > 0 ? ` of ${schemes} schemes` : ''}. ` +
-      'Arrow keys go from point to point; the table below holds every number.'
-    );
   }
 
   setting(standalone: boolean, width: number): Setting {
@@ -107,11 +98,7 @@ export class Figure {
 
   private refresh(): void {
     this.stale = true;
-    for (const [scheme, key] of this.keys) {
-      key.setAttribute('aria-pressed', String(scheme === isolated()));
-      key.classList.toggle('faded', isolated() !== null && scheme !== isolated());
-      key.replaceChildren(...keySample(lookIn(this.setting(false, 0), scheme), scheme));
-    }
+    this.legend.refresh();
     if (this.near) this.draw();
   }
 
@@ -139,90 +126,21 @@ export class Figure {
     this.stale = false;
   }
 
-  private permalink(): Child {
-    return h(
-      'a',
-      {
-        class: 'permalink',
-        href: addressOf(this.plot.id),
-        title: 'Link to this plot',
-        'aria-label': `Link to ${this.plot.title}`,
-        click: (event) => {
-          event.preventDefault();
-          goTo(this.plot.id);
-        },
-      },
-      '#',
-    );
-  }
-
-  private legend(): Child {
-    if (this.plot.kind !== 'curve') return false;
-    for (const scheme of schemesIn(this.plot)) {
-      const key = h(
-        'button',
-        {
-          type: 'button',
-          class: 'key-entry',
-          'aria-pressed': 'false',
-          title: `Only ${scheme}, in every plot`,
-          click: () => isolate(scheme),
-        },
-        ...keySample(lookIn(this.setting(false, 0), scheme), scheme),
-      );
-      this.keys.push([scheme, key]);
-    }
-    return (
-      this.keys.length > 0 &&
-      h('div', { class: 'legend', role: 'group', 'aria-label': 'Schemes' }, ...this.keys.map(([, key]) => key))
-    );
-  }
-
-  private remarks(): Child {
-    const parts: Child[] = [],
-      { plot } = this;
-    if (plot.kind === 'curve' && plot.hollow !== '') parts.push(`Hollow: ${plot.hollow}. `);
-    if (plot.kind === 'curve' && plot.lines.some((l) => l.fit))
-      parts.push('Wide line: the fitted power law; its wedge is the interval of the order. ');
-    if (earlierPointsIn(plot) > 0) parts.push('Faint: the earlier run. ');
-    if (plot.kind === 'curve' && hasManyPoints(plot)) parts.push(`${pointsIn(plot)} points: drawn without bars. `);
-    parts.push(plot.note);
-    return parts.join('') !== '' && h('p', { class: 'note' }, ...parts);
-  }
-
-  private toggle(name: string, get: () => boolean, set: (next: boolean) => void): Child {
-    const button = h(
-      'button',
-      {
-        type: 'button',
-        'aria-pressed': String(get()),
-        click: () => {
-          set(!get());
-          button.setAttribute('aria-pressed', String(get()));
-          this.stale = true;
-          this.draw();
-        },
-      },
+  private switchOf(name: string, which: 'logX' | 'logY' | 'earlier'): Child {
+    return toggle(
       name,
+      () => this[which],
+      () => {
+        this[which] = !this[which];
+        this.stale = true;
+        this.draw();
+      },
     );
-    return button;
   }
 
-  /** CPU time, or what is counted. */
-  private ordinates(): Child[] {
-    const { plot } = this;
-    if (plot.kind !== 'curve' || !plot.others || plot.others.length === 0) return [];
-    const choices: [string, Plot][] = [['time', plot], ...plot.others.map((o): [string, Plot] => [o.name, o.plot])];
-    const buttons = choices.map(([name, choice]) => {
-      const pressed = String(choice === plot);
-      return h('button', { type: 'button', 'aria-pressed': pressed, click: () => choose(choice) }, name);
-    });
-    const choose = (choice: Plot): void => {
-      this.current = choice;
-      buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(choices[i]?.[1] === choice)));
-      this.draw();
-    };
-    return [h('span', { class: 'soft small' }, 'cost in'), ...buttons];
+  private over(choice: Plot): void {
+    this.current = choice;
+    this.draw();
   }
 
   private tools(): Child {
@@ -232,25 +150,10 @@ export class Figure {
     return h(
       'div',
       { class: 'tools' },
-      plot.kind !== 'matrix' &&
-        this.toggle(
-          'log x',
-          () => this.logX,
-          (next) => (this.logX = next),
-        ),
-      (plot.kind === 'curve' || plot.kind === 'map') &&
-        this.toggle(
-          'log y',
-          () => this.logY,
-          (next) => (this.logY = next),
-        ),
-      earlierPointsIn(plot) > 0 &&
-        this.toggle(
-          'earlier run',
-          () => this.earlier,
-          (next) => (this.earlier = next),
-        ),
-      ...this.ordinates(),
+      plot.kind !== 'matrix' && this.switchOf('log x', 'logX'),
+      (plot.kind === 'curve' || plot.kind === 'map') && this.switchOf('log y', 'logY'),
+      earlierPointsIn(plot) > 0 && this.switchOf('earlier run', 'earlier'),
+      ...ordinates(plot, (choice) => this.over(choice)),
       h('span', { class: 'gap' }),
       tool('SVG', () => save(`${name}.svg`, this.toSvg(), 'image/svg+xml')),
       tool('PNG', () =>
@@ -269,28 +172,17 @@ export class Figure {
   }
 
   private table(): Child {
-    const details = h(
-      'details',
-      {
-        class: 'behind',
-        toggle: () => {
-          if (details.open && details.children.length === 1)
-            details.append(measurementTable(this.plot.rows, this.earlierRows()));
-        },
-      },
-      h('summary', {}, `The ${this.plot.rows.length + (this.earlierRows()?.length ?? 0)} numbers behind this plot`),
+    const { rows } = this.plot,
+      earlier = this.earlierRows();
+    return lazily(
+      `The ${rows.length + (earlier?.length ?? 0)} numbers behind this plot`,
+      () => measurementTable(rows, earlier),
+      { class: 'behind' },
     );
-    return details;
   }
 
   print(): void {
-    const picture = new DOMParser().parseFromString(
-      this.toSvg(isWide(this.plot) ? broadPrintWidth : printWidth),
-      'image/svg+xml',
-    ).documentElement;
-    picture.removeAttribute('width');
-    picture.removeAttribute('height');
-    this.printed.replaceChildren(document.importNode(picture, true));
+    this.printed.replaceChildren(paperPicture(this.toSvg(isWide(this.plot) ? broadPrintWidth : printWidth)));
   }
 
   unprint(): void {

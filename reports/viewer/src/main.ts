@@ -5,16 +5,18 @@ import { h } from './dom';
 import { asWritten } from './numbers';
 import { byExperiment, experimentNames, schemeNames } from './order';
 import { advice } from './page/advice';
-import { leftOut, profile, provenance, schemeTable } from './page/back';
 import { bar } from './page/bar';
 import { board } from './page/board';
 import { changes } from './page/changes';
+import { schemeTable } from './page/claims';
 import { header } from './page/header';
+import { leftOut } from './page/left_out';
+import { profile, provenance } from './page/provenance';
 import { section, type Context, type Printable } from './page/section';
 import { Source } from './plots/source';
 import { readResults } from './read';
 import { followAddress } from './state';
-import './style.css';
+import './styles/index.css';
 
 /** The run that this one is held against. */
 interface Earlier {

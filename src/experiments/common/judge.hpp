@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "reports/model/results.hpp"
 #include "statistics/orders/order_fit.hpp"
@@ -23,31 +22,13 @@ double half_width(const auto& estimate) { return (estimate.high - estimate.low) 
 /// Holds if [low, high] lies inside expected +- margin, refuted if disjoint from it, else inconclusive.
 report::verdict_kind judge(double expected, double low, double high, double margin);
 
-/// What a verdict is about.
-struct claim {
-  std::string experiment, scheme, text;
-};
-
-/// Verdict on an order, of nothing yet: a recorder says of what (recorder.hpp). `at_least`: faster than claimed holds
+/// Verdict on an order; a recorder says of what (recorder.hpp). `at_least`: faster than claimed holds
 /// too (a scene can be kinder than the claim) once the slope is asymptotic: before a zero crossing it is steep for a
 /// while, and nothing is concluded. Refuted where the slope is asymptotic and the two finest levels refute it too, or
 /// where they lie no nearer to the claim than the slope does; a slope that still nears the claim is inconclusive.
 report::verdict judge_order(double expected, const std::optional<order_fit>&, bool at_least);
-report::verdict judge_order(const claim&, double expected, const std::optional<order_fit>&, bool at_least);
 
 /// Verdict on a distance that should vanish: holds below `bound`, refuted above it.
 report::verdict judge_distance(const interval_estimate&, double bound, const std::string& reason);
-report::verdict judge_distance(const claim&, const interval_estimate&, double bound, const std::string& reason);
-
-/// Measurements of one series over dt; a value that is not finite becomes a status.
-struct series {
-  std::string experiment, scheme, quantity, observable, unit, method;
-};
-report::measurement measured(const series&, std::optional<double> dt, double value, std::optional<double> low = {},
-                             std::optional<double> high = {});
-
-/// Records the fit and marks the levels that it used among `points` (one per level, in the order of the fit).
-void record_fit(report::results&, const series&, const std::optional<order_fit>&,
-                std::vector<report::measurement> points);
 
 }  // namespace polhode

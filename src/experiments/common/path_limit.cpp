@@ -117,13 +117,6 @@ bool tight(const path_limit& limit) {
   return true;
 }
 
-report::verdict judge_limit(const claim& c, const path_limit& limit, const std::vector<direction>& directions,
-                            double size) {
-  auto v = judge_limit(limit, directions, size);
-  v.experiment = c.experiment, v.scheme = c.scheme, v.claim = c.text;
-  return v;
-}
-
 report::verdict judge_limit(const path_limit& limit, const std::vector<direction>& directions, double size) {
   const auto& d = limit.distance;
   if (!std::isfinite(d.value)) return judge_distance({NAN, NAN, NAN}, 0, "no usable levels");

@@ -57,6 +57,5 @@ bool tight(const path_limit&);
 /// Holds if the distance is below its bound and every strength within its margin of one; refuted if the distance is
 /// above it or a strength is not one (error outside its family-wise interval).
 report::verdict judge_limit(const path_limit&, const std::vector<direction>&, double size);
-report::verdict judge_limit(const claim&, const path_limit&, const std::vector<direction>&, double size);
 
 }  // namespace polhode

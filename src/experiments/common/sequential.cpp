@@ -44,18 +44,4 @@ std::vector<sample_size> sample_until_tight(const context& c, const sampling_pla
   return sizes;
 }
 
-void note_sample_size(report::results& out, std::string_view experiment, std::string_view scheme,
-                      const sample_size& size) {
-  const auto concerned = [&](const auto& x) { return x.experiment == experiment && x.scheme == scheme; };
-  bool noted = false;
-  for (auto& fit : out.fits)
-    if (concerned(fit)) {
-      fit.rule += "; " + size.text();
-      noted = true;
-    }
-  if (noted) return;
-  for (auto& verdict : out.verdicts)
-    if (concerned(verdict)) verdict.reason += "; " + size.text();
-}
-
 }  // namespace polhode

@@ -11,7 +11,6 @@
 #include <functional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "experiments/common/experiment.hpp"
@@ -37,8 +36,5 @@ int blocks_of(int paths);
 std::vector<sample_size> sample_until_tight(const context&, const sampling_plan&, int schemes,
                                             const std::function<void(int block, std::span<const int> open)>& run_block,
                                             const std::function<bool(int scheme, int paths)>& tight);
-
-/// Says how many paths were enough: with the fits of the scheme, or with its verdicts where it has no fit.
-void note_sample_size(report::results&, std::string_view experiment, std::string_view scheme, const sample_size&);
 
 }  // namespace polhode

@@ -78,7 +78,7 @@ struct runs_of_levels {
 /// By width alone: a slope that is asymptotic and known well enough, or none to be had by halving on.
 bool order_is_resolved(const floored_errors& e) {
   const auto fit = e.fit();
-  return !fit || e.reaches_floor() < e.values.size() || (fit->settled && half_width(*fit) <= tight_order);
+  return !fit || e.reaches_floor() < e.values.size() || (fit->asymptotic && half_width(*fit) <= tight_order);
 }
 
 }  // namespace

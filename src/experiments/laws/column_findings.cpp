@@ -46,7 +46,7 @@ bool approaches_its_limit(const error_table& t, std::vector<double> error, std::
   for (double& u : uncertainty) u += limit.certainty();
   if (std::fabs(error.back()) < resolved * uncertainty.back()) return true;
   const auto fit = fit_finest_order(t.dt, error, uncertainty, resolved);
-  return fit && fit->settled;
+  return fit && fit->asymptotic;
 }
 
 }  // namespace
@@ -78,8 +78,8 @@ std::vector<column_finding> find_columns(const order_question& q, double expecte
     }
     const double uncertain = uncertainty.back() + (out[k].terms.empty() ? 0 : out[k].terms[0].certainty());
     out[k].finest_is_resolved = std::fabs(error.back()) >= resolved * uncertain;
-    const bool settled = out[k].fit && out[k].fit->settled;
-    out[k].approaches = !out[k].finest_is_resolved || settled ||
+    const bool asymptotic = out[k].fit && out[k].fit->asymptotic;
+    out[k].approaches = !out[k].finest_is_resolved || asymptotic ||
                         (!out[k].terms.empty() && approaches_its_limit(t, error, uncertainty, out[k].terms[0]));
   }
   return out;

@@ -49,7 +49,8 @@ verdict without_fit(verdict v, double largest) {
 /// Slopes whose last level has gone below what is certain count where they were asymptotic before.
 std::vector<std::optional<order_fit>> counting_fits(const std::vector<column_finding>& found) {
   std::vector<std::optional<order_fit>> out;
-  for (const auto& f : found) out.push_back(f.fit && (f.fit->settled || f.finest_is_resolved) ? f.fit : std::nullopt);
+  for (const auto& f : found)
+    out.push_back(f.fit && (f.fit->asymptotic || f.finest_is_resolved) ? f.fit : std::nullopt);
   if (std::ranges::none_of(out, [](const auto& fit) { return fit.has_value(); }))
     std::ranges::transform(found, out.begin(), &column_finding::fit);
   return out;

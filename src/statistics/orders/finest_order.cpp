@@ -50,7 +50,7 @@ std::optional<order_fit> fit_finest_order(std::span<const double> dt, std::span<
       "slope between the two finest levels that are clear; its interval from what it changed by over four of them, of "
       "{}",
       dt.size());
-  fit.settled = change <= asymptotic_change;
+  fit.asymptotic = change <= asymptotic_change;
   fit.finest = {last, fit.low, fit.high};
   return fit;
 }

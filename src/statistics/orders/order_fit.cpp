@@ -31,7 +31,7 @@ order_fit exact_fit(const level_choice& c, std::size_t count) {
   const auto line = line_through(c.levels);
   const double half = half_width_of_scatter(c.levels, line);
   auto fit = result_of(c, line, line.slope - half, line.slope + half, count);
-  fit.settled =
+  fit.asymptotic =
       std::fabs(off_the_others(c.levels)) <= off_the_line &&  // what scatters without sampling is curvature
       std::ranges::all_of(c.levels, [&](const auto& l) { return std::fabs(l.y - line.at(l.x)) <= off_the_line; });
   fit.finest.value = fit.finest.low = fit.finest.high = slope_at_the_finest(c.levels);
@@ -76,7 +76,7 @@ order_fit resampled_fit(const moments& m, const Eigen::Ref<const Eigen::MatrixXd
   const auto [low, high] = central_interval(slopes, 0.95);
   const auto [least, most] = central_interval(off, 0.95);
   auto fit = result_of(m.chosen, line_through(m.chosen.levels), low, high, static_cast<std::size_t>(m.values.levels));
-  fit.settled = least <= off_the_line && most >= -off_the_line;
+  fit.asymptotic = least <= off_the_line && most >= -off_the_line;
   const auto [slowest, fastest] = central_interval(finest, 0.95);
   fit.finest = {slope_at_the_finest(m.chosen.levels), slowest, fastest};
   return fit;

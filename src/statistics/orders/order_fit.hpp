@@ -21,7 +21,7 @@ struct order_fit {
   double prefactor = 0;                 ///< value = prefactor * dt^order
   std::vector<bool> used;               ///< per level
   std::string rule;                     ///< what was left out, and why
-  bool settled = true;                  ///< no curvature is seen
+  bool asymptotic = true;               ///< no curvature is seen
   interval_estimate finest;             ///< slope between the two finest levels used
 };
 

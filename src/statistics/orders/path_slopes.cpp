@@ -69,7 +69,7 @@ std::optional<path_slopes> fit_path_slopes(std::span<const double> dt, const squ
                    fmt::format("median of the slopes of {} single paths over {} levels; the middle 95 % of them lie in "
                                "[{:.2f}, {:.2f}]",
                                slopes.size(), n, low, high),
-                   chosen.settled, median_of(finest)},
+                   chosen.asymptotic, median_of(finest)},
                   low,
                   high,
                   static_cast<double>(enough) / static_cast<double>(slopes.size())};

@@ -13,7 +13,7 @@
 namespace polhode {
 
 struct path_slopes {
-  order_fit median;           ///< of the paths; `used`, `settled` as in the fit that chose the levels
+  order_fit median;           ///< of the paths; `used`, `asymptotic` as in the fit that chose the levels
   double low = 0, high = 0;   ///< the middle 95 % of the paths
   double share_at_least = 0;  ///< of the paths, those whose slope is at least `asked`
 };

@@ -31,6 +31,10 @@ export function viridis(share: number): Rgb {
   ) as Rgb;
 }
 
+/** The colours from low to high, in so many steps. */
+export const ramp = (steps = 24): string[] =>
+  Array.from({ length: steps }, (_, i) => `rgb(${viridis((i + 0.5) / steps).join(' ')})`);
+
 export interface Scale {
   log: boolean;
   low: number;

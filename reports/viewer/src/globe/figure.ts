@@ -1,11 +1,12 @@
 // The densities of an experiment: a globe that turns, its snapshots, a flat map beside it.
 import type { Density } from '../data';
-import { h, save, type Child } from '../dom';
+import { h, save, toggle, type Child } from '../dom';
 import { shown, slug } from '../numbers';
-import { addressOf, goTo } from '../state';
+import { permalink } from '../permalink';
 import { watch } from '../watch';
 import { scaleOver, type Scale } from './colours';
-import { colourBar, drawFlat, flatCanvas, flatSvg } from './flat';
+import { drawFlat, flatCanvas, flatSvg } from './flat';
+import { colourBar, snapshots } from './legend';
 import { densitiesCsv, densityTable, titleOf } from './numbers';
 import { binOf, directionAt, mollweideAt, seen, type Vector, type View } from './sphere';
 import { Globe } from './webgl';
@@ -49,11 +50,11 @@ export class GlobeFigure {
     this.element = h(
       'figure',
       { id: this.id, class: 'plot globe', 'data-points': densities.reduce((n, d) => n + d.values.length, 0) },
-      h('figcaption', {}, this.caption, this.permalink()),
-      this.snapshots(),
+      h('figcaption', {}, this.caption, permalink(this.id, 'Link to this globe', 'Link to this globe')),
+      snapshots(densities, (index) => this.choose(index)),
       this.stage,
       this.readout,
-      this.bar(),
+      colourBar(this.scale),
       this.printed,
       this.tools(),
       densityTable(this.densities),
@@ -153,74 +154,16 @@ export class GlobeFigure {
         : `Π/c = (${n.map((x) => x.toFixed(2)).join(', ')}): ${shown(this.density.values[binOf(this.density, n)] ?? null)} × uniform`;
   }
 
-  private snapshots(): Child {
-    if (this.densities.length < 2) return false;
-    return h(
-      'div',
-      { class: 'snapshots-list', role: 'group', 'aria-label': 'Snapshots' },
-      ...this.densities.map((d, i) => {
-        const button = h(
-          'button',
-          {
-            type: 'button',
-            'aria-pressed': String(i === 0),
-            click: () => {
-              button.parentElement
-                ?.querySelectorAll('button')
-                .forEach((one) => one.setAttribute('aria-pressed', String(one === button)));
-              this.choose(i);
-            },
-          },
-          titleOf(d),
-        );
-        return button;
-      }),
-    );
-  }
-
-  private bar(): HTMLElement {
-    return h(
-      'div',
-      { class: 'colour-bar' },
-      h('span', {}, shown(this.scale.low, 2)),
-      h('div', { class: 'ramp', style: `background: linear-gradient(to right, ${colourBar().join(', ')})` }),
-      h('span', {}, shown(this.scale.high, 2)),
-      h('small', {}, `density relative to uniform${this.scale.log ? ', logarithmic' : ''}`),
-    );
-  }
-
-  private permalink(): Child {
-    return h(
-      'a',
-      {
-        class: 'permalink',
-        href: addressOf(this.id),
-        'aria-label': 'Link to this globe',
-        title: 'Link to this globe',
-        click: (event) => {
-          event.preventDefault();
-          goTo(this.id);
-        },
-      },
-      '#',
-    );
-  }
-
   private tools(): Child {
     const name = (): string => slug(this.id, titleOf(this.density));
     const tool = (label: string, action: () => void): Child => h('button', { type: 'button', click: action }, label);
-    const shape = h(
-      'button',
-      {
-        type: 'button',
-        'aria-pressed': String(this.flatChosen),
-        click: () => {
-          this.flatChosen = !this.flatChosen;
-          shape.setAttribute('aria-pressed', String(this.flatChosen));
-          this.draw();
-        },
-      },
+    const shape = toggle(
       'flat',
+      () => this.flatChosen,
+      () => {
+        this.flatChosen = !this.flatChosen;
+        this.draw();
+      },
     );
     return h(
       'div',

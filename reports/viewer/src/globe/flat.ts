@@ -2,7 +2,7 @@
 import type { Density } from '../data';
 import { h, svg } from '../dom';
 import { shown } from '../numbers';
-import { viridis, type Scale } from './colours';
+import { ramp, viridis, type Scale } from './colours';
 import { binOf, mollweideAt, mollweideOf } from './sphere';
 
 export function drawFlat(canvas: HTMLCanvasElement, d: Density, scale: Scale): void {
@@ -42,9 +42,6 @@ function graticule(x: (a: number) => number, y: (b: number) => number): string {
   return path.join('');
 }
 
-export const colourBar = (steps = 24): string[] =>
-  Array.from({ length: steps }, (_, i) => `rgb(${viridis((i + 0.5) / steps).join(' ')})`);
-
 /** A picture that stands alone: the map as an image, net, names and colour bar as lines and text. */
 export function flatSvg(d: Density, scale: Scale, title: string): string {
   const width = 820,
@@ -80,7 +77,7 @@ export function flatSvg(d: Density, scale: Scale, title: string): string {
         name,
       );
     }),
-    ...colourBar(64).map((fill, i) => svg('rect', { x: 250 + 5 * i, y: 452, width: 5.5, height: 12, fill })),
+    ...ramp(64).map((fill, i) => svg('rect', { x: 250 + 5 * i, y: 452, width: 5.5, height: 12, fill })),
     text([242, 463], shown(scale.low, 2), 12, 'end'),
     text([578, 463], shown(scale.high, 2), 12, 'start'),
     text([410, 484], 'density relative to uniform', 12),

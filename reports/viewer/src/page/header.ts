@@ -43,7 +43,7 @@ function onSphere(s: Scene): HTMLElement {
   const pi = (): Element => upright('Π'),
     omega = (): Element => upright('Ω');
   const quiet = s.sigma.every((v) => v.every((x) => x === 0));
-  const drift = s.theta === 0 ? [omega()] : [fenced(omega(), op('+'), id('θ'), pi(), op('×'), omega())];
+  const drift = s.dissipation === 0 ? [omega()] : [fenced(omega(), op('+'), id('θ'), pi(), op('×'), omega())];
   return math(
     'd Pi equals Pi cross (Omega plus theta Pi cross Omega) dt plus the sum over i of Pi cross sigma i, Stratonovich, d W i',
     row(
@@ -118,7 +118,7 @@ function sceneFacts(s: Scene): HTMLElement {
     { class: 'facts' },
     fact(['system'], s.system.replace(/_/g, ' ')),
     ...s.parameters.map((p) => fact([p.name.replace(/_/g, ' ')], valueOf(p))),
-    fact(['dissipation ', letter('θ')], shown(s.theta)),
+    fact(['dissipation ', letter('θ')], shown(s.dissipation)),
     fact(['noise ', letter('σ', 'i')], noiseOf(s)),
     fact([s.momentum.length === 3 ? 'momentum Π' : 'momentum μ', h('sub', {}, '0')], tuple(s.momentum)),
     fact(['horizon ', letter('T')], shown(s.horizon)),

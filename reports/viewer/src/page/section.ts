@@ -1,7 +1,7 @@
 // One experiment: its question, its plots, its fits, its verdicts, and all that was measured.
 import { caseOf } from '../coordinates';
 import type { Density, Experiment, Measurement, PlotDescription, PlotKind, Results, Verdict } from '../data';
-import { h, type Child } from '../dom';
+import { h, lazily, type Child } from '../dom';
 import { Figure } from '../figure';
 import { GlobeFigure } from '../globe/figure';
 import { asWritten, prose, shown, shownCertain } from '../numbers';
@@ -9,7 +9,8 @@ import { symbols, tally } from '../order';
 import { kindsByWeight } from '../data';
 import { picked, rowsIn } from '../plots/pick';
 import type { Source } from '../plots/source';
-import { chip, fitTable, measurementTable, orderTable, table, verdictTable } from './tables';
+import { fitTable, measurementTable, orderTable, verdictTable } from './result_tables';
+import { chip, table } from './tables';
 
 const mostPlots = 60;
 
@@ -105,21 +106,6 @@ function standing(verdicts: Verdict[]): Child {
   );
 }
 
-function lazily(summary: string, make: () => Node, open = false): HTMLElement {
-  const details = h(
-    'details',
-    {
-      open,
-      toggle: () => {
-        if (details.open && details.children.length === 1) details.append(make());
-      },
-    },
-    h('summary', {}, summary),
-  );
-  if (open) details.append(make());
-  return details;
-}
-
 export function section(name: string, densities: Density[], context: Context): HTMLElement {
   const { results, schemes } = context,
     rows = context.measurements.get(name) ?? [],
@@ -155,7 +141,7 @@ export function section(name: string, densities: Density[], context: Context): H
         `${plots.length - mostPlots} more plots are left out here; their numbers are in the table.`,
       ),
     settings(tableOfKind('conditions'), context.source),
-    verdicts.length > 0 && lazily(`${verdicts.length} verdicts`, () => verdictTable(verdicts), unsettled),
+    verdicts.length > 0 && lazily(`${verdicts.length} verdicts`, () => verdictTable(verdicts), { open: unsettled }),
     fits.length > 0 && lazily(`${fits.length} fits`, () => fitTable(fits, own)),
     rows.length > 0
       ? lazily(`${rows.length} measurement${rows.length === 1 ? '' : 's'}`, () => measurementTable(rows))

@@ -1,8 +1,10 @@
 // From a plot to what ECharts is told.
 import type { Option } from './charts';
+import { comparisonOption } from './draw_comparison';
 import { curveOption } from './draw_curve';
-import { mapHeight, mapOption } from './draw_map';
-import { comparisonOption, matrixOption } from './draw_table';
+import { mapOption } from './draw_map';
+import { matrixOption } from './draw_matrix';
+import { mapHeight } from './map_frame';
 import { earlierPointsIn, type Plot } from './model';
 import { font, hasManyPoints, keyRows, type Item, type Setting } from './setting';
 import { tooltipOf } from './tooltip';

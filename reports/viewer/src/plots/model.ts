@@ -130,3 +130,7 @@ export function schemesIn(plot: Plot): string[] {
         : plot.entries.map((e) => e.scheme);
   return [...new Set(names)].filter((name) => name !== '');
 }
+
+/** Needs the whole width of the page. */
+export const isWide = (plot: Plot): boolean =>
+  (plot.kind === 'map' && plot.panels.length > 1) || (plot.kind === 'matrix' && plot.columns.length > 6);

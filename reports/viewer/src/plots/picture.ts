@@ -5,7 +5,9 @@ import { heightOf, optionOf } from './draw';
 import type { Plot } from './model';
 import type { Setting } from './setting';
 
-export const pictureWidth = 820;
+export const pictureWidth = 820,
+  printWidth = 560,
+  broadPrintWidth = 1060;
 
 export function svgPicture(plot: Plot, setting: Setting): string {
   const size = { width: setting.width, height: heightOf(plot, setting) };
@@ -23,4 +25,12 @@ export function pngPicture(plot: Plot, setting: Setting, take: (picture: Blob) =
   const canvas = chart.renderToCanvas({ pixelRatio: 2, backgroundColor: setting.paper.card });
   canvas.toBlob((blob) => blob && take(blob));
   chart.dispose();
+}
+
+/** A picture as a part of the page, as wide as its place. */
+export function paperPicture(svg: string): Node {
+  const picture = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
+  picture.removeAttribute('width');
+  picture.removeAttribute('height');
+  return document.importNode(picture, true);
 }

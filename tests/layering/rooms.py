@@ -1,0 +1,73 @@
+"""Which rooms there are, and what each may include: the rules that check.py holds."""
+import re
+
+# A room is a file or a folder; the longest path that matches a file names its room.
+INSTALLED = 'integrators/include/polhode/'
+ROOMS = {
+    'helpers':       [INSTALLED + name for name in ('vec.hpp', 'scalar.hpp', 'simd.hpp', 'dual.hpp', 'solve.hpp', 'increment.hpp', 'chebyshev.hpp')],
+    'lie':           [INSTALLED + 'lie/'],
+    'noise':         [INSTALLED + 'noise/'],
+    'concepts':      [INSTALLED + 'systems/lie_poisson.hpp'],
+    'system_noise':  [INSTALLED + 'systems/constant_noise.hpp'],
+    'systems':       [INSTALLED + 'systems/'],
+    'scheme_info':   [INSTALLED + 'schemes/scheme_info.hpp'],
+    'schemes':       [INSTALLED + 'schemes/'],
+    'driver':        [INSTALLED],  # integrate.hpp and what else stands at the top
+    'platform':      ['src/platform/'],
+    'algebra':       ['src/algebra/'],
+    'statistics':    ['src/statistics/'],
+    'references':    ['src/references/'],
+    'sphere':        ['src/sphere/'],
+    'ensemble':      ['src/ensemble/'],
+    'problem':       ['src/problem/'],
+    'transfer':      ['src/transfer/'],
+    'experiments':   ['src/experiments/'],
+    'selection':     ['src/selection/'],
+    'comparison':    ['src/comparison/'],
+    'lab_systems':   ['src/systems/'],
+    'scene':         ['src/scene/'],
+    'run':           ['src/run/'],
+    'cli':           ['src/cli/'],
+    'reports/model': ['reports/model/'],
+    'plots':         ['reports/plots/'],
+    'writers':       ['reports/writers/'],
+}
+
+# What a room may include besides itself: what it does include, and no more (of the calculus: all of it, or what is named).
+# A room that needs another says so here.
+CALCULUS = ['helpers', 'lie', 'noise', 'concepts', 'system_noise', 'scheme_info']  # nothing concrete
+INTEGRATORS = CALCULUS + ['systems', 'schemes']
+JUDGES = ['platform', 'algebra', 'references', 'sphere', 'ensemble', 'statistics', 'problem', 'transfer']
+MAY = {
+    'helpers':       [],
+    'lie':           ['helpers'],
+    'noise':         ['helpers'],
+    'concepts':      ['helpers'],
+    'system_noise':  ['helpers'],
+    'systems':       ['helpers', 'lie', 'concepts', 'system_noise'],
+    'scheme_info':   ['concepts'],
+    'schemes':       ['helpers', 'concepts', 'scheme_info'],
+    'driver':        ['noise', 'scheme_info'],
+    'platform':      [],
+    'algebra':       ['platform'],
+    'statistics':    ['helpers', 'noise', 'algebra'],
+    'references':    CALCULUS,
+    'sphere':        ['algebra', 'references'],
+    'ensemble':      CALCULUS + ['platform'],
+    'problem':       CALCULUS + ['sphere', 'ensemble', 'reports/model'],
+    'transfer':      CALCULUS + ['platform', 'algebra', 'sphere', 'ensemble', 'problem'],
+    'experiments':   CALCULUS + JUDGES + ['reports/model'],
+    'selection':     ['ensemble', 'problem', 'transfer', 'experiments', 'reports/model'],
+    'comparison':    ['reports/model'],
+    'lab_systems':   INTEGRATORS + ['platform', 'references', 'sphere', 'ensemble', 'problem', 'reports/model'],
+    'scene':         ['lab_systems', 'reports/model'],
+    'run':           ['noise', 'platform', 'sphere', 'ensemble', 'transfer', 'experiments', 'selection', 'lab_systems', 'scene', 'reports/model'],
+    'cli':           ['run', 'scene', 'lab_systems', 'comparison', 'reports/model', 'writers'],
+    'reports/model': [],
+    'plots':         ['reports/model'],
+    'writers':       ['reports/model', 'plots'],
+}
+
+# What is not ours: the installed headers may use the standard library, the compiler's intrinsics and Eigen; the rest is free.
+STANDARD = re.compile(r'(experimental/)?[a-z_0-9]+$|std(int|def|lib)\.h$|[a-z]+intrin\.h$|arm_neon\.h$|Eigen/')
+INSTALLED_ROOMS = {room for room, paths in ROOMS.items() if paths[0].startswith(INSTALLED)}

@@ -1,0 +1,67 @@
+// Sampled errors as powers of the step: a wrong limit, and a leading term below a larger one.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <polhode/noise/normal.hpp>
+
+#include "statistics/orders/order_fit.hpp"
+#include "support/halvings.hpp"
+
+namespace polhode {
+namespace {
+
+using test::halvings;
+
+squared_errors noisy_errors(const std::vector<double>& dt, double order, double offset, std::uint64_t seed, int paths) {
+  squared_errors e{paths, static_cast<int>(dt.size()), {}};
+  for (int path = 0; path < paths; ++path) {
+    const auto z = normals<2>({seed, noise_kind::increment, static_cast<std::uint64_t>(path), 0});
+    for (const double h : dt)
+      e.values.push_back(std::pow(h, 2 * order) * (z[0] * z[0] + z[1] * z[1]) + offset * offset);
+  }
+  return e;
+}
+
+TEST(ErrorModel, TellsAWrongLimitFromARightOne) {
+  const auto dt = halvings(6);
+  const std::vector<bool> used(6, true);
+  EXPECT_LT(fit_error_model(dt, noisy_errors(dt, 0.5, 0, 1, 500), used, 0.5, 1).limit.high, 0.02);
+  const auto wrong = fit_error_model(dt, noisy_errors(dt, 0.5, 0.3, 1, 500), used, 0.5, 1).limit;
+  EXPECT_GT(wrong.low, 0.25);
+  EXPECT_NEAR(wrong.value, 0.3, 0.02);
+}
+
+// Order 1/2 hidden under a larger term of order 1: the slope does not show it, the leading coefficient does.
+TEST(ErrorModel, FindsALeadingTermBelowALargerOne) {
+  const auto dt = halvings(6);
+  const std::vector<bool> used(6, true);
+  squared_errors hidden = noisy_errors(dt, 1.0, 0, 1, 500), pure = hidden;
+  for (int path = 0; path < hidden.paths; ++path)
+    for (int l = 0; l < hidden.levels; ++l) hidden.at(path, l) += 0.02 * dt[static_cast<std::size_t>(l)];
+  EXPECT_GT(fit_order(dt, hidden, 0, 1)->low, 0.6);
+  EXPECT_NEAR(fit_error_model(dt, hidden, used, 0.5, 1).leading.value, 0.02, 2e-3);
+  EXPECT_GT(fit_error_model(dt, hidden, used, 0.5, 1).leading.low, 0);
+  EXPECT_LE(fit_error_model(dt, pure, used, 0.5, 1).leading.low, 1e-9);
+}
+
+// dt^2 under dt^4, and dt^4 alone: three powers tell them apart, two take the misfit for a negative leading term.
+TEST(ErrorModel, ThreePowersFindATermFarBelowTheSlope) {
+  const auto dt = halvings(6);
+  const std::vector<bool> used(6, true);
+  squared_errors with{500, 6, {}}, alone = with;
+  for (int path = 0; path < 500; ++path) {
+    const auto z = normals<2>({3, noise_kind::increment, static_cast<std::uint64_t>(path), 0});
+    const double size = z[0] * z[0] + z[1] * z[1];
+    for (const double h : dt) {
+      with.values.push_back(size * (1e-5 * h * h + std::pow(h, 4)));
+      alone.values.push_back(size * std::pow(h, 4));
+    }
+  }
+  EXPECT_GT(fit_error_model(dt, with, used, 1, 1, 3).leading.low, 1.5e-5);
+  EXPECT_LE(fit_error_model(dt, alone, used, 1, 1, 3).leading.low, 1e-12);
+  EXPECT_LT(fit_error_model(dt, with, used, 1, 1, 2).leading.high, 0);
+}
+
+}  // namespace
+}  // namespace polhode
