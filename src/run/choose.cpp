@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "reports/model/errors.hpp"
+#include "run/bind_scene.hpp"
 #include "run/machine_options.hpp"
-#include "run/verify.hpp"
 #include "scene/nearest.hpp"
 #include "systems/systems.hpp"
 

@@ -8,8 +8,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "experiments/common/experiment.hpp"
 #include "reports/model/errors.hpp"
-#include "run/verify.hpp"
+#include "run/bind_scene.hpp"
 #include "scene/nearest.hpp"
 #include "sphere/closed_forms/gibbs.hpp"
 #include "sphere/lyapunov.hpp"

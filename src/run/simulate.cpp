@@ -12,6 +12,7 @@
 #include "ensemble/simulation.hpp"
 #include "platform/isa.hpp"
 #include "platform/memory.hpp"
+#include "run/bind_scene.hpp"
 #include "run/machine_options.hpp"
 #include "run/provenance.hpp"
 #include "scene/nearest.hpp"
@@ -141,8 +142,7 @@ report::simulation frame_of(const scene& s, const simulate_options& o, const pre
   out.provenance.threads = p.threads;
   out.provenance.isa = name_of(active_isa());
   out.scene = s;
-  const auto all = list_schemes();
-  out.scheme = *std::ranges::find(all, std::string(r.scheme->info.name), &report::scheme::name);
+  out.scheme = described(*r.scheme);
   out.dt = o.dt;
   out.steps = p.steps;
   out.bodies = p.bodies;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reports/model/simulation.hpp"
-#include "run/verify.hpp"
+#include "run/progress_sink.hpp"
 #include "scene/scene.hpp"
 
 namespace polhode {

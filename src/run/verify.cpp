@@ -24,26 +24,6 @@ std::vector<experiment> all_experiments() {
           stability_experiment(), work_precision_experiment()};
 }
 
-report::scheme described(const scheme_entry& entry) {
-  const auto& i = entry.info;
-  report::scheme s;
-  s.name = i.name;
-  s.title = i.title;
-  s.source = i.source;
-  s.calculus = i.calculus == calculus::ito ? "ito" : "stratonovich";
-  s.implicit = i.implicit;
-  s.areas = entry.needs_areas;
-  s.strong_commuting = i.strong_order.commuting;
-  s.strong_general = i.strong_order.general;
-  s.weak_one_vector = i.weak_order.one_vector;
-  s.weak_isotropic = i.weak_order.isotropic;
-  s.weak_general = i.weak_order.general;
-  s.deterministic_order = i.deterministic_order;
-  s.casimir_exact = i.casimir.exact;
-  s.casimir_order = i.casimir.noisy_order;
-  return s;
-}
-
 /// Keeps the wanted ones in the list's own order; throws on a name that is not there.
 template <class T, class Name>
 void keep_wanted(std::vector<T>& all, const std::vector<std::string>& wanted, const char* option, Name name) {
@@ -102,11 +82,6 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
 
 }  // namespace
 
-subject bind_scene(const scene& s) {
-  if (const auto* system = find_system(s.system)) return system->bind(s);
-  throw input_error(fmt::format("scene {}: system = \"{}\" is not known", s.name, s.system));
-}
-
 void check_options(const scene& s, const verify_options& options) {
   apply_isa(options.isa);
   generator_named(options.generator);
@@ -142,12 +117,6 @@ report::results verify(const scene& s, const verify_options& options, const prog
   apply_isa(options.isa);
   generator_named(options.generator);
   return verify_subject(bind_scene(s), options, progress);
-}
-
-std::vector<report::scheme> list_schemes() {
-  std::vector<report::scheme> out;
-  for (const auto& entry : bind_scene(load_scene("paper")).schemes) out.push_back(described(entry));
-  return out;
 }
 
 std::vector<report::experiment> list_experiments() {

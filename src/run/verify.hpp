@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "experiments/common/experiment.hpp"
 #include "reports/model/result_store.hpp"
 #include "reports/model/results.hpp"
+#include "run/bind_scene.hpp"
+#include "run/progress_sink.hpp"
 #include "scene/scene.hpp"
 
 namespace polhode {
@@ -28,12 +29,6 @@ struct verify_options {
   report::result_store* store = nullptr;  ///< keeps results from run to run; for schemes that are ours only
 };
 
-/// The scene's system with every scheme that applies to it. Throws input_error on an unknown system.
-subject bind_scene(const scene&);
-
-/// Called from the working threads, never concurrently: the share done in [0, 1] and what is being worked on.
-using progress_sink = std::function<void(double share, std::string_view what)>;
-
 /// Runs the experiments. `provenance` of the result holds what is known here (seed, effort, threads, times).
 /// Throws input_error on an unknown scheme or experiment (names the nearest one).
 report::results verify(const scene&, const verify_options&, const progress_sink& = {});
@@ -45,7 +40,6 @@ void check_options(const scene&, const verify_options&);
 report::results verify_subject(subject, const verify_options&, const progress_sink& = {});
 
 /// What `polhode list` prints.
-std::vector<report::scheme> list_schemes();
 std::vector<report::experiment> list_experiments();
 
 }  // namespace polhode

@@ -12,6 +12,7 @@
 
 #include "experiments/laws/bias_reference.hpp"
 #include "experiments/laws/stationary_bias.hpp"
+#include "experiments/laws/true_law.hpp"
 #include "run/run_experiment.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"

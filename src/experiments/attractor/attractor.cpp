@@ -9,7 +9,7 @@
 
 #include "experiments/common/levels.hpp"
 #include "experiments/common/progress_counter.hpp"
-#include "experiments/laws/stationary_bias.hpp"
+#include "experiments/laws/true_law.hpp"
 #include "transfer/transfer.hpp"
 
 namespace polhode {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "experiments/laws/bias_reference.hpp"
-#include "experiments/laws/stationary_bias.hpp"
+#include "experiments/laws/true_law.hpp"
 
 namespace polhode {
 namespace {

@@ -1,10 +1,10 @@
-#include "experiments/modified/law_averages.hpp"
+#include "experiments/laws/law_averages.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "experiments/laws/stationary_bias.hpp"
 #include "experiments/laws/transfer_report.hpp"
+#include "experiments/laws/true_law.hpp"
 
 namespace polhode {
 namespace {

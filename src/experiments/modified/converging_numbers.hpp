@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "experiments/laws/law_averages.hpp"
 #include "experiments/laws/transfer_report.hpp"
-#include "experiments/modified/law_averages.hpp"
 
 namespace polhode {
 

@@ -5,7 +5,7 @@
 
 #include "algebra/decompositions.hpp"
 #include "algebra/dense_algebra.hpp"
-#include "experiments/laws/stationary_bias.hpp"
+#include "experiments/laws/true_law.hpp"
 
 namespace polhode {
 namespace {

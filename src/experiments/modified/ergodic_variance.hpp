@@ -4,7 +4,7 @@
 //   of a scheme: v = dt (2 pi(g w) - pi(g^2)),  (1 - T) w = g, all with its own law            (Gordin, Lifsic 1978)
 #pragma once
 
-#include "experiments/modified/law_averages.hpp"
+#include "experiments/laws/law_averages.hpp"
 
 namespace polhode {
 

@@ -8,7 +8,7 @@
 #include "algebra/decompositions.hpp"
 #include "algebra/exponential_action.hpp"
 #include "experiments/common/levels.hpp"
-#include "experiments/laws/stationary_bias.hpp"
+#include "experiments/laws/true_law.hpp"
 #include "statistics/orders/power_series.hpp"
 
 namespace polhode {

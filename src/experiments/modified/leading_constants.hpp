@@ -7,7 +7,7 @@
 // L_p is the limit of (T_dt - exp(dt L)) / dt^(p+1); nothing of this takes more than one step.
 #pragma once
 
-#include "experiments/modified/law_averages.hpp"
+#include "experiments/laws/law_averages.hpp"
 #include "statistics/sample.hpp"
 
 namespace polhode {

@@ -11,6 +11,7 @@
 #include "experiments/modified/modified_report.hpp"
 #include "experiments/modified/modified_steps.hpp"
 #include "experiments/modified/modified_table.hpp"
+#include "experiments/modified/modified_verdict.hpp"
 
 namespace polhode {
 namespace {
@@ -55,7 +56,8 @@ void run(const context& c, report::results& out) {
     const int order = claimed_order(s, schemes[k].info);
     orders.push_back(order);
     recorder record("modified", t.scheme, out);
-    report_modified_equation(columns, order, t, record);
+    const auto evidence = report_modified_equation(columns, order, t, record);
+    record.verdict(parameters_claim, judge_parameters(columns, t, order), evidence);
     report_convergence({variance_claim, "error of the asymptotic variance", variances}, t, first_variance, order,
                        record);
     report_convergence({gap_claim, "error of the spectral gap", gap.gap}, t, first_variance + variances.count(), order,

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/modified/modified_verdict.hpp"
+#include "experiments/common/judge.hpp"
 
 namespace polhode {
 namespace {
@@ -93,13 +93,14 @@ report::series_id report_residual(int order, const error_table& t, recorder& rec
 
 }  // namespace
 
-void report_modified_equation(const modified_columns& columns, int order, const error_table& t, recorder& record) {
+std::vector<report::series_id> report_modified_equation(const modified_columns& columns, int order,
+                                                        const error_table& t, recorder& record) {
   std::vector evidence{report_residual(order, t, record)};
   for (const auto& g : groups) evidence.push_back(report_distance(g, t, record));
   for (const auto& g : groups)
     for (Eigen::Index j = g.first; j < g.first + g.count; ++j)
       if (is_shown(columns, t, j)) evidence.push_back(report_parameter(g, columns, j, t, record));
-  record.verdict(parameters_claim, judge_parameters(columns, t, order), evidence);
+  return evidence;
 }
 
 void report_own_parameters(const modified_columns& columns, recorder& record) {

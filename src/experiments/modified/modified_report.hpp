@@ -2,6 +2,8 @@
 // residual.
 #pragma once
 
+#include <vector>
+
 #include "experiments/common/recorder.hpp"
 #include "experiments/modified/modified_table.hpp"
 
@@ -10,7 +12,8 @@ namespace polhode {
 /// The scene's own parameters, a level in each plot.
 void report_own_parameters(const modified_columns&, recorder&);
 
-/// Of one scheme, with the verdicts on its residual and its parameters.
-void report_modified_equation(const modified_columns&, int order, const error_table&, recorder&);
+/// Of one scheme, with the verdict on its residual. What the verdict on its parameters rests on.
+std::vector<report::series_id> report_modified_equation(const modified_columns&, int order, const error_table&,
+                                                        recorder&);
 
 }  // namespace polhode

@@ -5,7 +5,7 @@
 // the mode is followed that continues the equation's, as long as it is the slowest but for an error of the step.
 #pragma once
 
-#include "experiments/modified/law_averages.hpp"
+#include "experiments/laws/law_averages.hpp"
 
 namespace polhode {
 

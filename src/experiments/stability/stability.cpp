@@ -11,6 +11,7 @@
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/levels.hpp"
+#include "experiments/stability/mean_energies.hpp"
 #include "experiments/stability/mean_square_report.hpp"
 #include "experiments/stability/stability_escape.hpp"
 #include "experiments/stability/stability_long.hpp"
@@ -43,7 +44,8 @@ void report_long_runs(const context& c, const std::vector<stability_case>& cases
 
 void run(const context& c, report::results& out) {
   heard_noise noise(c.subject);
-  const auto cases = stability_cases(c, noise.listener(heard_noise::reference));
+  auto cases = stability_cases(c);
+  find_mean_energies(c, cases, noise.listener(heard_noise::reference));
   const auto& schemes = c.subject.schemes;
   const std::size_t n = cases.size();
   const auto all = search_all(c, cases, noise);

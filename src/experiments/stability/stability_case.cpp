@@ -9,19 +9,14 @@
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/levels.hpp"
-#include "experiments/stability/stability_run.hpp"
 #include "sphere/equilibria.hpp"
-#include "sphere/kolmogorov.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr double least_scales = 64;        // of the horizon
-constexpr double negligible_range = 1e-3;  // of h, relative: then h is nearly the Casimir
-constexpr double stiffness = 1e4;          // of the dissipation against everything else
+constexpr double least_scales = 64;  // of the horizon
+constexpr double stiffness = 1e4;    // of the dissipation against everything else
 constexpr double denormal = 1e-310;
-constexpr int low_degree = 20, fine_paths = 4096;
-constexpr double exact_accuracy = 0.02;  // of what a mean energy may be off
 
 using scene = report::scene;
 
@@ -110,28 +105,6 @@ void add_corners(const subject& s, effort e, std::vector<stability_case>& out) {
   out.back().horizon = out.front().horizon;
 }
 
-/// By harmonics of low degree, as higher ones can cost seconds; empty where that is not enough.
-std::optional<double> exact_mean_energy(const stability_case& of, double tolerance) {
-  const auto& problem = *of.bound.sphere();
-  const auto energy = *named_observable("energy", problem);
-  const Eigen::Map<const Eigen::Vector3d> start(of.bound.scene.momentum.data());
-  const auto found = expectation(problem, energy, start, of.horizon, tolerance, low_degree);
-  return found.converged() ? found.value : std::nullopt;
-}
-
-/// Where h is not nearly the Casimir.
-void find_exact_mean_energy(stability_case& of) {
-  const double range = of.greatest_energy - of.least_energy;
-  if (!of.normal || range <= negligible_range * of.energy_size()) return;
-  of.mean_energy = exact_mean_energy(of, exact_accuracy * mean_energy_share * range);
-  of.mean_energy_method = of.mean_energy ? "exact" : "reference";
-}
-
-void sample_mean_energy(const context& c, const block_listener& hear, stability_case& of) {
-  of.mean_energy = fine_mean_energy(of, fine_paths, c.seed, c.generator, hear);
-  if (!std::isfinite(*of.mean_energy)) of.mean_energy.reset();
-}
-
 }  // namespace
 
 std::vector<double> stiffness_axis(const subject& s, effort e) {
@@ -152,19 +125,11 @@ report::measurement row_in(const stability_case& in, quantity what, std::optiona
   return m;
 }
 
-std::vector<stability_case> stability_cases(const context& c, const block_listener& hear) {
+std::vector<stability_case> stability_cases(const context& c) {
   std::vector<stability_case> out{bound_case("scene", c.subject, c.subject.scene, c.effort)};
   add_axes(c.subject, c.effort, out);
   add_corners(c.subject, c.effort, out);
   std::erase_if(out, [](const stability_case& s) { return !std::isfinite(s.rate * s.horizon) || !(s.rate > 0); });
-  parallel_for(c.threads, static_cast<int>(out.size()),
-               [&](int i) { find_exact_mean_energy(out[static_cast<std::size_t>(i)]); });
-  std::vector<stability_case*> sampled;
-  for (auto& s : out)
-    if (s.mean_energy_method == "reference") sampled.push_back(&s);
-  parallel_for(c.threads, static_cast<int>(sampled.size()), [&](int i) {
-    sample_mean_energy(c, i == 0 ? hear : block_listener{}, *sampled[static_cast<std::size_t>(i)]);
-  });
   return out;
 }
 

@@ -46,7 +46,7 @@ report::measurement row_in(const stability_case&, quantity, std::optional<double
 /// Is told of the noise of one block after another, each from its step 0 on, and of the length of a step.
 using block_listener = std::function<void(std::int64_t first_step, const increment_view&, double dt)>;
 
-/// The scene first; the references of the mean energy are found in parallel. `hear`: of the first that is sampled.
-std::vector<stability_case> stability_cases(const context&, const block_listener& hear = {});
+/// The scene first; their mean energies are not known yet (mean_energies.hpp).
+std::vector<stability_case> stability_cases(const context&);
 
 }  // namespace polhode

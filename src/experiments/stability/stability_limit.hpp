@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "experiments/stability/breakage.hpp"
+
 namespace polhode {
 
 /// Numbers of steps to the horizon, least < start < most: where the search begins and where it gives up.
@@ -16,6 +18,13 @@ struct step_range {
 /// The fewest steps that are stable and the most below them that are not; 0: none was found.
 struct stability_limit {
   std::int64_t stable = 0, broken = 0;
+};
+
+/// What one scheme does in one case.
+struct finding {
+  stability_limit limit;
+  breakage first = breakage::none;  ///< at the shortest step that breaks
+  double worst_casimir = 0, worst_energy = 0;
 };
 
 /// Asks one number of steps after the other whether it is stable, so that many searches can go on side by side. From

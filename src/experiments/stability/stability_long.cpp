@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ensemble/noise/paths.hpp"
+#include "experiments/stability/stability_run.hpp"
 #include "statistics/distributions.hpp"
 #include "statistics/orders/order_fit.hpp"
 

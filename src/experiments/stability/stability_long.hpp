@@ -1,7 +1,11 @@
 // What only very many steps or very many paths show. At effort thorough.
 #pragma once
 
-#include "experiments/stability/stability_report.hpp"
+#include <cstdint>
+#include <vector>
+
+#include "experiments/stability/stability_case.hpp"
+#include "experiments/stability/stability_limit.hpp"
 
 namespace polhode {
 

@@ -6,16 +6,8 @@
 
 #include "experiments/stability/stability_case.hpp"
 #include "experiments/stability/stability_limit.hpp"
-#include "experiments/stability/stability_run.hpp"
 
 namespace polhode {
-
-/// What one scheme does in one case.
-struct finding {
-  stability_limit limit;
-  breakage first = breakage::none;  ///< at the shortest step that breaks
-  double worst_casimir = 0, worst_energy = 0;
-};
 
 /// Of no scheme: rate, horizon and true mean energy of each case.
 void report_cases(const std::vector<stability_case>&, recorder&);

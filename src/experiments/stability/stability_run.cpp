@@ -74,12 +74,6 @@ void run(const model& m, const stability_plan& p, std::vector<watched_run>& runs
 
 }  // namespace
 
-std::string_view name_of(breakage b) {
-  constexpr std::array<std::string_view, 6> names{"nothing", "step not solved", "not finite",
-                                                  "Casimir", "energy range",    "mean energy"};
-  return names[static_cast<std::size_t>(b)];
-}
-
 std::vector<stability_outcome> run_until_broken(std::span<const stability_member> members, const stability_plan& p) {
   std::vector<std::unique_ptr<kernel>> kernels;
   std::vector<watched_run> runs;

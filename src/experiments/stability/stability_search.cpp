@@ -9,6 +9,7 @@
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/progress_counter.hpp"
+#include "experiments/stability/stability_run.hpp"
 
 namespace polhode {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "experiments/stability/stability_case.hpp"
+#include "experiments/stability/stability_limit.hpp"
 #include "experiments/stability/stability_noise.hpp"
-#include "experiments/stability/stability_report.hpp"
 
 namespace polhode {
 
