@@ -38,6 +38,15 @@ class Compare(unittest.TestCase):
             self.assertRegex(err, r'\Apolhode: [^\n]+\n\Z')
             for name in names: self.assertIn(name, err)
 
+    def test_every_fit_and_every_evidence_names_a_series_that_was_measured(self):
+        with open(self.a, encoding='utf-8') as f: results = json.load(f)
+        series = lambda row: tuple(row[k] for k in ('experiment', 'scheme', 'quantity', 'observable', 'over'))
+        measured = {series(m) for m in results['measurements']}
+        named = [series(one) for one in results['fits']] + [series(one) for v in results['verdicts'] for one in v['evidence']]
+        self.assertTrue(results['fits'])
+        self.assertGreater(len(named), len(results['fits']))
+        for one in named: self.assertIn(one, measured)
+
     def test_the_same(self):
         rc, out, err = self.run_it('compare', self.a, os.path.dirname(self.a))
         self.assertEqual((rc, err), (0, ''))
