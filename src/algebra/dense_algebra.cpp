@@ -28,6 +28,15 @@ Eigen::RowVectorXd solve_from_left(const matrix& a, const Eigen::RowVectorXd& b)
   return x;
 }
 
+// law (T - 1) = 0 with T 1 = 1: the first column is empty, and the first component is given.
+Eigen::RowVectorXd invariant_law(const Eigen::MatrixXd& transfer, double first) {
+  const auto n = transfer.rows() - 1;
+  const Eigen::MatrixXd rest = transfer.bottomRightCorner(n, n) - Eigen::MatrixXd::Identity(n, n);
+  Eigen::RowVectorXd law(n + 1);
+  law << first, solve_from_left(rest, -first * transfer.row(0).tail(n));
+  return law;
+}
+
 Eigen::MatrixXd solution_of(const matrix& a, const matrix& b) {
   const Eigen::MatrixXd transposed = a.transpose();
   Eigen::MatrixXd x = b;

@@ -18,6 +18,9 @@ void add_transposed_product(const Eigen::Ref<const Eigen::MatrixXd>& a, const Ei
 /// x with x a = b, by LU with partial pivots.
 Eigen::RowVectorXd solve_from_left(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::RowVectorXd& b);
 
+/// law T = law for T 1 = 1, the first function of the basis being a constant: of a given first component.
+Eigen::RowVectorXd invariant_law(const Eigen::MatrixXd& transfer, double first);
+
 /// x with a x = b, by the same.
 Eigen::MatrixXd solution_of(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::Ref<const Eigen::MatrixXd>& b);
 

@@ -13,8 +13,12 @@
 #include "run/bind_scene.hpp"
 #include "scene/nearest.hpp"
 #include "sphere/closed_forms/gibbs.hpp"
+#include "sphere/expectations/expectation.hpp"
+#include "sphere/harmonics/harmonics.hpp"
+#include "sphere/harmonics/observables.hpp"
 #include "sphere/lyapunov.hpp"
-#include "sphere/observables.hpp"
+#include "sphere/spectral_gap.hpp"
+#include "sphere/stationary.hpp"
 #include "transfer/transfer.hpp"
 
 namespace polhode {

@@ -5,6 +5,8 @@
 
 #include "algebra/decompositions.hpp"
 #include "algebra/logarithm_action.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
+#include "sphere/harmonics/harmonics.hpp"
 
 namespace polhode {
 namespace {

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "sphere/kolmogorov.hpp"
+#include "sphere/sphere_problem.hpp"
 
 namespace polhode {
 

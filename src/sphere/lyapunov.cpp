@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "algebra/sparse_blocks.hpp"
-#include "sphere/angular_velocity.hpp"
 #include "sphere/galerkin/poisson.hpp"
 #include "sphere/galerkin/raise_degree.hpp"
-#include "sphere/wigner.hpp"
+#include "sphere/harmonics/angular_velocity.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
+#include "sphere/harmonics/wigner.hpp"
+#include "sphere/stationary.hpp"
 
 namespace polhode {
 namespace {

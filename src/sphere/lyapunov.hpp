@@ -14,7 +14,7 @@
 // E under the stationary law of Pi.
 #pragma once
 
-#include "sphere/kolmogorov.hpp"
+#include "sphere/sphere_problem.hpp"
 
 namespace polhode {
 

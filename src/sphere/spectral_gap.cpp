@@ -1,4 +1,5 @@
-// The spectral gap of sphere/kolmogorov.hpp.
+#include "sphere/spectral_gap.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseLU>
 #include <algorithm>
@@ -9,9 +10,11 @@
 
 #include "algebra/slowest_modes.hpp"
 #include "algebra/sparse_blocks.hpp"
-#include "sphere/closed_forms/averaged_gap.hpp"
+#include "sphere/averaged_gap.hpp"
 #include "sphere/galerkin/raise_degree.hpp"
-#include "sphere/kolmogorov.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
+#include "sphere/harmonics/harmonics.hpp"
+#include "sphere/uniqueness.hpp"
 
 namespace polhode {
 namespace {

@@ -55,4 +55,15 @@ std::optional<sphere_function> named_observable(std::string_view name, const sph
   return std::nullopt;
 }
 
+sphere_problem with_more_noise(sphere_problem p, double share) {
+  p.covariance *= (1 + share) * (1 + share);
+  for (auto& v : p.varying) v = {(1 + share) * v.constant, (1 + share) * v.slope};
+  return p;
+}
+
+sphere_problem with_more_dissipation(sphere_problem p, double share) {
+  p.damping *= 1 + share;
+  return p;
+}
+
 }  // namespace polhode

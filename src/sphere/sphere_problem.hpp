@@ -44,6 +44,10 @@ struct sphere_problem {
 sphere_problem body_on_sphere(const std::array<double, 3>& inertia, double damping, double radius,
                               const Eigen::Matrix3d& covariance);
 
+/// The same with noise, or dissipation, greater by that share.
+sphere_problem with_more_noise(sphere_problem, double share);
+sphere_problem with_more_dissipation(sphere_problem, double share);
+
 /// A bound on |h| over the sphere, reached without a field where `quadratic` is positive.
 double greatest_energy_on(const sphere_problem&);
 /// A bound on |Omega| over the sphere, a turn per time.

@@ -1,59 +1,47 @@
-// The stationary density of sphere/kolmogorov.hpp, and whether there is but one.
+#include "sphere/stationary.hpp"
+
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "algebra/decompositions.hpp"
 #include "algebra/sparse_blocks.hpp"
+#include "sphere/galerkin/poisson.hpp"
 #include "sphere/galerkin/raise_degree.hpp"
-#include "sphere/kolmogorov.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
+#include "sphere/harmonics/harmonics.hpp"
+#include "sphere/harmonics/observables.hpp"
+#include "sphere/uniqueness.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64, 96};
-constexpr int most_sparse = 5000;   // unknowns in a block: seconds
-constexpr double rounding = 1e-14;  // of directions
+constexpr int most_sparse = 5000;                             // unknowns in a block: seconds
+const double unit_of_mean = std::sqrt(4 * std::numbers::pi);  // a coefficient's share in a mean over the sphere
+constexpr double rounding = 1e-14;                            // of what is added up
 
-/// The one axis about which the noise turns; empty if there are more, then it reaches every direction.
-std::optional<Eigen::Vector3d> only_axis(const Eigen::Matrix3d& covariance) {
-  const auto [values, vectors] = symmetric_eigenpairs_of(covariance);
-  if (values[1] > rounding * values[2]) return std::nullopt;
-  return Eigen::Vector3d(vectors.col(2));
+reference_value stationary_mean_of(const sphere_problem& problem, const sphere_function& f, accuracy asked,
+                                   int wanted) {
+  const auto value_at = [&](int degree) {
+    const auto [c, cut_off] = cut_to(problem, f, degree);
+    const projected_value uniform{c[0], 0, 0};
+    auto found = has_uniform_law(problem) ? std::optional(uniform)
+                                          : poisson_mean(tall_backward_operator(problem, degree), c, most_sparse,
+                                                         [](const Eigen::VectorXd& r) { return harmonic_supremum(r); });
+    if (found) {
+      found->value /= unit_of_mean;
+      found->floor = std::max(found->floor, rounding * c.norm() / unit_of_mean);
+      found->bound += cut_off + found->floor;
+    }
+    return found;
+  };
+  asked.size = observable_coefficients(problem, f, degrees[0]).norm() / unit_of_mean;
+  const double needed = has_uniform_law(problem) ? 0 : needed_degree(problem);
+  return raise_degree(degrees_to_try(degrees, wanted), asked, needed, value_at, wanted);
 }
 
 }  // namespace
-
-// A conserved f has n.L f = 0, so f = f(n.x), and n.(x cross Omega) = 0 for all x: the field lies along n and
-// `quadratic` commutes with turns about n.
-bool conserves_a_component(const sphere_problem& problem) {
-  if (!problem.varying.empty()) return false;
-  const auto axis = only_axis(problem.covariance);
-  if (!axis) return false;
-  const double spread = problem.spread();
-  if (spread == 0 && !problem.has_field()) return true;
-  if (problem.damping != 0 || axis->cross(problem.field).norm() > rounding * problem.field.norm()) return false;
-  Eigen::Matrix3d about;  // x -> n cross x
-  about << 0, -(*axis)[2], (*axis)[1], (*axis)[2], 0, -(*axis)[0], -(*axis)[1], (*axis)[0], 0;
-  return (about * problem.quadratic - problem.quadratic * about).norm() <= rounding * spread;
-}
-
-bool has_uniform_law(const sphere_problem& problem) { return problem.damping == 0 && problem.varying.empty(); }
-
-std::string no_unique_law(const sphere_problem& problem) {
-  if (conserves_a_component(problem)) return "not unique: a function besides the Casimir is conserved";
-  const auto axis = only_axis(problem.covariance);
-  if (!axis) return "";
-  const auto rests = [&](const Eigen::Vector3d& v) { return axis->cross(v).norm() <= rounding * v.norm(); };
-  if (!problem.varying.empty() || !rests(problem.quadratic * *axis) || !rests(problem.field)) return "";
-  return problem.has_field()
-             ? "not unique: the one axis of the noise is an equilibrium, on which the state rests for ever; a second "
-               "noise vector, or one off the axis, would be needed"
-             : "not unique: the one axis of the noise is an axis of the body, on which it rests for ever; a second "
-               "noise vector, or one off the axis, would be needed";
-}
 
 stationary_law stationary(const sphere_problem& problem, double tolerance, int wanted) {
   if (!problem.has_noise())
@@ -61,7 +49,7 @@ stationary_law stationary(const sphere_problem& problem, double tolerance, int w
   if (const auto reason = no_unique_law(problem); !reason.empty()) return {.reason = reason};
   if (has_uniform_law(problem)) {
     const int degree = wanted > 0 ? wanted : degrees[0];
-    const Eigen::VectorXd uniform = Eigen::VectorXd::Unit(harmonic_count(degree), 0) / std::sqrt(4 * std::numbers::pi);
+    const Eigen::VectorXd uniform = Eigen::VectorXd::Unit(harmonic_count(degree), 0) / unit_of_mean;
     return {.density = uniform, .change = 0 * uniform, .uncertainty = 0, .degree = degree, .reason = {}};
   }
   const double needed = needed_degree(problem);
@@ -70,7 +58,7 @@ stationary_law stationary(const sphere_problem& problem, double tolerance, int w
   for (const int degree : degrees_to_try(degrees, wanted)) {
     auto density = left_null_vector(backward_operator(problem, degree), most_sparse);
     if (!density) break;
-    *density /= std::sqrt(4 * std::numbers::pi);  // integral one
+    *density /= unit_of_mean;  // integral one
     Eigen::VectorXd change = *density;
     const bool first = !last.density;
     if (!first) change.head(last.density->size()) -= *last.density;
@@ -82,6 +70,23 @@ stationary_law stationary(const sphere_problem& problem, double tolerance, int w
   }
   last.reason = not_converged(tolerance, last.degree, needed);
   return last;
+}
+
+reference_value mean(const sphere_problem& problem, const stationary_law& law, const sphere_function& f) {
+  if (!law.density) return {.degree = law.degree, .reason = law.reason};
+  const Eigen::VectorXd c = observable_coefficients(problem, f, law.degree);
+  const double changed = law.change.norm(), beyond = law.uncertainty > changed ? law.uncertainty / changed : 1;
+  return {.value = c.dot(*law.density),
+          .uncertainty = std::max(std::fabs(c.dot(law.change)) * beyond, rounding * c.norm()),
+          .degree = law.degree,
+          .reason = law.reason};
+}
+
+reference_value stationary_mean(const sphere_problem& problem, const sphere_function& f, double tolerance, int wanted) {
+  if (const auto reason = no_unique_law(problem); !reason.empty()) return {.reason = reason};
+  return in_its_unit(problem, f, [&](const sphere_function& g, double unit) {
+    return stationary_mean_of(problem, g, {.absolute = tolerance / unit, .unit = unit}, wanted);
+  });
 }
 
 }  // namespace polhode

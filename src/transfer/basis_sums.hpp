@@ -16,7 +16,7 @@ struct basis_sums {
   int degree, radial;
   double middle, half;       ///< half > 0; of no account where radial = 1
   const double* recurrence;  ///< for each m: P_mm over sin^m, then for l = m … degree the factors of
-                             ///< P_{l+1,m} = a z P_lm - b P_{l-1,m}; harmonics as in sphere/harmonics.hpp
+                             ///< P_{l+1,m} = a z P_lm - b P_{l-1,m}; harmonics as in sphere/harmonics/harmonics.hpp
   int lanes;                 ///< in use: the first ones
   int nodes;
   const double *weights, *states;  ///< [node] and [node][component][lane]

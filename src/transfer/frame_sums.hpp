@@ -15,7 +15,7 @@ inline constexpr int most_frame_degree = 16;  ///< operators on tangent directio
 struct frame_sums {
   int degree;                ///< <= most_frame_degree
   int m_step;                ///< 1, or 2: of even m alone
-  const double* recurrence;  ///< transfer/frame_basis.hpp
+  const double* recurrence;  ///< transfer/basis/frame_basis.hpp
   int size;                  ///< how many functions that makes
   int angles;
   const double* turns;  ///< [angle]: cos(gamma), sin(gamma)

@@ -6,9 +6,10 @@
 #include <cmath>
 #include <memory>
 
+#include "algebra/dense_algebra.hpp"
 #include "problem/vectors.hpp"
-#include "transfer/half_turns.hpp"
-#include "transfer/point_block.hpp"
+#include "transfer/points/half_turns.hpp"
+#include "transfer/points/point_block.hpp"
 
 namespace polhode {
 namespace {

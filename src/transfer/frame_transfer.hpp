@@ -7,8 +7,9 @@
 // noise and projection as in transfer.hpp, on the functions of frame_basis.hpp.
 #pragma once
 
-#include "transfer/frame_basis.hpp"
-#include "transfer/transfer.hpp"
+#include "problem/subject.hpp"
+#include "transfer/basis/frame_basis.hpp"
+#include "transfer/basis/transfer_rule.hpp"
 
 namespace polhode {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "transfer/transfer_refine.hpp"
+#include "transfer/transfer_question.hpp"
 
 namespace polhode {
 

@@ -9,10 +9,10 @@
 #include "algebra/dense_algebra.hpp"
 #include "problem/noise_covariance.hpp"
 #include "problem/vectors.hpp"
+#include "transfer/basis/radial_motion.hpp"
 #include "transfer/basis_sums.hpp"
-#include "transfer/half_turns.hpp"
-#include "transfer/mapped_points.hpp"
-#include "transfer/radial_motion.hpp"
+#include "transfer/points/half_turns.hpp"
+#include "transfer/points/mapped_points.hpp"
 
 namespace polhode {
 namespace {
@@ -87,29 +87,9 @@ Eigen::MatrixXd law_after_steps(Eigen::MatrixXd law, Eigen::MatrixXd power, std:
 
 }  // namespace
 
-sphere_problem with_more_noise(sphere_problem p, double share) {
-  p.covariance *= (1 + share) * (1 + share);
-  for (auto& v : p.varying) v = {(1 + share) * v.constant, (1 + share) * v.slope};
-  return p;
-}
-
-sphere_problem with_more_dissipation(sphere_problem p, double share) {
-  p.damping *= 1 + share;
-  return p;
-}
-
 Eigen::RowVectorXd transfer_operator::law_after(const Eigen::Vector3d& start, std::int64_t steps) const {
   Eigen::RowVectorXd law = basis.at(start);
   for (const auto& block : blocks) law(block) = law_after_steps(law(block), matrix(block, block), steps);
-  return law;
-}
-
-// law (T - 1) = 0 with T 1 = 1: the first column is empty, and the first component is given.
-Eigen::RowVectorXd invariant_law(const Eigen::MatrixXd& matrix, double first) {
-  const auto n = matrix.rows() - 1;
-  const Eigen::MatrixXd rest = matrix.bottomRightCorner(n, n) - Eigen::MatrixXd::Identity(n, n);
-  Eigen::RowVectorXd law(n + 1);
-  law << first, solve_from_left(rest, -first * matrix.row(0).tail(n));
   return law;
 }
 

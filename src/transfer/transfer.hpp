@@ -22,32 +22,11 @@
 #include <vector>
 
 #include "problem/subject.hpp"
-#include "transfer/noise_nodes.hpp"
-#include "transfer/shell_basis.hpp"
+#include "transfer/basis/shell_basis.hpp"
+#include "transfer/basis/transfer_rule.hpp"
+#include "transfer/points/noise_nodes.hpp"
 
 namespace polhode {
-
-/// The same with noise, or dissipation, greater by that share.
-sphere_problem with_more_noise(sphere_problem, double share);
-sphere_problem with_more_dissipation(sphere_problem, double share);
-
-/// The functions on which the operator acts.
-struct basis_rule {
-  int degree;         ///< of the harmonics
-  int radial;         ///< Chebyshev polynomials; 1 on a sphere
-  double deviations;  ///< of the radius in `steps` steps that the shell covers; 0 on a sphere
-  bool operator==(const basis_rule&) const = default;
-};
-
-/// How finely the operator is computed.
-struct transfer_rule {
-  basis_rule basis;
-  noise_rule noise;
-  bool operator==(const transfer_rule&) const = default;
-};
-
-/// law T = law for T 1 = 1, the first function of the basis being a constant: of a given first component.
-Eigen::RowVectorXd invariant_law(const Eigen::MatrixXd& matrix, double first);
 
 struct transfer_operator {
   shell_basis basis;
@@ -96,11 +75,5 @@ Eigen::VectorXd mean_after_step(const subject&, const scheme_entry&, double dt, 
 /// its increment, and what the rule says of its law is not true.
 Eigen::VectorXd change_by_far_noise(const subject&, const scheme_entry&, double dt, std::int64_t steps,
                                     const std::function<Eigen::VectorXd(const transfer_operator&)>& ask);
-
-/// A bound on the probability that a path of a scheme which leaves the sphere is taken back to the shell of that rule
-/// within so many steps, in the law that the rule itself makes: for s > 0 exp(s log |Pi_n| - n psi(s)) is a
-/// supermartingale while the path stays, psi(s) being the largest log E[exp(s change)] of a step inside (Doob 1953, VII
-/// 3.2; Chernoff 1952). 0 on the sphere.
-double taken_back(const subject&, const scheme_entry&, double dt, std::int64_t steps, const transfer_rule&);
 
 }  // namespace polhode

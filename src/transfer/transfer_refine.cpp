@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "transfer/basis/radial_motion.hpp"
 #include "transfer/frame_sums.hpp"
 #include "transfer/frame_transfer.hpp"
 #include "transfer/operator_store.hpp"

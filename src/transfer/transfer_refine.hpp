@@ -5,28 +5,13 @@
 // uncertainty the sum of the last changes.
 #pragma once
 
-#include <functional>
-#include <string>
+#include <Eigen/Core>
 
-#include "transfer/transfer.hpp"
+#include "transfer/transfer_question.hpp"
 
 namespace polhode {
 
 class operator_store;
-
-/// What the numbers that an operator answers are compared with.
-struct transfer_target {
-  Eigen::VectorXd exact, scale;  ///< scale: the size of what is averaged, by which errors of several are compared
-  double tolerance = 1e-4;       ///< of each error, or of a tenth of the largest
-  Eigen::Index deciding = 0;     ///< of that many answers, the first; 0: of all. The others are answered as they come
-};
-
-/// The numbers, of momentum's operator.
-struct transfer_question {
-  std::function<Eigen::VectorXd(const transfer_operator&)> ask;
-  transfer_target target;
-  std::string name{};  ///< of what is asked: a name that an operator_store knows has the answers that it had
-};
 
 struct transfer_answer {
   Eigen::VectorXd error, uncertainty;  ///< of the answers less the exact ones

@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "sphere/kolmogorov.hpp"
+#include "sphere/sphere_problem.hpp"
 
 namespace polhode::test {
 

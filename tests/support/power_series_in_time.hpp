@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "sphere/kolmogorov.hpp"
+#include "sphere/sphere_problem.hpp"
 
 namespace polhode::test {
 

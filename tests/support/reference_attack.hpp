@@ -21,6 +21,9 @@
 #include <vector>
 
 #include "sphere/closed_forms/gibbs.hpp"
+#include "sphere/expectations/expectation.hpp"
+#include "sphere/spectral_gap.hpp"
+#include "sphere/stationary.hpp"
 #include "support/second_opinions.hpp"
 
 namespace polhode::test {

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "algebra/sparse_blocks.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
+#include "sphere/harmonics/harmonics.hpp"
 #include "sphere/lyapunov.hpp"
 #include "support/attacked_scene.hpp"
 #include "support/body_of_revolution.hpp"

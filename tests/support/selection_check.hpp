@@ -10,6 +10,8 @@
 #include "references/odeint.hpp"
 #include "run/choose.hpp"
 #include "run/verify.hpp"
+#include "sphere/expectations/expectation.hpp"
+#include "sphere/stationary.hpp"
 
 namespace polhode::test {
 

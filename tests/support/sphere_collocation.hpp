@@ -13,7 +13,8 @@
 #include <numbers>
 
 #include "algebra/decompositions.hpp"
-#include "sphere/kolmogorov.hpp"
+#include "sphere/expectations/expectation.hpp"
+#include "sphere/harmonics/harmonics.hpp"
 #include "support/dense.hpp"
 
 namespace polhode::test {

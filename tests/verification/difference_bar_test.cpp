@@ -10,12 +10,15 @@
 #include <polhode/schemes/lie_euler.hpp>
 #include <polhode/systems/rigid_body.hpp>
 
+#include "algebra/dense_algebra.hpp"
 #include "experiments/laws/bias_reference.hpp"
 #include "experiments/laws/stationary_bias.hpp"
 #include "experiments/laws/true_law.hpp"
 #include "run/run_experiment.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "sphere/expectations/expectation.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
 #include "statistics/sample.hpp"
 #include "systems/bind.hpp"
 

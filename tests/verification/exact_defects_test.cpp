@@ -11,8 +11,10 @@
 #include "run/run_experiment.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "sphere/expectations/expectation.hpp"
 #include "systems/bind.hpp"
 #include "systems/rigid_body/rigid_body.hpp"
+#include "transfer/basis/radial_motion.hpp"
 #include "transfer/transfer.hpp"
 
 namespace polhode {

@@ -10,7 +10,7 @@
 #include "support/kernel_decorator.hpp"
 #include "support/verdicts.hpp"
 #include "transfer/frame_transfer.hpp"
-#include "transfer/half_turns.hpp"
+#include "transfer/points/half_turns.hpp"
 #include "transfer/transfer.hpp"
 
 namespace polhode {

@@ -8,6 +8,7 @@
 #include "experiments/modified/modified_table.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
 #include "support/dense.hpp"
 #include "support/verdicts.hpp"
 #include "transfer/transfer.hpp"

@@ -8,6 +8,7 @@
 #include "experiments/weak/weak_sampled.hpp"
 #include "run/run_experiment.hpp"
 #include "scene/scene.hpp"
+#include "sphere/expectations/expectation.hpp"
 #include "support/verdicts.hpp"
 #include "transfer/transfer.hpp"
 

@@ -10,6 +10,7 @@
 #include "experiments/common/levels.hpp"
 #include "experiments/common/progress_counter.hpp"
 #include "experiments/laws/true_law.hpp"
+#include "sphere/spectral_gap.hpp"
 #include "transfer/transfer.hpp"
 
 namespace polhode {

@@ -11,6 +11,7 @@
 #include "experiments/common/noise_verdict.hpp"
 #include "experiments/common/recorder.hpp"
 #include "sphere/lyapunov.hpp"
+#include "sphere/stationary.hpp"
 
 namespace polhode {
 

@@ -20,6 +20,7 @@
 #include "experiments/common/progress_counter.hpp"
 #include "experiments/common/sequential.hpp"
 #include "experiments/common/undecided.hpp"
+#include "sphere/harmonics/harmonics.hpp"
 #include "transfer/transfer_refine.hpp"
 
 namespace polhode {

@@ -10,7 +10,7 @@
 
 #include "ensemble/observing/sphere_bins.hpp"
 #include "experiments/attractor/attractor.hpp"
-#include "sphere/harmonics.hpp"
+#include "sphere/harmonics/harmonics.hpp"
 
 namespace polhode {
 namespace {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "sphere/harmonics/harmonics.hpp"
 #include "transfer/basis_sums.hpp"
 
 namespace polhode {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "transfer/shell_basis.hpp"
+#include "transfer/basis/shell_basis.hpp"
 
 namespace polhode {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "sphere/closed_forms/energy_drift.hpp"
-#include "transfer/point_block.hpp"
+#include "transfer/points/point_block.hpp"
 
 namespace polhode {
 namespace {

@@ -5,6 +5,8 @@
 
 #include "experiments/laws/bias_reference.hpp"
 #include "experiments/laws/difference_bar.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
+#include "sphere/stationary.hpp"
 
 namespace polhode {
 namespace {

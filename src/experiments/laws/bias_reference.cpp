@@ -1,4 +1,5 @@
 #include "experiments/laws/bias_reference.hpp"
+#include "sphere/harmonics/harmonics.hpp"
 
 #include <algorithm>
 

@@ -6,6 +6,7 @@
 
 #include "experiments/laws/law_errors.hpp"
 #include "experiments/laws/transfer_report.hpp"
+#include "sphere/stationary.hpp"
 
 namespace polhode {
 

@@ -26,7 +26,7 @@
 
 #include <Eigen/Core>
 
-#include "sphere/harmonics.hpp"
+#include "sphere/harmonics/harmonics.hpp"
 
 namespace polhode {
 

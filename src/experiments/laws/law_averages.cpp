@@ -5,6 +5,7 @@
 
 #include "experiments/laws/transfer_report.hpp"
 #include "experiments/laws/true_law.hpp"
+#include "sphere/expectations/expectation.hpp"
 
 namespace polhode {
 namespace {

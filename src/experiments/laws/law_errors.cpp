@@ -8,6 +8,7 @@
 
 #include "algebra/dense_algebra.hpp"
 #include "experiments/laws/transfer_report.hpp"
+#include "sphere/stationary.hpp"
 
 namespace polhode {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sphere/expectation_curve.hpp"
+#include "sphere/expectations/expectation_curve.hpp"
 #include "transfer/transfer_refine.hpp"
 
 namespace polhode {

@@ -7,6 +7,7 @@
 #include "experiments/laws/bias_reference.hpp"
 #include "experiments/laws/transfer_report.hpp"
 #include "experiments/laws/true_law.hpp"
+#include "sphere/uniqueness.hpp"
 
 namespace polhode {
 namespace {

@@ -1,4 +1,5 @@
 #include "experiments/laws/true_law.hpp"
+#include "sphere/harmonics/harmonics.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "problem/subject.hpp"
-#include "sphere/kolmogorov.hpp"
+#include "sphere/stationary.hpp"
 
 namespace polhode {
 

@@ -14,6 +14,7 @@
 #include "experiments/common/recorder.hpp"
 #include "experiments/common/undecided.hpp"
 #include "experiments/lyapunov/sampled_growth.hpp"
+#include "sphere/spectral_gap.hpp"
 #include "statistics/control_variates.hpp"
 #include "transfer/transfer.hpp"
 

@@ -6,6 +6,8 @@
 #include "algebra/decompositions.hpp"
 #include "algebra/dense_algebra.hpp"
 #include "experiments/laws/true_law.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
+#include "sphere/harmonics/harmonics.hpp"
 
 namespace polhode {
 namespace {

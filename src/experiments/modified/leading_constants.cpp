@@ -9,6 +9,8 @@
 #include "algebra/exponential_action.hpp"
 #include "experiments/common/levels.hpp"
 #include "experiments/laws/true_law.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
+#include "sphere/harmonics/harmonics.hpp"
 #include "statistics/orders/power_series.hpp"
 
 namespace polhode {

@@ -7,6 +7,7 @@
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/undecided.hpp"
+#include "sphere/uniqueness.hpp"
 #include "statistics/orders/power_series.hpp"
 
 namespace polhode {

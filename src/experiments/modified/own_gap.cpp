@@ -8,6 +8,8 @@
 #include "algebra/krylov_space.hpp"
 #include "algebra/slowest_modes.hpp"
 #include "algebra/sparse_blocks.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
+#include "sphere/spectral_gap.hpp"
 
 namespace polhode {
 namespace {

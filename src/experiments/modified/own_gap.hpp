@@ -1,6 +1,6 @@
 // How fast a scheme forgets its start: gap(dt) = -log|lambda_2| / dt, lambda_2 the eigenvalue of its operator T_dt that
 // is largest in modulus besides the constants' 1. Against the equation's, the least decay rate of Kolmogorov's operator
-// (sphere/kolmogorov.hpp): T_dt = exp(dt L) + O(dt^(p+1)), so that they differ by O(dt^p). Where two modes are
+// (sphere/spectral_gap.hpp): T_dt = exp(dt L) + O(dt^(p+1)), so that they differ by O(dt^p). Where two modes are
 // nearly as slow, which of them is the slowest may change with dt, and their maximum has a kink and no power series: so
 // the mode is followed that continues the equation's, as long as it is the slowest but for an error of the step.
 #pragma once

@@ -4,7 +4,7 @@
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/stability/stability_run.hpp"
-#include "sphere/kolmogorov.hpp"
+#include "sphere/expectations/expectation.hpp"
 
 namespace polhode {
 namespace {

@@ -10,7 +10,7 @@
 #include "problem/vectors.hpp"
 #include "sphere/closed_forms/linearised.hpp"
 #include "sphere/equilibria.hpp"
-#include "transfer/noise_nodes.hpp"
+#include "transfer/points/noise_nodes.hpp"
 
 namespace polhode {
 namespace {

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "ensemble/noise/paths.hpp"
-#include "transfer/point_block.hpp"
+#include "transfer/basis/radial_motion.hpp"
+#include "transfer/points/point_block.hpp"
 #include "transfer/transfer.hpp"
 
 namespace polhode {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "experiments/common/undecided.hpp"
+#include "sphere/expectations/expectation.hpp"
 
 namespace polhode {
 namespace {

@@ -1,7 +1,7 @@
 // How far is the law of a scheme from the true law after the scene's horizon, and how fast does that fall?
 //
 // Both expectations are linear algebra: the scheme's by its transfer operator (transfer.hpp), the true one by the
-// Kolmogorov operator (sphere/kolmogorov.hpp). Nothing is sampled.
+// Kolmogorov operator (sphere/expectations/expectation.hpp). Nothing is sampled.
 #include <fmt/format.h>
 
 #include "experiments/common/undecided.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/laws/transfer_report.hpp"
-#include "sphere/expectation_curve.hpp"
+#include "sphere/expectations/expectation_curve.hpp"
 
 namespace polhode {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algebra/exponential_action.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
 
 namespace polhode {
 namespace {

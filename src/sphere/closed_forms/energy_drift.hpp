@@ -7,7 +7,8 @@
 //   E[h(Pi_t)] = m + (h(Pi_0) - m) exp(-3 sigma^2 t),   m = |Pi|^2 tr(I^-1) / 6,   for all t.
 #pragma once
 
-#include "sphere/kolmogorov.hpp"
+#include "sphere/harmonics/harmonics.hpp"
+#include "sphere/sphere_problem.hpp"
 
 namespace polhode {
 

@@ -10,7 +10,7 @@
 
 #include "sphere/closed_forms/gibbs_moments.hpp"
 #include "sphere/equilibria.hpp"
-#include "sphere/harmonics.hpp"
+#include "sphere/harmonics/harmonics.hpp"
 
 namespace polhode {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <polhode/systems/rigid_body.hpp>
-#include "systems/rigid_body/body_parts.hpp"
+#include "systems/rigid_body/motion/body_parts.hpp"
 
 namespace polhode {
 

@@ -6,7 +6,7 @@
 #include <bit>
 
 #include <polhode/systems/rigid_body.hpp>
-#include "systems/rigid_body/rigid_body_at.hpp"
+#include "systems/rigid_body/motion/rigid_body_at.hpp"
 
 #include "ensemble/kernel_of.hpp"
 

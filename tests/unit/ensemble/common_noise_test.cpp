@@ -11,6 +11,7 @@
 #include "experiments/attractor/harmonic_moments.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "sphere/harmonics/harmonics.hpp"
 
 namespace polhode {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include "systems/rigid_body/body_parts.hpp"
+#include "systems/rigid_body/motion/body_parts.hpp"
 
 #include "support/dense.hpp"
 #include "support/schemes.hpp"

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "sphere/expectations/expectation.hpp"
+#include "sphere/stationary.hpp"
 #include "unit/run/reference_questions.hpp"
 
 namespace polhode::test {

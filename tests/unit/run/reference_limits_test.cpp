@@ -8,7 +8,8 @@
 
 #include "problem/capabilities.hpp"
 #include "sphere/closed_forms/gibbs.hpp"
-#include "sphere/kolmogorov.hpp"
+#include "sphere/expectations/expectation.hpp"
+#include "sphere/stationary.hpp"
 #include "unit/run/reference_questions.hpp"
 
 namespace polhode::test {

@@ -11,6 +11,8 @@
 #include "run/reference.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "sphere/expectations/expectation.hpp"
+#include "sphere/stationary.hpp"
 
 namespace polhode::test {
 

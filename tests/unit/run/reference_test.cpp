@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "sphere/harmonics.hpp"
+#include "sphere/harmonics/harmonics.hpp"
 #include "support/dense.hpp"
 #include "unit/run/reference_questions.hpp"
 

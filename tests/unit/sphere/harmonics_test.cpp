@@ -1,4 +1,4 @@
-#include "sphere/harmonics.hpp"
+#include "sphere/harmonics/harmonics.hpp"
 
 #include <gtest/gtest.h>
 

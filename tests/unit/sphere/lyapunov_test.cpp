@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "sphere/closed_forms/gibbs.hpp"
-#include "sphere/wigner.hpp"
+#include "sphere/harmonics/wigner.hpp"
 
 namespace polhode::test {
 namespace {

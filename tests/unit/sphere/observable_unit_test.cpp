@@ -3,7 +3,8 @@
 
 #include <cmath>
 
-#include "sphere/kolmogorov.hpp"
+#include "sphere/expectations/expectation.hpp"
+#include "sphere/stationary.hpp"
 
 namespace polhode::test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-#include "sphere/kolmogorov.hpp"
+#include "sphere/expectations/expectation.hpp"
 
 namespace polhode::test {
 

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "sphere/closed_forms/averaged_gap.hpp"
+#include "sphere/averaged_gap.hpp"
+#include "sphere/expectations/expectation.hpp"
+#include "sphere/spectral_gap.hpp"
+#include "sphere/stationary.hpp"
 
 namespace polhode::test {
 namespace {

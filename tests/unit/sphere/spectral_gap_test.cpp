@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "sphere/spectral_gap.hpp"
+#include "sphere/stationary.hpp"
 #include "unit/sphere/problems.hpp"
 
 namespace polhode::test {

@@ -4,8 +4,12 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "sphere/kolmogorov.hpp"
+#include "sphere/expectations/expectation.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
 #include "sphere/lyapunov.hpp"
+#include "sphere/spectral_gap.hpp"
+#include "sphere/stationary.hpp"
+#include "sphere/uniqueness.hpp"
 
 namespace polhode::test {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sphere/closed_forms/gibbs.hpp"
+#include "sphere/stationary.hpp"
 #include "unit/sphere/problems.hpp"
 
 namespace polhode::test {

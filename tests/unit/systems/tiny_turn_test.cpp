@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "systems/rigid_body/body_parts.hpp"
-#include "systems/rigid_body/tiny_turn.hpp"
+#include "systems/rigid_body/motion/body_parts.hpp"
+#include "systems/rigid_body/motion/tiny_turn.hpp"
 
 #include "support/schemes.hpp"
 #include "systems/rigid_body/rigid_body_choice.hpp"

@@ -1,0 +1,35 @@
+// Omega and x cross Omega of Omega = A x + b on the unit sphere, as polynomials of x and as operators that multiply by
+// them, whatever the functions are that the coordinates act on.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "sphere/harmonics/harmonics.hpp"
+#include "sphere/sphere_problem.hpp"
+
+namespace polhode {
+
+/// A = radius times quadratic, symmetric; b = field.
+struct angular_velocity {
+  Eigen::Matrix3d a;
+  Eigen::Vector3d b;
+  bool operator==(const angular_velocity&) const = default;
+};
+inline angular_velocity angular_velocity_of(const sphere_problem& p) { return {p.radius * p.quadratic, p.field}; }
+
+/// constant + linear x + x.quadratic x, quadratic symmetric.
+struct polynomial {
+  double constant = 0;
+  Eigen::RowVector3d linear = Eigen::RowVector3d::Zero();
+  Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();
+};
+
+/// Omega_i and (x cross Omega)_i.
+polynomial rate_polynomial(const angular_velocity&, int i);
+polynomial cross_polynomial(const angular_velocity&, int i);
+
+/// Multiplies by the polynomial; x: the operators that multiply by the coordinates. What is zero costs nothing.
+sparse_matrix multiplying_by(const polynomial&, const std::array<sparse_matrix, 3>& x);
+
+}  // namespace polhode

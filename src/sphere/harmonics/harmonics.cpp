@@ -1,0 +1,138 @@
+#include "sphere/harmonics/harmonics.hpp"
+
+#include <boost/math/special_functions/legendre.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace polhode {
+namespace {
+
+using triplets = std::vector<Eigen::Triplet<double>>;
+
+double square(double x) { return x * x; }
+
+// z Y_lm = up(l + 1, m) Y_{l+1,m} + up(l, m) Y_{l-1,m}
+double up(int l, int m) { return std::sqrt((square(l) - square(m)) / (4 * square(l) - 1)); }
+
+// |J_+ |l m>| / |l m+1>
+double ladder(int l, int m) { return std::sqrt(l * (l + 1.0) - m * (m + 1.0)); }
+
+sparse_matrix assemble(int size, const triplets& entries) {
+  sparse_matrix a(size, size);
+  a.setFromTriplets(entries.begin(), entries.end());
+  return a;
+}
+
+// L_1 C_m = (ladder(m) S_{m+1} + ladder(m-1) S_{m-1}) / 2, C_m the cosines, S_m the sines; S_0 = 0 and C_0 weighs
+// sqrt 2.
+sparse_matrix first_generator(int degree) {
+  triplets entries;
+  const auto add = [&](int row, int column, double value) {
+    entries.emplace_back(row, column, value);
+    entries.emplace_back(column, row, -value);
+  };
+  for (int l = 1; l <= degree; ++l)
+    for (int m = 0; m <= l; ++m) {
+      const int cosine = harmonic_index(l, m);
+      if (m < l) add(harmonic_index(l, -(m + 1)), cosine, ladder(l, m) / (m == 0 ? std::numbers::sqrt2 : 2));
+      if (m > 1) add(harmonic_index(l, -(m - 1)), cosine, ladder(l, m - 1) / 2);
+    }
+  return assemble(harmonic_count(degree), entries);
+}
+
+sparse_matrix third_generator(int degree) {
+  triplets entries;
+  for (int l = 1; l <= degree; ++l)
+    for (int m = -l; m <= l; ++m)
+      if (m != 0) entries.emplace_back(harmonic_index(l, -m), harmonic_index(l, m), -m);
+  return assemble(harmonic_count(degree), entries);
+}
+
+}  // namespace
+
+Eigen::MatrixXd harmonics(const points_on_sphere& x, int degree) {
+  const Eigen::ArrayXd z = x.col(2);
+  Eigen::MatrixXd out(x.rows(), harmonic_count(degree));
+  Eigen::ArrayXd cosine = Eigen::ArrayXd::Ones(x.rows()),
+                 sine = Eigen::ArrayXd::Zero(x.rows());  // of m phi, times sin^m
+  double highest = std::sqrt(0.25 / std::numbers::pi);   // of P_mm, over sin^m
+  for (int m = 0; m <= degree; ++m) {
+    if (m > 0) {
+      const Eigen::ArrayXd turned = cosine * x.col(0).array() - sine * x.col(1).array();
+      sine = cosine * x.col(1).array() + sine * x.col(0).array();
+      cosine = turned;
+      highest *= std::sqrt((2 * m + 1.0) / (2 * m)) * (m == 1 ? std::numbers::sqrt2 : 1);
+    }
+    Eigen::ArrayXd before = Eigen::ArrayXd::Zero(x.rows()), p = Eigen::ArrayXd::Constant(x.rows(), highest);
+    for (int l = m; l <= degree; ++l) {
+      out.col(harmonic_index(l, m)) = cosine * p;
+      if (m > 0) out.col(harmonic_index(l, -m)) = sine * p;
+      const Eigen::ArrayXd next = (z * p - (l > m ? up(l, m) : 0) * before) / up(l + 1, m);
+      before = p;
+      p = next;
+    }
+  }
+  return out;
+}
+
+Eigen::VectorXd harmonics_at(const Eigen::Vector3d& x, int degree) {
+  return harmonics(x.transpose(), degree).transpose();
+}
+
+sphere_rule sphere_quadrature(int degree) {
+  const int rings = degree / 2 + 1, per_ring = degree + 1;
+  sphere_rule rule{points_on_sphere(rings * per_ring, 3), Eigen::VectorXd(rings * per_ring), per_ring};
+  int i = 0;
+  const auto add_ring = [&](double z) {
+    const double radius = std::sqrt((1 - z) * (1 + z)), slope = boost::math::legendre_p_prime(rings, z);
+    const double weight = 2 / (radius * radius * slope * slope);
+    for (int k = 0; k < per_ring; ++k, ++i) {
+      const double phi = 2 * std::numbers::pi * k / per_ring;
+      rule.points.row(i) << radius * std::cos(phi), radius * std::sin(phi), z;
+      rule.weights[i] = weight * 2 * std::numbers::pi / per_ring;
+    }
+  };
+  for (const double z : boost::math::legendre_p_zeros<double>(rings)) {  // those >= 0; GSL's tables have 1e-11 only
+    add_ring(z);
+    if (z != 0) add_ring(-z);
+  }
+  return rule;
+}
+
+Eigen::VectorXd harmonic_coefficients(const std::function<double(const Eigen::Vector3d& x)>& f, int degree) {
+  const sphere_rule rule = sphere_quadrature(2 * degree + 2);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(harmonic_count(degree)), values(rule.per_ring);
+  for (Eigen::Index start = 0; start < rule.weights.size();
+       start += rule.per_ring) {  // a ring at a time: little memory
+    const points_on_sphere ring = rule.points.middleRows(start, rule.per_ring);
+    for (Eigen::Index i = 0; i < ring.rows(); ++i) values[i] = rule.weights[start + i] * f(ring.row(i).transpose());
+    sum.noalias() += harmonics(ring, degree).transpose() * values;
+  }
+  return sum;
+}
+
+std::array<sparse_matrix, 3> rotation_generators(int degree) {
+  std::array<sparse_matrix, 3> l;
+  l[0] = first_generator(degree);
+  l[2] = third_generator(degree);
+  l[1] = sparse_matrix(l[0] * l[2]) - sparse_matrix(l[2] * l[0]);  // [L_3, L_1] = -L_2
+  return l;
+}
+
+std::array<sparse_matrix, 3> coordinates(int degree) {
+  triplets entries;
+  for (int l = 1; l <= degree; ++l)
+    for (int m = 1 - l; m < l; ++m) {
+      entries.emplace_back(harmonic_index(l, m), harmonic_index(l - 1, m), up(l, m));
+      entries.emplace_back(harmonic_index(l - 1, m), harmonic_index(l, m), up(l, m));
+    }
+  const auto l = rotation_generators(degree);
+  std::array<sparse_matrix, 3> x;
+  x[2] = assemble(harmonic_count(degree), entries);  // the others turn from it: [L_i, x_j] = eps_ikj x_k
+  x[0] = sparse_matrix(x[2] * l[1]) - sparse_matrix(l[1] * x[2]);
+  x[1] = sparse_matrix(l[0] * x[2]) - sparse_matrix(x[2] * l[0]);
+  return x;
+}
+
+}  // namespace polhode
