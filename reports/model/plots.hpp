@@ -31,9 +31,8 @@ constexpr std::string_view name_of(plot_kind kind) {
 /// A measurement belongs to a line if it is of the series and has the coordinates that are the axes of the plot.
 struct plot_line {
   series_id series;                      ///< the values; of the experiment of the plot, as all of its series
-  std::optional<double> at = {};         ///< of `reach`: the accuracy
   std::optional<series_id> across = {};  ///< of `front`: the errors; cost and error pair by their step size
-  std::vector<series_id> beside = {};    ///< told with the point of the same step size
+  std::vector<series_id> beside = {};    ///< told with the point of the same abscissa
   std::optional<series_id> border = {};  ///< of `map`: measured at one of its coordinates
 };
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -64,36 +63,8 @@ plot_description front_of(const findings& found, const row_list& costs, const me
   return p;
 }
 
-/// "strong 1e-02"
-struct target {
-  std::string of;
-  double accuracy = 0;
-};
-std::optional<target> target_of(const measurement& m) {
-  const auto blank = m.observable.rfind(' ');
-  if (blank == m.observable.npos) return std::nullopt;
-  target found{m.observable.substr(0, blank)};
-  const char* const last = m.observable.data() + m.observable.size();
-  const auto [stop, error] = std::from_chars(m.observable.data() + blank + 1, last, found.accuracy);
-  if (error != std::errc() || stop != last || !(finite(found.accuracy).value_or(0) > 0)) return std::nullopt;
-  return found;
-}
-
-void add_accuracies(plot_description& p, const findings& found, const row_list& rows) {
-  for (auto& line : p.lines) {
-    const auto next = with_quantity(line.series, "cost_of_next");
-    for (const auto* m : rows) {
-      if (belongs(*m, line.series)) line.at = target_of(*m)->accuracy;
-      if (line.beside.empty() && belongs(*m, next)) line.beside.push_back(next);
-    }
-  }
-  const auto rank = [&](const plot_line& line) { return std::ranges::find(found.schemes, line.series.scheme); };
-  std::ranges::stable_sort(p.lines, [&](const plot_line& a, const plot_line& b) {
-    return std::pair(rank(a), *a.at) < std::pair(rank(b), *b.at);
-  });
-}
-
-plot_description reach_of(const findings& found, const std::string& of, const row_list& rows) {
+plot_description reach_of(const findings& found, const row_list& rows) {
+  const auto& of = rows.front()->observable;
   const auto costs = rows_where(rows, [](const measurement& m) { return m.quantity == "cost_to_reach"; });
   const auto& reached =
       **std::ranges::find_if(costs, [](const measurement* m) { return finite(m->value).has_value(); });
@@ -103,6 +74,7 @@ plot_description reach_of(const findings& found, const std::string& of, const ro
                      .kind = plot_kind::reach,
                      .title = fmt::format("Cost to reach an accuracy: {}", of),
                      .of = of,
+                     .x = costs.front()->over,
                      .x_title = fmt::format("{} error to be reached", of),
                      .y_title = with_unit("cost", reached.unit),
                      .log_x = true,
@@ -112,7 +84,10 @@ plot_description reach_of(const findings& found, const std::string& of, const ro
   if (failed > 0)
     p.note =
         fmt::format("{} target{} not reached at the steps that were measured.", failed, failed == 1 ? " is" : "s are");
-  add_accuracies(p, found, rows);
+  for (auto& line : p.lines) {
+    const auto next = with_quantity(line.series, "cost_of_next");
+    if (std::ranges::any_of(rows, [&](const measurement* m) { return belongs(*m, next); })) line.beside = {next};
+  }
   return p;
 }
 
@@ -145,14 +120,14 @@ std::vector<plot_description> front_plots(findings& found) {
 
 std::vector<plot_description> reach_plots(findings& found) {
   const auto priced = rows_where(found.rows, [](const measurement& m) {
-    return (m.quantity == "cost_to_reach" || m.quantity == "cost_of_next") && target_of(m);
+    return (m.quantity == "cost_to_reach" || m.quantity == "cost_of_next") && abscissa_of(m);
   });
   std::vector<plot_description> plots;
-  for (const auto& rows : grouped(priced, [](const measurement& m) { return target_of(m)->of; })) {
+  for (const auto& rows : grouped(priced, [](const measurement& m) { return m.observable; })) {
     const auto costs =
         rows_where(rows, [](const measurement& m) { return m.quantity == "cost_to_reach" && finite(m.value); });
     if (costs.empty()) continue;
-    plots.push_back(reach_of(found, target_of(*rows.front())->of, rows));
+    plots.push_back(reach_of(found, rows));
     take(found, rows);
   }
   return plots;

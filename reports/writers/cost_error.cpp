@@ -1,6 +1,9 @@
 #include "reports/writers/cost_error.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <utility>
 
 #include "reports/model/finite.hpp"
 
@@ -19,13 +22,18 @@ std::vector<plot_point> cost_points(const rows_by_series& all, const plot_line& 
 std::vector<cost_line> cost_table_of(const results& r, const std::string& experiment) {
   std::vector<cost_line> lines;
   for (const auto& m : r.measurements)
-    if (m.experiment == experiment && m.quantity == "cost_to_reach" && m.used) lines.push_back({m.observable, &m});
+    if (m.experiment == experiment && m.quantity == "cost_to_reach" && m.used)
+      lines.push_back({fmt::format("{} {:.0e}", m.observable, m.abscissa().value_or(0)), &m});
   for (const auto& m : r.measurements) {
     if (m.experiment != experiment || m.quantity != "cost_of_next") continue;
     for (auto& line : lines)
-      if (line.what == m.observable && line.cost->scheme == m.scheme) line.next = &m;
+      if (line.cost->scheme == m.scheme && line.cost->observable == m.observable &&
+          line.cost->abscissa() == m.abscissa())
+        line.next = &m;
   }
-  std::ranges::sort(lines, {}, &cost_line::what);  // 1e-01 before 1e-02
+  std::ranges::sort(lines, [](const cost_line& a, const cost_line& b) {
+    return std::pair(a.cost->observable, b.cost->abscissa()) < std::pair(b.cost->observable, a.cost->abscissa());
+  });
   return lines;
 }
 

@@ -27,7 +27,6 @@ json series_value(const series_id& s) {
 
 json to_value(const plot_line& line) {
   json out{{"series", series_value(line.series)}};
-  if (line.at) out["at"] = number(line.at);
   if (line.across) out["across"] = series_value(*line.across);
   for (const auto& s : line.beside) out["beside"].push_back(series_value(s));
   if (line.border) out["border"] = series_value(*line.border);

@@ -95,10 +95,9 @@ TEST(WorkPrecision, EveryEntryOfTheTableLiesBetweenMeasuredNeighbours) {
   for (const auto& m : r.measurements) {
     if (m.quantity != "cost_to_reach" || !m.value) continue;
     ++entries;
-    const auto kind = m.observable.substr(0, m.observable.find(' '));
     std::map<double, double> costs;
     for (const auto& c : r.measurements)
-      if (c.quantity == "cost" && c.scheme == m.scheme && c.observable == kind) costs[*c.dt()] = *c.value;
+      if (c.quantity == "cost" && c.scheme == m.scheme && c.observable == m.observable) costs[*c.dt()] = *c.value;
     const auto coarse = costs.lower_bound(*m.dt() * (1 - 1e-12)),
                fine = std::prev(costs.upper_bound(*m.dt() * (1 + 1e-12)));
     ASSERT_NE(coarse, costs.end());

@@ -61,9 +61,8 @@ export type PlotKind = (typeof plotKinds)[number];
 /** A measurement belongs to a line if it is of the series and has the coordinates that are the axes of the plot. */
 export interface PlotLine {
   series: Series;
-  at: number | null; // of `reach`: the accuracy
   across: Series | null; // of `front`: the errors; cost and error pair by their step size
-  beside: Series[]; // told with the point of the same step size
+  beside: Series[]; // told with the point of the same abscissa
   border: Series | null; // of `map`: measured at one of its coordinates
 }
 export interface PlotAlternative {

@@ -25,9 +25,7 @@ function readerOf(experiment: string) {
     records(x).flatMap((o) => {
       const of = series(o.series);
       if (!of) return [];
-      return [
-        { series: of, at: number(o.at), across: series(o.across), beside: all(o.beside), border: series(o.border) },
-      ];
+      return [{ series: of, across: series(o.across), beside: all(o.beside), border: series(o.border) }];
     });
   const other = (o: Json): PlotAlternative => ({
     name: text(o.name),

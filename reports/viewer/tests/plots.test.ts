@@ -124,20 +124,22 @@ test('cost and error pair by their step size, and other ordinates keep the point
 });
 
 test('what an accuracy costs stands over the accuracy', () => {
+  const over = (quantity: string) => ({ ...series(quantity, 'weak'), over: 'accuracy' });
+  const reached = (quantity: string, accuracy: number, dt: number, value: number, used = false): Measurement => {
+    const of = row(quantity, 'weak', dt, value, used);
+    return { ...of, over: 'accuracy', at: [...of.at, { name: 'accuracy', value: accuracy, unit: '' }] };
+  };
   const reach = {
     id: 'w.reach.weak',
     experiment: 'w',
     kind: 'reach',
     of: 'weak',
-    lines: [1e-2, 1e-1].map((at) => ({
-      series: series('cost_to_reach', `weak ${at}`),
-      at,
-      beside: [series('cost_of_next', `weak ${at}`)],
-    })),
+    x: 'accuracy',
+    lines: [{ series: over('cost_to_reach'), beside: [over('cost_of_next')] }],
   };
   const r = readResults(JSON.stringify({ plots: [reach] }));
-  const rows = [row('cost_to_reach', 'weak 0.1', 1, 5, true), row('cost_to_reach', 'weak 0.01', 2, 7)];
-  const next = row('cost_of_next', 'weak 0.1', 1, 1.5);
+  const rows = [reached('cost_to_reach', 0.1, 1, 5, true), reached('cost_to_reach', 0.01, 1, 7)];
+  const next = reached('cost_of_next', 0.1, 1, 1.5);
   const plot = picked(r.plots[0]!, new Source([...rows, next], [])) as CurvePlot;
   expect(plot.lines.map((l) => l.points.map((p) => [p.x, p.y, p.filled, p.rows.length]))).toEqual([
     [

@@ -58,50 +58,60 @@ void report_points(const error_kind& kind, const std::vector<cost_point>& points
   }
 }
 
+/// An error of a kind, to be reached.
+struct aim {
+  std::string kind;
+  double accuracy;
+  report::coordinate place() const { return {"accuracy", accuracy}; }
+};
+
 /// One line of the table: the schemes that reach it from the cheapest on, each against the next.
-void report_ranking(const std::string& what, const std::vector<reached>& ranked, const recorder& record) {
+void report_ranking(const aim& to, const std::vector<reached>& ranked, const recorder& record) {
   for (std::size_t i = 0; i < ranked.size(); ++i) {
     const auto& r = ranked[i];
     auto of_scheme = record.of(r.scheme);
-    auto cost = row_at(r.dt, cost_quantity("cost_to_reach", what), r.cost, r.low, r.high);
+    auto cost = row_at(r.dt, cost_quantity("cost_to_reach", to.kind), r.cost, r.low, r.high);
+    cost.set_over(to.place());
     cost.used = i == 0;
     if (r.coarsest) cost.status = "at the coarsest dt measured";
     of_scheme.row(std::move(cost));
     if (i + 1 == ranked.size()) continue;
     const auto& next = ranked[i + 1];
     auto ratio =
-        row_at(r.dt, {"cost_of_next", what, "1", "timed"}, next.cost / r.cost, next.low / r.high, next.high / r.low);
+        row_at(r.dt, {"cost_of_next", to.kind, "1", "timed"}, next.cost / r.cost, next.low / r.high, next.high / r.low);
+    ratio.set_over(to.place());
     ratio.status = fmt::format("{}: {}", *ratio.low <= 1 ? "tied with" : "next", next.scheme);
     of_scheme.row(std::move(ratio));
   }
 }
 
 /// Of a scheme that has errors of this kind, but none as small.
-void report_not_reached(const std::string& what, recorder record) {
-  const auto of = cost_quantity("cost_to_reach", what);
+void report_not_reached(const aim& to, recorder record) {
+  const auto of = cost_quantity("cost_to_reach", to.kind);
   record.row({.quantity = of.name,
               .observable = of.observable,
               .unit = of.unit,
               .method = of.method,
-              .status = "not reached at the finest dt measured"});
+              .status = "not reached at the finest dt measured",
+              .at = {to.place()},
+              .over = to.place().name});
 }
 
 void report_table(const context& c, const error_kind& kind, const std::vector<cost_point>& points,
                   const recorder& record) {
   for (int power = 1; power <= finest_accuracy; ++power) {
-    const double accuracy = std::pow(10.0, -power);
-    const auto what = fmt::format("{} {:.0e}", kind.name, accuracy);
-    const auto ranked = ranking(points, accuracy);
+    const aim to{kind.name, 1 / std::pow(10.0, power)};
+    const auto ranked = ranking(points, to.accuracy);
     if (ranked.empty()) {
       if (power == 1) continue;
       break;  // nor is anything finer reached
     }
-    report_ranking(what, ranked, record);
+    report_ranking(to, ranked, record);
     for (const auto& e : c.subject.schemes) {
       const auto& name = e.info.name;
       if (std::ranges::find(ranked, name, &reached::scheme) != ranked.end()) continue;
       if (std::ranges::find(points, name, &cost_point::scheme) == points.end()) continue;
-      report_not_reached(what, record.of(name));
+      report_not_reached(to, record.of(name));
     }
   }
 }

@@ -26,7 +26,9 @@ const pointOf = (x: number, m: Measurement, filled: boolean, rows: Measurement[]
 });
 
 const besideOf = (source: Source, line: PlotLine, m: Measurement): Measurement[] =>
-  line.beside.flatMap((series) => source.of(series).filter((one) => one.dt === m.dt));
+  line.beside.flatMap((series) =>
+    source.of(series).filter((one) => valueAt(one, series.over) === valueAt(m, line.series.over)),
+  );
 
 /** Cost over the error of the same step size; `used` says of a cost whether it lies on the front. */
 function frontPoints(source: Source, line: PlotLine): Point[] {
@@ -42,7 +44,7 @@ function frontPoints(source: Source, line: PlotLine): Point[] {
 function pointsOf(p: PlotDescription, source: Source, line: PlotLine): Point[] {
   if (p.kind === 'front') return frontPoints(source, line);
   return source.on(p, line.series).flatMap((m) => {
-    const x = p.kind === 'reach' ? line.at : valueAt(m, p.x);
+    const x = valueAt(m, p.x);
     return x === null || m.value === null ? [] : [pointOf(x, m, m.used, [m, ...besideOf(source, line, m)])];
   });
 }
