@@ -34,7 +34,7 @@ struct arguments {
 /// Where the page is to be written, if anywhere: refused before any work, and never over what is compared.
 std::optional<std::filesystem::path> page_option(const arguments& given) {
   if (!given.html) return std::nullopt;
-  const auto page = report::settled_file(*given.html);
+  auto page = report::settled_file(*given.html);
   for (const auto& one : {given.before, given.after}) {
     std::error_code none;
     if (std::filesystem::equivalent(page, results_file(one), none))

@@ -66,7 +66,7 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
     };
     tell(0);
     out.experiments.push_back(e.info);
-    if (const auto reason = e.cannot_say(s))
+    if (const auto reason = e.skip_reason(s))
       out.skipped.push_back({e.info.name, "", *reason});
     else
       run_experiment(e,

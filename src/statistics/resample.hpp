@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -34,7 +35,7 @@ class resample {
 inline std::pair<double, double> central_interval(std::vector<double> values, double share) {
   std::ranges::sort(values);
   const auto at = [&](double q) {
-    const auto i = static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5);
+    const auto i = static_cast<std::size_t>(std::llround(q * static_cast<double>(values.size() - 1)));
     return values[i];
   };
   return {at((1 - share) / 2), at((1 + share) / 2)};

@@ -11,7 +11,7 @@
 #include "ensemble/tangent_kernel_of.hpp"
 #include "platform/flatten.hpp"
 #include "problem/subject.hpp"
-#include "references/driven_ode.hpp"
+#include "references/wong_zakai_equation.hpp"
 #include "systems/schemes.hpp"
 
 namespace polhode {
@@ -64,7 +64,7 @@ class model_of final : public model {
       }
   }
   std::unique_ptr<kernel> reference(double dt) const override {
-    return std::make_unique<kernel_of<driven_ode, plain_forms<System>, pack>>(plain_forms(system_), dt);
+    return std::make_unique<kernel_of<wong_zakai_equation, plain_forms<System>, pack>>(plain_forms(system_), dt);
   }
 
  private:

@@ -146,7 +146,8 @@ frame_transfer make_frame_transfer(const subject& s, const scheme_entry& scheme,
   return on_basis(step_of(s, scheme, dt, rule), frame_basis(rule.basis.degree));
 }
 
-Eigen::Vector2d own_exponents(const subject& s, const scheme_entry& scheme, double dt, const transfer_rule& rule) {
+Eigen::Vector2d discretisation_exponents(const subject& s, const scheme_entry& scheme, double dt,
+                                         const transfer_rule& rule) {
   const auto step = step_of(s, scheme, dt, rule);
   const frame_basis invariant(rule.basis.degree, frame_basis::functions::invariant);
   if (has_half_turns(*step.stepper, invariant, step.radius, step.nodes, s.model->layout().active))

@@ -27,6 +27,6 @@ frame_transfer make_frame_transfer(const subject&, const scheme_entry&, double d
 
 /// Its exponents alone. Where a step and its derivative commute with the half turns of the body (half_turns.hpp; tried
 /// out at some points and all nodes) the invariant functions are enough: the law is the only one, and so invariant.
-Eigen::Vector2d own_exponents(const subject&, const scheme_entry&, double dt, const transfer_rule&);
+Eigen::Vector2d discretisation_exponents(const subject&, const scheme_entry&, double dt, const transfer_rule&);
 
 }  // namespace polhode

@@ -151,11 +151,12 @@ transfer_answer refine(const subject& s, const scheme_entry& scheme, double dt, 
 
 transfer_answer refine_exponents(const subject& s, const scheme_entry& scheme, double dt,
                                  const transfer_target& target) {
-  const ladder frames{frame_bases, frame_nodes,
-                      [&](const transfer_rule& rule) {
-                        return frame_values(rule.basis) * steps_a_point(*s.model, scheme.needs_areas, rule.noise);
-                      },
-                      [&](const transfer_rule& rule) -> Eigen::VectorXd { return own_exponents(s, scheme, dt, rule); }};
+  const ladder frames{
+      frame_bases, frame_nodes,
+      [&](const transfer_rule& rule) {
+        return frame_values(rule.basis) * steps_a_point(*s.model, scheme.needs_areas, rule.noise);
+      },
+      [&](const transfer_rule& rule) -> Eigen::VectorXd { return discretisation_exponents(s, scheme, dt, rule); }};
   return refine(frames, scheme.needs_areas, target, 1);
 }
 

@@ -4,14 +4,14 @@
 
 #include <cmath>
 
-#include "references/driven_ode.hpp"
+#include "references/wong_zakai_equation.hpp"
 #include "support/schemes.hpp"
 
 namespace polhode::test {
 namespace {
 
 /// Over a step whose noise is piecewise linear on cells: increments and areas of such a path are known, and
-/// driven_ode's error on a cell is far below that of any scheme on all.
+/// wong_zakai_equation's error on a cell is far below that of any scheme on all.
 template <class Scheme, class System>
 double local_error(const System& system, const state_of<System>& mu, double dt) {
   constexpr int paths = 64, cells = 16, channels = System::channels;
@@ -24,7 +24,7 @@ double local_error(const System& system, const state_of<System>& mu, double dt) 
       wiener_levy<double, channels> piece;
       piece.dt = dt / cells;
       piece.dw = std::sqrt(piece.dt) * normals<channels>({7, noise_kind::increment, path, cell});
-      exact = driven_ode::step(system, exact, piece);
+      exact = wong_zakai_equation::step(system, exact, piece);
       whole = chen(whole, piece);
     }
     square += std::pow(distance(Scheme::step(stepped, mu, whole), exact), 2) / paths;

@@ -11,8 +11,8 @@ namespace {
 /// Shears in place of turns, from the turns' constants.
 void make_shears(rigid_body_constants& k) {
   for (int n = 1; n <= 2; ++n)
-    for (int axis = 0; axis < 3; ++axis) k.first_turns[n - 1][axis] = tiny_turn<2>(k.shifted[axis] / n, k.radius);
-  k.last_half_turn = tiny_turn<1>(k.shifted[2] / 2, k.radius);
+    for (int axis = 0; axis < 3; ++axis) k.first_turns[n - 1][axis] = shear_rotation<2>(k.shifted[axis] / n, k.radius);
+  k.last_half_turn = shear_rotation<1>(k.shifted[2] / 2, k.radius);
 }
 
 rigid_body_constants spoilt(rigid_body_constants k, const defect& d, rotation_size size) {
@@ -27,7 +27,7 @@ rigid_body_constants spoilt(rigid_body_constants k, const defect& d, rotation_si
     default: break;
   }
   if (size == rotation_size::tiny) make_shears(k);
-  if (d.kind == kind::half_shear) k.last_half_turn = tiny_turn<1>(k.shifted[2] / 2 * (1 + d.size), k.radius);
+  if (d.kind == kind::half_shear) k.last_half_turn = shear_rotation<1>(k.shifted[2] / 2 * (1 + d.size), k.radius);
   return k;
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double exponent_accuracy = 1e-6, gap_accuracy = 1e-4;
 
-std::optional<std::string> cannot_say(const subject& s) {
+std::optional<std::string> skip_reason(const subject& s) {
   if (!s.sphere()) return no_exact_law;
   if (s.model->noise() == noise_class::none) return "no noise: the attractor is the set of equilibria";
   if (s.sphere()->is_spherical()) return "a spherical body turns rigidly: what is uniform stays so";
@@ -127,7 +127,7 @@ experiment attractor_experiment() {
         "Normals: fast ones. Areas from the weak surrogate, as in the transfer operator. Noise: the moments and "
         "correlations of all paths drawn, part by part, against their law; of one scheme, as all have the same."}},
       4,
-      cannot_say,
+      skip_reason,
       run};
 }
 

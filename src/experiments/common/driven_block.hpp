@@ -1,10 +1,10 @@
 // The true solution on a block of paths, and how it answers to a little more noise, dissipation or time.
 //
-// Truth is the ordinary differential equation driven by the fine piecewise linear path (references/driven_ode.hpp). Its
-// twin of a level is driven by the path that a scheme without Levy areas is given there, the increments of that level
-// alone; twins converge to the truth with strong order 1/2 (1 where the noise commutes): Wong, Zakai, Ann. Math. Stat.
-// 36 (1965) 1560-1564. A scheme without areas has its twin's error and little besides, so that the difference of both
-// shows its limit dt -> 0 some ten times as sharply as the error itself does.
+// Truth is the ordinary differential equation driven by the fine piecewise linear path
+// (references/wong_zakai_equation.hpp). Its twin of a level is driven by the path that a scheme without Levy areas is
+// given there, the increments of that level alone; twins converge to the truth with strong order 1/2 (1 where the noise
+// commutes): Wong, Zakai, Ann. Math. Stat. 36 (1965) 1560-1564. A scheme without areas has its twin's error and little
+// besides, so that the difference of both shows its limit dt -> 0 some ten times as sharply as the error itself does.
 #pragma once
 
 #include <memory>

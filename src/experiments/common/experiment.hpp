@@ -31,7 +31,7 @@ struct experiment {
   report::experiment info;
   double weight = 1;  ///< share of a run's time, for the ETA
   /// Why this experiment cannot say anything about this scene; empty: it can.
-  std::function<std::optional<std::string>(const subject&)> cannot_say;
+  std::function<std::optional<std::string>(const subject&)> skip_reason;
   /// Appends measurements, fits, verdicts and skips.
   std::function<void(const context&, report::results&)> run;
   /// Names under which it reports what follows from a scheme's results, and that scheme: kept and computed with it.

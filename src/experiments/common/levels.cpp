@@ -37,7 +37,7 @@ level_grid scene_levels(const subject& s) {
   level_grid grid{s.scene.horizon, {s.scene.steps.begin(), s.scene.steps.end()}};
   const double time_scales = fastest_rate(s) * grid.horizon;
   auto& steps = grid.steps;
-  while (steps.size() < fewest_levels && steps.front() % 2 == 0 && steps.front() / 2 >= time_scales)
+  while (steps.size() < fewest_levels && steps.front() % 2 == 0 && steps.front() >= 2 * time_scales)
     steps.insert(steps.begin(), steps.front() / 2);
   while (steps.size() < fewest_levels || steps.back() < resolution * time_scales) steps.push_back(2 * steps.back());
   return grid;

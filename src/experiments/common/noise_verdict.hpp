@@ -23,7 +23,8 @@ class noise_log {
     std::string name;
     int cells = 0;
   };
-  noise_log(const model&, int blocks, const std::vector<part>& parts = {{}});
+  noise_log(const model& m, int blocks) : noise_log(m, blocks, std::vector<part>(1)) {}
+  noise_log(const model&, int blocks, const std::vector<part>& parts);
   /// One more part, of blocks of its own; before they run. Its number.
   std::size_t open(const part&, int blocks);
 

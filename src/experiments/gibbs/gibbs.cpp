@@ -12,7 +12,7 @@
 namespace polhode {
 namespace {
 
-std::optional<std::string> cannot_say(const subject& s) {
+std::optional<std::string> skip_reason(const subject& s) {
   if (s.model->noise() == noise_class::none)
     return "no noise: the law concentrates on the axis of least energy (experiment energy)";
   if (!s.sphere()) return no_exact_law;
@@ -55,7 +55,7 @@ experiment gibbs_experiment() {
         "Normals: fast ones (right to 1e-6). Areas are drawn from the weak surrogate (independent normals of variance "
         "dt^2/4)."}},
       4,
-      cannot_say,
+      skip_reason,
       run};
 }
 

@@ -12,8 +12,8 @@ error_table without(const error_table& t, int power) {
   for (std::size_t i = 0; i + 1 < t.dt.size(); ++i) {
     if (std::fabs(t.dt[i] - 2 * t.dt[i + 1]) > 1e-12 * t.dt[i]) continue;
     out.dt.push_back(t.dt[i]);
-    out.error.push_back((two_p * t.error[i + 1] - t.error[i]) / (two_p - 1));
-    out.uncertainty.push_back((two_p * t.uncertainty[i + 1] + t.uncertainty[i]) / (two_p - 1));
+    out.error.emplace_back((two_p * t.error[i + 1] - t.error[i]) / (two_p - 1));
+    out.uncertainty.emplace_back((two_p * t.uncertainty[i + 1] + t.uncertainty[i]) / (two_p - 1));
   }
   return out;
 }

@@ -60,8 +60,7 @@ std::string sharpness(const noticed& n) {
   std::string out = "; the limits are zero";
   if (n.noise) out += fmt::format(", noise off by {} would be seen", per_cent(*n.noise));
   if (n.dissipation)
-    out += fmt::format("{}dissipation off by {}{}", n.noise ? ", " : ", ", per_cent(*n.dissipation),
-                       n.noise ? "" : " would be seen");
+    out += fmt::format(", dissipation off by {}{}", per_cent(*n.dissipation), n.noise ? "" : " would be seen");
   return out;
 }
 

@@ -104,7 +104,7 @@ void run(const context& c, report::results& out) {
   report_chaos_border(part_of(c, 0.5, 1), p, of_equation, out);
 }
 
-std::optional<std::string> cannot_say(const subject& s) {
+std::optional<std::string> skip_reason(const subject& s) {
   if (!s.sphere()) return no_exact_law;
   if (s.model->noise() == noise_class::none) return "no noise: there is no random flow";
   if (s.sphere()->is_spherical()) return "a spherical body turns rigidly: both exponents are 0";
@@ -136,7 +136,7 @@ experiment lyapunov_experiment() {
         "the exact value's own; a fit uses errors of at least fifty times that. At least the weak order is claimed.",
         "Normals: fast ones (right to 1e-6). Areas are drawn from the weak surrogate."}},
       4,
-      cannot_say,
+      skip_reason,
       run};
 }
 

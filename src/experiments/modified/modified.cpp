@@ -66,7 +66,7 @@ void run(const context& c, report::results& out) {
   report_leading_constants(c, schemes, averages, tables, orders, out);
 }
 
-std::optional<std::string> cannot_say(const subject& s) {
+std::optional<std::string> skip_reason(const subject& s) {
   if (!s.sphere()) return no_exact_law;
   if (!s.sphere()->quadratic.isDiagonal(0) || s.sphere()->has_field())
     return "the family of effective equations has principal axes along the coordinates and no field";
@@ -99,7 +99,7 @@ experiment modified_experiment() {
         "equations. Judged as power series, like the parameters.",
         "dt: from 0.3 of the fastest time scale down, where the logarithm exists."}},
       1,
-      cannot_say,
+      skip_reason,
       run};
 }
 

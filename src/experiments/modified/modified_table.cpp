@@ -71,7 +71,7 @@ struct operator_questions {
     if (variances.count() + gap.count() == 0) return Eigen::VectorXd::Zero(1);
     const auto forgetting = sum_of_powers(op);
     Eigen::VectorXd own(gap.count());
-    if (own.size() > 0) own[0] = own_gap(forgetting, dt, slowest, dt * rate * rate);  // T's error over dt
+    if (own.size() > 0) own[0] = discretisation_gap(forgetting, dt, slowest, dt * rate * rate);  // T's error over dt
     return joined(joined(ergodic_variances(variances, op, forgetting, dt), own),
                   Eigen::VectorXd::Constant(1, forgetting.norm()));
   }
@@ -103,8 +103,8 @@ std::optional<transfer_answer> answer_at(const subject& s, const scheme_entry& s
     found.uncertainty = found.uncertainty.cwiseMax(unseen_share * found.error.cwiseAbs());
     return found;
   } catch (const no_logarithm&) {
+    return std::nullopt;
   }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ level_grid modified_levels(const subject& s) {
   const double rate = fastest_rate(s) * s.scene.horizon;
   auto steps = static_cast<int>(s.scene.steps.front());
   while (steps * longest < rate) steps *= 2;
-  while (steps % 2 == 0 && steps / 2 * longest >= rate) steps /= 2;
+  while (steps % 2 == 0 && steps * longest >= 2 * rate) steps /= 2;
   level_grid grid{s.scene.horizon, {}};
   for (int i = 0; i < levels; ++i) grid.steps.push_back(steps << i);
   return grid;

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "experiments/laws/transfer_report.hpp"
+#include "experiments/modified/discretisation_gap.hpp"
 #include "experiments/modified/ergodic_variance.hpp"
-#include "experiments/modified/own_gap.hpp"
 #include "sphere/generator_family.hpp"
 
 namespace polhode {
@@ -34,6 +34,6 @@ level_grid modified_levels(const subject&);
 /// steps, of the stationary one, the asymptotic variances, and the spectral gap; the last asks for no refinement of its
 /// own.
 std::vector<error_table> modified_tables(const context&, const std::vector<scheme_entry>&, const modified_columns&,
-                                         const law_averages&, const exact_averages& variances, const known_gap& gap);
+                                         const law_averages&, const exact_averages& variances, const known_gap& known);
 
 }  // namespace polhode

@@ -41,7 +41,8 @@ double escape_radius(const stability_case& in, const scheme_entry& scheme, doubl
   double stays = 1, off = 1;
   while (!runs_off(*k, off * unit)) {
     stays = off;
-    if ((off *= 2) > farthest) return std::numeric_limits<double>::infinity();
+    off *= 2;
+    if (off > farthest) return std::numeric_limits<double>::infinity();
   }
   while (off > accuracy * stays) {
     const double middle = std::sqrt(off * stays);

@@ -30,7 +30,7 @@ void report_cases(const std::vector<stability_case>& cases, recorder& record) {
   for (const auto& c : cases) {
     record.row(row_in(c, {"fastest_rate", "", "per time", "exact"}, c.rate));
     record.row(row_in(c, {"horizon", "", "time", "exact"}, c.horizon));
-    if (c.mean_energy) record.row(row_in(c, {"mean_energy", "", "", c.mean_energy_method}, *c.mean_energy));
+    if (c.mean_energy) record.row(row_in(c, {"mean_energy", "", "", c.mean_energy_method}, c.mean_energy));
   }
 }
 

@@ -30,7 +30,7 @@ class watched_block {
   std::array<double, block_lanes> energy_{}, casimir_{};
 
   double off(double casimir) const;
-  double beyond(double energy) const;
+  double beyond(double h) const;
 
   /// What is nearly always so, by the extremes alone. NaN is in no order, but a sum keeps it.
   bool all_whole(stability_outcome&) const;

@@ -1,8 +1,8 @@
 // How far is a path from the true path, and how fast does that fall with dt?
 //
 // All levels are driven by one piecewise linear path on a fine grid; the reference solves the Wong-Zakai equation of
-// that path (references/driven_ode.hpp), and a coarse step is given that path's increment and Levy areas by Chen's
-// relation. So nothing is redrawn between levels, and the reference is none of the schemes.
+// that path (references/wong_zakai_equation.hpp), and a coarse step is given that path's increment and Levy areas by
+// Chen's relation. So nothing is redrawn between levels, and the reference is none of the schemes.
 #include <fmt/format.h>
 
 #include "experiments/common/experiment.hpp"
@@ -15,7 +15,7 @@
 #include "experiments/strong/strong_order.hpp"
 #include "experiments/strong/wong_zakai.hpp"
 #include "problem/vectors.hpp"
-#include "references/driven_ode.hpp"
+#include "references/wong_zakai_equation.hpp"
 
 namespace polhode {
 namespace {
@@ -74,7 +74,8 @@ void report_scheme(const strong_run& r, std::size_t k, const strong_finding& fou
 void report_the_reference(strong_run& r, int paths, report::results& out) {
   const auto all = r.grid.dt();
   const auto coarser = std::span(all).first(all.size() - 1);
-  const double order = strong_order_on(driven_ode::info, r.c.subject.model->noise()), cell = all.back() / fine_per_step;
+  const double order = strong_order_on(wong_zakai_equation::info, r.c.subject.model->noise()),
+               cell = all.back() / fine_per_step;
   r.halved.squares.paths = paths;
   const auto found = distance_of_reference(coarser, r.halved, order, cell, r.c.seed);
   recorder record("strong", "", out);

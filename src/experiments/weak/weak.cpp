@@ -41,7 +41,7 @@ void run(const context& c, report::results& out) {
   if (!left.empty()) report_sampled(c, left, all.question(s), out);
 }
 
-std::optional<std::string> cannot_say(const subject& s) {
+std::optional<std::string> skip_reason(const subject& s) {
   if (!s.sphere()) return no_exact_law;
   if (s.model->noise() == noise_class::none)
     return "no noise: the error of the law is that of the path (experiment energy)";
@@ -81,7 +81,7 @@ experiment weak_experiment() {
             most_halvings),
         "Areas are drawn from the weak surrogate (independent normals of variance dt^2/4)."}},
       2,
-      cannot_say,
+      skip_reason,
       run,
       extrapolated_names()};
 }

@@ -32,7 +32,7 @@ rotation_size rotation_size_of(const rigid_body& body, double radius, double dt)
     return needed.turn <= b.turn && needed.half_turn <= b.half_turn && needed.generator <= b.generator &&
            needed.spread <= b.spread;
   };
-  constexpr double far = 1e50;  // tiny turns take powers of |Pi| and of angles over it
+  constexpr double far = 1e50;  // shears take powers of |Pi| and of angles over it
   if (c > 1 / far && c < far && within(rotations<rotation_size::tiny>::bounds)) return rotation_size::tiny;
   return within(rotations<rotation_size::small>::bounds)      ? rotation_size::small
          : within(rotations<rotation_size::moderate>::bounds) ? rotation_size::moderate

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "references/driven_ode.hpp"
 #include "references/free_rotation.hpp"
 #include "references/odeint.hpp"
+#include "references/wong_zakai_equation.hpp"
 #include "sphere/closed_forms/gibbs.hpp"
 #include "support/schemes.hpp"
 
@@ -62,7 +62,7 @@ TEST(FreeRotation, HoldsOnTheSeparatrixAndOnTheAxes) {
 
 // The reference of the strong experiment converges at order four to odeint; its sign conventions stand or fall with
 // this.
-TEST(DrivenOde, IsOfOrderFour) {
+TEST(WongZakaiEquation, IsOfOrderFour) {
   const auto system = paper_body();
   const vec<double, 3> dw{{0.7, -1.1, 0.4}};
   const auto truth = solve_drift(
@@ -74,7 +74,7 @@ TEST(DrivenOde, IsOfOrderFour) {
       paper_momentum.c, 1.0);
   const auto error = [&](int n) {
     auto mu = paper_momentum;
-    for (int i = 0; i < n; ++i) mu = driven_ode::step(system, mu, wiener<double, 3>{1.0 / n, (1.0 / n) * dw});
+    for (int i = 0; i < n; ++i) mu = wong_zakai_equation::step(system, mu, wiener<double, 3>{1.0 / n, (1.0 / n) * dw});
     return distance(mu, vec<double, 3>{{truth[0], truth[1], truth[2]}});
   };
   EXPECT_NEAR(std::log2(error(16) / error(32)), 4.0, 0.15);

@@ -35,8 +35,8 @@ struct rotations<rotation_size::small> {
   static constexpr int sine_degree = 2, cosine_degree = 1, norm_degree = 5;
   using algebra = so3_near<5, bounds.generator>;
 };
-/// Small ones whose turns are shears (tiny_turn). These change lengths by their error, so a dissipation must follow,
-/// which restores them.
+/// Small ones whose turns are shears (shear_rotation). These change lengths by their error, so a dissipation must
+/// follow, which restores them.
 template <>
 struct rotations<rotation_size::tiny> : rotations<rotation_size::small> {
   static constexpr rotation_bounds bounds{0.0075, 0.0017, 0.25, 0.012};

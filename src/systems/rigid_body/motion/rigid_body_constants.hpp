@@ -7,7 +7,7 @@
 
 #include <polhode/vec.hpp>
 #include "systems/rigid_body/motion/body_parts.hpp"
-#include "systems/rigid_body/motion/tiny_turn.hpp"
+#include "systems/rigid_body/motion/shear_rotation.hpp"
 
 namespace polhode {
 
@@ -15,11 +15,11 @@ namespace polhode {
 struct rigid_body_constants {
   vec<double, 3> inverse_inertia;
   double theta, dt, radius;
-  vec<double, 3> kappa;                             ///< dt / I_k
-  vec<double, 3> shifted;                           ///< dt (1/I_k - 1/I_2): the Casimir shift
-  std::array<vec<tiny_turn<2>, 3>, 2> first_turns;  ///< if tiny: by these, over the whole step and half of it
-  tiny_turn<1> last_half_turn;                      ///< the same about the axis 3, over half a step
-  vec<double, 3> gamma;                             ///< theta dt (Pi x Omega)_k = gamma_k Pi_i Pi_j
+  vec<double, 3> kappa;                                  ///< dt / I_k
+  vec<double, 3> shifted;                                ///< dt (1/I_k - 1/I_2): the Casimir shift
+  std::array<vec<shear_rotation<2>, 3>, 2> first_turns;  ///< if tiny: by these, over the whole step and half of it
+  shear_rotation<1> last_half_turn;                      ///< the same about the axis 3, over half a step
+  vec<double, 3> gamma;                                  ///< theta dt (Pi x Omega)_k = gamma_k Pi_i Pi_j
   std::array<vec<double, 3>, 2> damping;  ///< exp(-theta c^2 t (1/I_k - shift)) for the whole step and half of it
   /// The same over the least |y| that a whole step's damping leaves: |y| then is 1 at least, whatever the orbit's size.
   std::array<vec<double, 3>, 2> damping_to_unit;
@@ -34,13 +34,13 @@ struct rigid_body_constants {
       kappa[k] = dt * inverse[k];
       shifted[k] = dt * (inverse[k] - inverse[1]);
       if (size == rotation_size::tiny)
-        for (int n = 1; n <= 2; ++n) first_turns[n - 1][k] = tiny_turn<2>(shifted[k] / n, c);
+        for (int n = 1; n <= 2; ++n) first_turns[n - 1][k] = shear_rotation<2>(shifted[k] / n, c);
       gamma[k] = theta * dt * (inverse[j] - inverse[i]);
       const double rate = theta * c * c * (inverse[k] - (size == rotation_size::any ? least : inverse[1]));
       damping[0][k] = std::exp(-rate * dt);
       damping[1][k] = std::exp(-rate * dt / 2);
     }
-    if (size == rotation_size::tiny) last_half_turn = tiny_turn<1>(shifted[2] / 2, c);
+    if (size == rotation_size::tiny) last_half_turn = shear_rotation<1>(shifted[2] / 2, c);
     const auto& whole = damping[0];
     for (int n = 0; n < 2; ++n) damping_to_unit[n] = 1 / (c * std::min({whole[0], whole[1], whole[2]})) * damping[n];
   }

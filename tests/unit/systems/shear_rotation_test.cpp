@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "systems/rigid_body/motion/body_parts.hpp"
-#include "systems/rigid_body/motion/tiny_turn.hpp"
+#include "systems/rigid_body/motion/shear_rotation.hpp"
 
 #include "support/schemes.hpp"
 #include "systems/rigid_body/rigid_body_choice.hpp"
@@ -17,7 +17,7 @@ constexpr auto bounds = rotations<rotation_size::tiny>::bounds;
 /// The largest error in the angle, beyond what the rounding of the coefficients allows.
 template <int degree>
 double worst_angle(double bound) {
-  const tiny_turn<degree> turn(bound, 1);
+  const shear_rotation<degree> turn(bound, 1);
   const auto odd = [](const auto& p, long double x) {
     long double sum = 0;
     for (std::size_t k = p.size(); k-- > 0;) sum = sum * x * x + p[k];
@@ -32,7 +32,7 @@ double worst_angle(double bound) {
   return static_cast<double>(worst);
 }
 
-TEST(TinyTurn, ErrsInTheAngleByItsBoundAtMost) {
+TEST(ShearRotation, ErrsInTheAngleByItsBoundAtMost) {
   EXPECT_LE(worst_angle<1>(bounds.half_turn), std::pow(bounds.half_turn, 5) / 960);
   EXPECT_LE(worst_angle<1>(0.1), std::pow(0.1, 5) / 950);
   EXPECT_GE(worst_angle<1>(0.1), std::pow(0.1, 5) / 1100) << "the bound is what it errs by";
@@ -48,20 +48,20 @@ void is_the_rotation(double bound) {
       for (const double x : {1.0, -0.6, 1e-3, 0.0}) {
         const double rest = std::sqrt(1 - x * x), cos = std::cos(angle * x), sin = std::sin(angle * x);
         const vec<double, 3> start{{size * 0.8 * rest, size * x, size * 0.6 * rest}};
-        const auto pi = tiny_turn<degree>(angle / size, size).template about<1>(start);
+        const auto pi = shear_rotation<degree>(angle / size, size).template about<1>(start);
         EXPECT_NEAR(pi[1] / size, x, 1e-15);
         EXPECT_NEAR(pi[2] / size, (0.6 * cos + 0.8 * sin) * rest, 3e-16) << angle << ' ' << x;
         EXPECT_NEAR(pi[0] / size, (0.8 * cos - 0.6 * sin) * rest, 3e-16) << angle << ' ' << x;
       }
 }
 
-TEST(TinyTurn, IsTheRotationAboutItsAxis) {
+TEST(ShearRotation, IsTheRotationAboutItsAxis) {
   is_the_rotation<1>(bounds.half_turn);
   is_the_rotation<2>(bounds.turn);
 }
 
 // A body turns faster the longer its momentum is: the product with the step decides.
-TEST(TinyTurn, IsChosenByAngleAndOnlyWherePowersOfTheMomentumAreNumbers) {
+TEST(ShearRotation, IsChosenByAngleAndOnlyWherePowersOfTheMomentumAreNumbers) {
   EXPECT_EQ(rotation_size_of(paper_body(), 1, 0.01), rotation_size::tiny);
   EXPECT_GT(rotation_size_of(paper_body(), 1, 0.016), rotation_size::small) << "the first turn";
   const rigid_body long_last({1, 1.1, 0.5}, 0.5, constant_noise<so3>::isotropic(0.5));

@@ -14,11 +14,11 @@ namespace polhode {
 /// and squares of x must be normal numbers. Degree 1 errs in the angle by (t reach)^5 / 960 at most, degree 2 by (t
 /// reach)^7 / 37,000.
 template <int degree>
-struct tiny_turn {
+struct shear_rotation {
   polynomial<degree> sine{}, half_tangent{};
 
-  tiny_turn() = default;
-  tiny_turn(double t, double reach) {
+  shear_rotation() = default;
+  shear_rotation(double t, double reach) {
     const long double bound = std::max(static_cast<long double>(t) * reach * t * reach, 1e-300L);
     sine = chebyshev_interpolation<degree>([](long double q) { return detail::cosine_series(q, 1); }, bound);
     half_tangent = chebyshev_interpolation<degree>(

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "algebra/decompositions.hpp"
+#include "experiments/modified/discretisation_gap.hpp"
 #include "experiments/modified/ergodic_variance.hpp"
-#include "experiments/modified/own_gap.hpp"
 #include "run/run_experiment.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
@@ -36,7 +36,7 @@ subject louder(const report::scene& scene, double noise, const std::string& sche
 
 // Isotropic noise alone relaxes harmonics of degree l at sigma^2 l(l + 1)/2; a rotation by sigma sqrt(dt) g takes those
 // of degree one to (1 + 2 (1 - s) exp(-s/2))/3, s = sigma^2 dt.
-TEST(OwnGap, OfNoiseAloneIsKnown) {
+TEST(DiscretisationGap, OfNoiseAloneIsKnown) {
   auto scene = load_scene("paper");
   scene.vector("inertia") = {1, 1, 1};
   scene.number("theta") = 0;
@@ -45,34 +45,34 @@ TEST(OwnGap, OfNoiseAloneIsKnown) {
   for (const double dt : {0.5, 0.125}) {
     const auto op = make_transfer(s, s.schemes[0], dt, 1, {{8, 1, 0}, {11, 2}});
     const double share = 0.25 * dt, factor = (1 + 2 * (1 - share) * std::exp(-share / 2)) / 3;
-    EXPECT_NEAR(own_gap(sum_of_powers(op), dt, {}, 0), -std::log(factor) / dt, 1e-11) << dt;
+    EXPECT_NEAR(discretisation_gap(sum_of_powers(op), dt, {}, 0), -std::log(factor) / dt, 1e-11) << dt;
   }
 }
 
-TEST(OwnGap, IsThatOfAllEigenvalues) {
+TEST(DiscretisationGap, IsThatOfAllEigenvalues) {
   for (const char* name : {"paper", "undamped", "anisotropic"}) {
     const auto s = restricted(bind_scene(load_scene(name)), {"lie_heun"});
     const double dt = 0.05;
     const auto op = make_transfer(s, s.schemes[0], dt, 1, {{8, 1, 0}, {5, 2}});
     const auto n = op.matrix.rows() - 1;
     const double whole = -std::log(eigenvalues_of(op.matrix.bottomRightCorner(n, n)).cwiseAbs().maxCoeff()) / dt;
-    EXPECT_NEAR(own_gap(sum_of_powers(op), dt, {}, 0), whole, 1e-9 * whole) << name;
+    EXPECT_NEAR(discretisation_gap(sum_of_powers(op), dt, {}, 0), whole, 1e-9 * whole) << name;
   }
 }
 
 // The first mode is followed, its own error over dt below what is allowed for, and a spurious slower one is told.
-TEST(OwnGap, TheEquationsModeIsFollowed) {
+TEST(DiscretisationGap, TheEquationsModeIsFollowed) {
   const double dt = 0.1;
   const Eigen::Vector3d rates(1, 0.95, 3), powers = (1 - (-dt * rates.array()).exp()).inverse();
   const Eigen::MatrixXd forgetting = powers.asDiagonal();
   const Eigen::VectorXcd mode = Eigen::VectorXcd::Unit(3, 0);
-  EXPECT_NEAR(own_gap(forgetting, dt, mode, 0.1), 1, 1e-12);
-  EXPECT_NEAR(own_gap(forgetting, dt, mode, 0.04), 0.95, 1e-12);
-  EXPECT_NEAR(own_gap(forgetting, dt, {}, 0.1), 0.95, 1e-12);
+  EXPECT_NEAR(discretisation_gap(forgetting, dt, mode, 0.1), 1, 1e-12);
+  EXPECT_NEAR(discretisation_gap(forgetting, dt, mode, 0.04), 0.95, 1e-12);
+  EXPECT_NEAR(discretisation_gap(forgetting, dt, {}, 0.1), 0.95, 1e-12);
 }
 
 // The healthy twins: Modified.HealthySchemesHoldAndThoseOffTheSphereAreSkipped.
-TEST(OwnGap, ADefectOfTheNoiseAndAnOverclaimAreRefuted) {
+TEST(DiscretisationGap, ADefectOfTheNoiseAndAnOverclaimAreRefuted) {
   const auto scene = load_scene("paper");
   const auto spoilt = gap_verdict(modified_of(louder(scene, 1.001, "strang_weak2")));
   EXPECT_EQ(spoilt.kind, report::verdict_kind::refuted) << spoilt.reason;
@@ -82,7 +82,7 @@ TEST(OwnGap, ADefectOfTheNoiseAndAnOverclaimAreRefuted) {
   EXPECT_EQ(claimed.kind, report::verdict_kind::refuted) << claimed.reason;
 }
 
-TEST(OwnGap, WhereThereIsNoneItIsSkipped) {
+TEST(DiscretisationGap, WhereThereIsNoneItIsSkipped) {
   auto scene = load_scene("paper");
   scene.vector("inertia") = {1, 1, 1};
   scene.number("theta") = 0;

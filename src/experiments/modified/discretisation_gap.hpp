@@ -21,6 +21,6 @@ known_gap true_gap(const subject&);
 /// The scheme's, from (1 - T)^-1 on functions without a constant part: its large eigenvalues belong to slow modes and
 /// are found by Arnoldi's method. Of the mode nearest to `mode` if its rate is above the slowest by at most
 /// `error`, absolute, else the slowest's. Not finite where none is found.
-double own_gap(const Eigen::MatrixXd& forgetting, double dt, const Eigen::VectorXcd& mode, double error);
+double discretisation_gap(const Eigen::MatrixXd& forgetting, double dt, const Eigen::VectorXcd& mode, double error);
 
 }  // namespace polhode

@@ -1,4 +1,4 @@
-// The ordinary differential equation driven by a piecewise linear path: on a segment with increments dW over dt,
+// The Wong-Zakai equation, which is driven by a piecewise linear path: on a segment with increments dW over dt,
 //
 //   dmu/ds = ad*_{xi(mu)} mu,   xi(mu) = a(mu) dt + sum sigma_i dW^i,   s from 0 to 1,
 //
@@ -12,9 +12,9 @@
 
 namespace polhode {
 
-struct driven_ode {
-  static constexpr scheme_info info{.name = "driven_ode",
-                                    .title = "Driven ordinary differential equation, fourth order",
+struct wong_zakai_equation {
+  static constexpr scheme_info info{.name = "wong_zakai_equation",
+                                    .title = "Wong-Zakai equation, fourth order",
                                     .source = "Munthe-Kaas 1999",
                                     .calculus = calculus::stratonovich,
                                     .strong_order = {.commuting = 1, .general = 0.5},

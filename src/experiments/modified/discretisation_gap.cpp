@@ -1,4 +1,4 @@
-#include "experiments/modified/own_gap.hpp"
+#include "experiments/modified/discretisation_gap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,7 @@ known_gap true_gap(const subject& s) {
           slowest_mode(problem, found)};
 }
 
-double own_gap(const Eigen::MatrixXd& forgetting, double dt, const Eigen::VectorXcd& mode, double error) {
+double discretisation_gap(const Eigen::MatrixXd& forgetting, double dt, const Eigen::VectorXcd& mode, double error) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   krylov_space space([&](const Eigen::VectorXd& v) -> Eigen::VectorXd { return forgetting * v; },
                      any_vector(forgetting.rows()), krylov);
