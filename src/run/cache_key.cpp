@@ -34,7 +34,7 @@ std::string checksum_of_program() {
 /// The build, the libraries that it loads and the processor: a library may choose its code by the processor.
 const std::string& build_identity() {
   static const std::string identity = [] {
-    const auto program = checksum_of_program();
+    auto program = checksum_of_program();
     if (program.empty()) return program;
     const auto b = build_provenance();
     return fmt::format("version {}\ncommit {}\ncompiler {}\nflags {}\nprogram {}\nlibraries glibc {}, gsl {}\ncpu {}\n",

@@ -133,7 +133,7 @@ class stationary_goal final : public averages_goal {
                     question_.observable == all_observables ? "all observables" : question_.observable,
                     most_uncertain(law_.observables(), law_.uncertainty(), question_.observable)));
     if (context_.subject.model->noise() != noise_class::isotropic)
-      out.push_back(
+      out.emplace_back(
           "the noise is not isotropic: no Gibbs law holds, and no temperature; the true averages are those of the true "
           "stationary law");
     return out;

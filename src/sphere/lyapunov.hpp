@@ -33,7 +33,7 @@ struct lyapunov_exponents {
 double kaplan_yorke(double lambda1, double sum);
 
 /// To an absolute tolerance in both lambda1 and the sum. Without noise, under noise that depends on the state, or
-/// where the law is not unique: no value.
-lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance, int degree = 0);
+/// where the law is not unique: no value. wanted: the degree; 0 lets the program choose.
+lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance, int wanted = 0);
 
 }  // namespace polhode

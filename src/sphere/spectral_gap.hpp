@@ -7,7 +7,7 @@
 namespace polhode {
 
 /// The slowest rate at which expectations relax, to an absolute tolerance and to a hundredth of itself. 0 where a
-/// further function is conserved (then no law is unique). degree: 0 lets the program choose.
-reference_value spectral_gap(const sphere_problem& problem, double tolerance, int degree = 0);
+/// further function is conserved (then no law is unique). wanted: the degree; 0 lets the program choose.
+reference_value spectral_gap(const sphere_problem& problem, double tolerance, int wanted = 0);
 
 }  // namespace polhode

@@ -18,15 +18,15 @@ struct stationary_law {
   int degree = 0;
   std::string reason{};
 };
-/// degree: 0 lets the program choose.
-stationary_law stationary(const sphere_problem& problem, double tolerance, int degree = 0);
+/// wanted: the degree; 0 lets the program choose.
+stationary_law stationary(const sphere_problem& problem, double tolerance, int wanted = 0);
 
 /// E[f] under the law, uncertain by what the last degree changed.
 reference_value mean(const sphere_problem& problem, const stationary_law& law, const sphere_function& f);
 
-/// E[f] under every stationary law, to an absolute tolerance; nothing where laws differ in it. degree: as
+/// E[f] under every stationary law, to an absolute tolerance; nothing where laws differ in it. wanted: as
 /// above.
 reference_value stationary_mean(const sphere_problem& problem, const sphere_function& f, double tolerance,
-                                int degree = 0);
+                                int wanted = 0);
 
 }  // namespace polhode

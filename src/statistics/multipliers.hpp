@@ -21,7 +21,7 @@ struct response_data {
   std::vector<double> gram, response;
 
   response_data() = default;
-  response_data(int paths, int directions, int levels);
+  response_data(int paths, int count, int finest);
   double* gram_of(int path) { return gram.data() + path * directions * directions; }
   double* response_of(int path, int level) { return response.data() + (path * levels + level) * directions; }
 };

@@ -97,7 +97,7 @@ report::scene in_unit(report::scene s, int power) {
 }
 
 std::string in_cpp(const report::scene& s) {
-  const auto rows = s.vectors("quadratic");
+  const auto& rows = s.vectors("quadratic");
   std::vector<std::string> entries, vectors;
   for (const auto& row : rows) entries.push_back(fmt::format("{}", fmt::join(row, ", ")));
   for (const auto& v : noise_vectors_of(s)) vectors.push_back(fmt::format("{{{{{}}}}}", fmt::join(v, ", ")));

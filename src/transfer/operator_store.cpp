@@ -14,7 +14,7 @@ std::size_t bytes_of(const transfer_operator& op) {
 operator_store::steps& operator_store::steps_of(const scheme_entry& scheme, double dt) {
   const std::lock_guard lock(lists_);
   auto& found = all_[{std::string(scheme.info.name), dt}];
-  if (!found) found.reset(new steps{{}, {subject_, scheme, dt, 1}, {}, {}});
+  if (!found) found = std::make_unique<steps>(transfer_maker(subject_, scheme, dt, 1));
   return *found;
 }
 

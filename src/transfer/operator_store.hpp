@@ -37,6 +37,7 @@ class operator_store {
     transfer_maker make;
     std::vector<std::pair<transfer_rule, std::weak_ptr<const transfer_operator>>> known;
     std::vector<known_answer> answers;
+    explicit steps(transfer_maker maker) : make(std::move(maker)) {}
   };
   steps& steps_of(const scheme_entry&, double dt);
   void keep(operator_pointer);

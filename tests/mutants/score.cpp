@@ -1,11 +1,11 @@
 #include "mutants/score.hpp"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ctime>
 #include <map>
 #include <mutex>
 #include <optional>

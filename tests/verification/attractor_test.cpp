@@ -76,7 +76,8 @@ void expect_densities_relative_to_the_uniform_one() {
     double sum = 0, height2 = 0;
     for (std::size_t i = 0; i < d.values.size(); ++i) {
       EXPECT_GE(d.values[i], 0);
-      const double z = 2 * (static_cast<double>(i / 128) + 0.5) / 64 - 1;
+      const auto height = i / 128;
+      const double z = 2 * (static_cast<double>(height) + 0.5) / 64 - 1;
       sum += d.values[i] / 8192;
       height2 += d.values[i] / 8192 * z * z;
     }

@@ -10,11 +10,12 @@
 
 namespace polhode {
 
-// degree: 0 lets the program choose; any other is taken as it is, with two lower ones where they tell the uncertainty.
+// wanted: the degree; 0 lets the program choose; any other is taken as it is, with two lower ones where they tell the
+// uncertainty.
 
 /// E[f(Pi_time)] from Pi_0 = start (of length radius), time >= 0, to an absolute tolerance. Without noise: f on the one
 /// path there is.
 reference_value expectation(const sphere_problem& problem, const sphere_function& f, const Eigen::Vector3d& start,
-                            double time, double tolerance, int degree = 0);
+                            double time, double tolerance, int wanted = 0);
 
 }  // namespace polhode

@@ -69,7 +69,7 @@ class noise_audit {
     Eigen::ArrayXd area_increment, areas;  ///< [pair x channel], [pairs of pairs]
   };
   template <class Real>
-  void add_rows(const audited_steps&, const Real* z, double unit);
+  void add_rows(const audited_steps&, const Real* dw, double unit);
   void look_closely(const std::vector<row>& z, const std::vector<row>* before, const std::vector<row>& u);
   void add_areas(const row& u, int pair);
   void add_sums(const noise_audit&);

@@ -46,7 +46,7 @@ struct area_law {
 std::vector<std::pair<int, int>> channel_pairs(int channels) {
   std::vector<std::pair<int, int>> out;
   for (int i = 0; i < channels; ++i)
-    for (int j = i + 1; j < channels; ++j) out.push_back({i, j});
+    for (int j = i + 1; j < channels; ++j) out.emplace_back(i, j);
   return out;
 }
 

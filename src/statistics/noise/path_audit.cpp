@@ -74,7 +74,7 @@ double path_audit::probability_of_products() const {
   for (Eigen::Index b = 0; b < lanes; ++b)
     for (Eigen::Index a = b + 1; a < lanes; ++a)
       if (products_(b, b) > 0) largest = std::max(largest, std::fabs(products_(a, b)) / std::sqrt(products_(b, b)));
-  constexpr double pairs = lanes * (lanes - 1) / 2;
+  constexpr int pairs = lanes * (lanes - 1) / 2;
   return std::min(1.0, pairs * std::erfc(largest / std::numbers::sqrt2));
 }
 

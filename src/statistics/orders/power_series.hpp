@@ -45,7 +45,7 @@ struct expansion_term {
 /// their worst; what the series is cut off by is judged by what changes when the degree falls by one and when all
 /// levels move one coarser, the larger of the two. The degree with the least sum is taken. Empty where fewer than
 /// max(k, 1) + 2 levels are left.
-std::optional<expansion_term> series_term_by_best_degree(std::span<const double> dt, std::span<const double> value,
+std::optional<expansion_term> series_term_by_best_degree(std::span<const double> dt, std::span<const double> error,
                                                          std::span<const double> uncertainty, int k);
 
 }  // namespace polhode

@@ -123,7 +123,8 @@ TEST(SphereBins, HaveEqualAreas) {
     ASSERT_LT(bin, longitude_bins::count);
     ++thirds[bin / longitude_bins::longitudes / 171 * 4 + bin % longitude_bins::longitudes / 256];
     const auto cell = static_cast<std::size_t>(hemisphere_bins::of(u[0], u[1], u[2])) % (512 * 512);
-    disc += std::hypot(static_cast<double>(cell / 512) - 255.5, static_cast<double>(cell % 512) - 255.5) < 128;
+    const auto row = cell / 512, column = cell % 512;
+    disc += std::hypot(static_cast<double>(row) - 255.5, static_cast<double>(column) - 255.5) < 128;
   }
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 4; ++column)

@@ -41,7 +41,7 @@ inline std::vector<MatrixXd> tensor(const std::vector<MatrixXd>& a, const std::v
   const MatrixXd one = MatrixXd::Identity(3, 3);
   std::vector<MatrixXd> out;
   for (std::size_t k = 0; k < a.size(); ++k)
-    out.push_back(MatrixXd(Eigen::kroneckerProduct(a[k], one)) + MatrixXd(Eigen::kroneckerProduct(one, b[k])));
+    out.emplace_back(MatrixXd(Eigen::kroneckerProduct(a[k], one)) + MatrixXd(Eigen::kroneckerProduct(one, b[k])));
   return out;
 }
 

@@ -89,7 +89,7 @@ TEST(ShortAudit, StartsAreAsRareAsTheShortest) {
   alike[1] = alike[0];
   one.add_starts(alike.data(), 1, 1, 1);
   four.merge(one);
-  EXPECT_NEAR(four.probability_of_repeats(), 128 * 127 / 2 * path_audit::same_number, 1e-15);
+  EXPECT_NEAR(four.probability_of_repeats(), 64 * 127 * path_audit::same_number, 1e-15);
 }
 
 }  // namespace
