@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "experiments/common/experiment.hpp"
 #include "reports/model/errors.hpp"
@@ -61,7 +60,7 @@ sphere_function observable_of(const sphere_problem& p, const std::string& name) 
 /// The root of the mean square of f over the sphere.
 double size_of(const sphere_problem& p, const sphere_function& f) {
   const auto on_unit = [&](const Eigen::Vector3d& x) { return f(p.radius * x); };
-  return harmonic_coefficients(on_unit, 8).stableNorm() / std::sqrt(4 * std::numbers::pi);
+  return harmonic_coefficients(on_unit, 8).stableNorm() / unit_of_mean;
 }
 
 /// The rate at which neighbouring orbits run apart; of a body next to spherical, a millionth of the rotation.

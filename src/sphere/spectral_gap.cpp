@@ -33,7 +33,7 @@ struct relaxing_parts {
 
 relaxing_parts parts_of(const sphere_problem& problem, int degree) {
   const int size = harmonic_count(degree);
-  const sparse_matrix tall = backward_operator(problem, degree + 2).middleCols(1, size - 1);
+  const sparse_matrix tall = tall_backward_operator(problem, degree).rightCols(size - 1);
   const sparse_matrix square = tall.middleRows(1, size - 1), rest = tall.bottomRows(tall.rows() - size);
   relaxing_parts parts;
   for (const index_set& block : connected_blocks(square)) {

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "algebra/sparse_blocks.hpp"
 #include "sphere/galerkin/poisson.hpp"
@@ -17,9 +16,7 @@ namespace polhode {
 namespace {
 
 constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64, 96};
-constexpr int most_sparse = 5000;                             // unknowns in a block: seconds
-const double unit_of_mean = std::sqrt(4 * std::numbers::pi);  // a coefficient's share in a mean over the sphere
-constexpr double rounding = 1e-14;                            // of what is added up
+constexpr int most_sparse = 5000;  // unknowns in a block: seconds
 
 reference_value stationary_mean_of(const sphere_problem& problem, const sphere_function& f, accuracy asked,
                                    int wanted) {
@@ -31,7 +28,7 @@ reference_value stationary_mean_of(const sphere_problem& problem, const sphere_f
                                                          [](const Eigen::VectorXd& r) { return harmonic_supremum(r); });
     if (found) {
       found->value /= unit_of_mean;
-      found->floor = std::max(found->floor, rounding * c.norm() / unit_of_mean);
+      found->floor = std::max(found->floor, rounding_of_sums * c.norm() / unit_of_mean);
       found->bound += cut_off + found->floor;
     }
     return found;
@@ -77,7 +74,7 @@ reference_value mean(const sphere_problem& problem, const stationary_law& law, c
   const Eigen::VectorXd c = observable_coefficients(problem, f, law.degree);
   const double changed = law.change.norm(), beyond = law.uncertainty > changed ? law.uncertainty / changed : 1;
   return {.value = c.dot(*law.density),
-          .uncertainty = std::max(std::fabs(c.dot(law.change)) * beyond, rounding * c.norm()),
+          .uncertainty = std::max(std::fabs(c.dot(law.change)) * beyond, rounding_of_sums * c.norm()),
           .degree = law.degree,
           .reason = law.reason};
 }

@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "reports/plots/descriptions.hpp"
+#include "reports/writers/cost_error.hpp"
 #include "reports/writers/series.hpp"
 #include "tests/golden/sample.hpp"
 
@@ -143,6 +145,26 @@ TEST(plots, cost_and_error_make_a_front_and_accuracies_a_plot_of_their_own) {
   const auto drawn = drawable_plots(r, "e");
   ASSERT_EQ(drawn.size(), 1u);
   EXPECT_EQ(drawn[0].series.at(0).points.size(), 2u);
+}
+
+TEST(cost_table, a_line_is_a_kind_and_an_accuracy_with_its_own_next) {
+  results r;
+  const auto reached = [&](const char* quantity, double accuracy, double value, bool cheapest) {
+    auto m = point("a", quantity, "weak", step_size, 0.5, value);
+    m.set_over({"accuracy", accuracy});
+    m.used = cheapest;
+    r.measurements.push_back(m);
+  };
+  for (const double accuracy : {0.01, 0.1}) {  // both at one step size
+    reached("cost_to_reach", accuracy, 1 / accuracy, true);
+    reached("cost_of_next", accuracy, 1 + accuracy, false);
+  }
+  r.measurements.push_back(point("b", "cost_to_reach", "weak", "accuracy", 0.1, 99));
+  const auto lines = cost_table_of(r, "e");
+  ASSERT_EQ(lines.size(), 2u) << "of schemes that are not the cheapest there is no line";
+  EXPECT_EQ(std::pair(lines[0].what, lines[1].what), std::pair(std::string("weak 1e-01"), std::string("weak 1e-02")));
+  ASSERT_TRUE(lines[0].next && lines[1].next);
+  EXPECT_EQ(std::pair(lines[0].next->value, lines[1].next->value), std::pair(std::optional(1.1), std::optional(1.01)));
 }
 
 TEST(plots, of_the_equation_over_its_parameters) {

@@ -1,6 +1,6 @@
 // Densities to look at: the random measure of one noise path at four times, and the true stationary law.
 //
-// Of no scheme: the path is that of the driven ordinary differential equation (references/wong_zakai_equation.hpp).
+// Of no scheme: the path is that of the Wong-Zakai equation (references/wong_zakai_equation.hpp).
 #include <fmt/format.h>
 
 #include <Eigen/Core>

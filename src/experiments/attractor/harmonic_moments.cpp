@@ -2,18 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "sphere/harmonics/harmonics.hpp"
 #include "transfer/basis_sums.hpp"
 
 namespace polhode {
-namespace {
-
-const double unit = std::sqrt(4 * std::numbers::pi);
-
-}  // namespace
 
 harmonic_moments::harmonic_moments(int degree)
     : basis_(degree, 1, {1, 1}), sums_(static_cast<std::size_t>(basis_.size() * block_lanes)) {}
@@ -32,13 +26,13 @@ Eigen::VectorXd harmonic_moments::take() {
       for (int lane = 0; lane < sum_lanes; ++lane)
         out[i - 1] += sums_[static_cast<std::size_t>((group * size + i) * sum_lanes + lane)];
   std::ranges::fill(sums_, 0.0);
-  return unit / bodies * out;
+  return unit_of_mean / bodies * out;
 }
 
 Eigen::VectorXd harmonic_moments::of_density(const Eigen::VectorXd& density, int degree) {
   Eigen::VectorXd out = Eigen::VectorXd::Zero(harmonic_count(degree) - 1);
   const auto known = std::min(out.size(), density.size() - 1);
-  out.head(known) = unit * density.segment(1, known);
+  out.head(known) = unit_of_mean * density.segment(1, known);
   return out;
 }
 

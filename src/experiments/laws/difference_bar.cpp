@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "algebra/decompositions.hpp"
 #include "algebra/dense_algebra.hpp"
@@ -33,7 +32,7 @@ projected_generator project_generator(const sparse_matrix& generator, const Eige
   const auto law = left_null_vector(generator, static_cast<int>(generator.cols()));
   Eigen::SparseLU<sparse_matrix> lu(sparse_matrix(generator.block(1, 1, n - 1, n - 1)));
   if (!law || lu.info() != Eigen::Success) return out;
-  out.law = law->transpose() / std::sqrt(4 * std::numbers::pi);
+  out.law = law->transpose() / unit_of_mean;
   const Eigen::MatrixXd right = functions.middleRows(1, n - 1), v = lu.solve(right);
   out.remainder -= generator.middleCols(1, n - 1) * v;
   out.remainder.topRows(n).setZero();

@@ -2,7 +2,6 @@
 #include "sphere/harmonics/harmonics.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace polhode {
 namespace {
@@ -19,7 +18,7 @@ stationary_law law_of(const sphere_problem& problem, bool isotropic, double accu
   const auto energy = *named_observable("energy", problem);
   law.density = harmonic_coefficients(
       [&](const Eigen::Vector3d& x) { return std::exp(-beta * energy(problem.radius * x)); }, law.degree);
-  *law.density /= std::sqrt(4 * std::numbers::pi) * (*law.density)[0];
+  *law.density /= unit_of_mean * (*law.density)[0];
   return law;
 }
 

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "algebra/exponential_action.hpp"
@@ -23,11 +22,9 @@ namespace polhode {
 namespace {
 
 constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64, 96, 128};
-constexpr double affordable = 1e10;                           // multiplications
-constexpr double in_hope = 0.05;                              // of that, where it ends only if the start is forgotten
-constexpr double rounding = 1e-14;                            // of what is added up
-constexpr double long_ago = 60;                               // relaxation times: exp(-60) hides any constant before it
-const double unit_of_mean = std::sqrt(4 * std::numbers::pi);  // a coefficient's share in a mean over the sphere
+constexpr double affordable = 1e10;  // multiplications
+constexpr double in_hope = 0.05;     // of that, where it ends only if the start is forgotten
+constexpr double long_ago = 60;      // relaxation times: exp(-60) hides any constant before it
 
 /// The stationary mean, where by then every other mode has died; the rate of noise bounds the cost of asking.
 std::optional<reference_value> expectation_long_after(const sphere_problem& problem, const sphere_function& f,
@@ -59,7 +56,7 @@ std::optional<propagated_value> propagated(const sparse_matrix& tall, const cut_
   const sparse_matrix beyond = columns_of(tall, block).bottomRows(tall.rows() - tall.cols());
   const auto remainder = [&](const Eigen::VectorXd& g) { return harmonic_supremum(beyond * g, degree + 1); };
   Eigen::VectorXd varying = Eigen::VectorXd::Zero(f.size());
-  const double least = rounding * f.norm() / unit_of_mean;
+  const double least = rounding_of_sums * f.norm() / unit_of_mean;
   const Eigen::VectorXd start = f(block);
   double before = remainder(start), bound = 0, steps = 0, passed = 0, apart = unbounded;
   const auto g = exponential_action(part, time, start, [&](const Eigen::VectorXd& now, double dt) {

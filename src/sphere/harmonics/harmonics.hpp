@@ -5,12 +5,17 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <array>
+#include <cmath>
 #include <functional>
+#include <numbers>
 
 namespace polhode {
 
 using sparse_matrix = Eigen::SparseMatrix<double>;
 using points_on_sphere = Eigen::Matrix<double, Eigen::Dynamic, 3>;  ///< a unit vector a row
+
+/// sqrt(4 pi): a function's first coefficient over its mean on the sphere, its norm over its root mean square.
+inline const double unit_of_mean = std::sqrt(4 * std::numbers::pi);
 
 constexpr int harmonic_count(int degree) { return (degree + 1) * (degree + 1); }
 

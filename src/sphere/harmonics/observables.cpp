@@ -10,7 +10,6 @@ namespace {
 
 constexpr int sizing_degree = 8;
 constexpr double least_size = 1e-290;
-constexpr double rounding = 1e-14;  // of what is added up
 
 Eigen::VectorXd all_coefficients(const sphere_problem& problem, const sphere_function& f, int degree) {
   return harmonic_coefficients([&](const Eigen::Vector3d& x) { return f(problem.radius * x); }, degree);
@@ -20,7 +19,7 @@ Eigen::VectorXd all_coefficients(const sphere_problem& problem, const sphere_fun
 
 Eigen::VectorXd observable_coefficients(const sphere_problem& problem, const sphere_function& f, int degree) {
   const Eigen::VectorXd c = all_coefficients(problem, f, degree);
-  const double least = rounding * c.norm();
+  const double least = rounding_of_sums * c.norm();
   return c.unaryExpr([&](double x) { return std::fabs(x) < least ? 0 : x; });
 }
 

@@ -13,6 +13,8 @@ namespace polhode {
 inline constexpr const char* leaves_double_precision =
     "the observable leaves double precision on this sphere: another unit of momentum would be needed";
 
+inline constexpr double rounding_of_sums = 1e-14;  ///< over the norm of what is added up
+
 /// Coefficients of f(radius x); what is rounding only is left out, as it would tie together blocks that do not talk to
 /// each other.
 Eigen::VectorXd observable_coefficients(const sphere_problem& problem, const sphere_function& f, int degree);
