@@ -17,28 +17,30 @@
 
 namespace polhode {
 
+/// n: components of a vector whose type leaves that open.
 template <class S, int N, class Real>
-vec<S, N> load_lanes(const Real* at) {
-  vec<S, N> v;
-  for (int k = 0; k < N; ++k) v[k].copy_from(at + k * block_lanes, stdx::element_aligned);
+vec<S, N> load_lanes(const Real* at, int n = N) {
+  auto v = zeros<vec<S, N>>(n);
+  for (int k = 0; k < v.size; ++k) v[k].copy_from(at + k * block_lanes, stdx::element_aligned);
   return v;
 }
 
 template <class S, int N>
 void store_lanes(const vec<S, N>& v, double* at) {
-  for (int k = 0; k < N; ++k) v[k].copy_to(at + k * block_lanes, stdx::element_aligned);
+  for (int k = 0; k < v.size; ++k) v[k].copy_to(at + k * block_lanes, stdx::element_aligned);
 }
 
 /// The increment of a block's lanes at a place of [step][channel][lane], but for the factor unit_of(view).
 template <class S, int N>
-vec<S, N> load_scaled_increment(const increment_view& view, std::ptrdiff_t at) {
-  return view.singles.empty() ? load_lanes<S, N>(view.dw.data() + at) : load_lanes<S, N>(view.singles.data() + at);
+vec<S, N> load_scaled_increment(const increment_view& view, std::ptrdiff_t at, int n = N) {
+  return view.singles.empty() ? load_lanes<S, N>(view.dw.data() + at, n)
+                              : load_lanes<S, N>(view.singles.data() + at, n);
 }
 inline double unit_of(const increment_view& view) { return view.singles.empty() ? 1 : view.scale; }
 
 template <class S, int N>
-vec<S, N> load_increment(const increment_view& view, std::ptrdiff_t at) {
-  return S(unit_of(view)) * load_scaled_increment<S, N>(view, at);
+vec<S, N> load_increment(const increment_view& view, std::ptrdiff_t at, int n = N) {
+  return S(unit_of(view)) * load_scaled_increment<S, N>(view, at, n);
 }
 
 /// The scalar of the loops: two packs whose operations alternate and hide each other's latency, but one where that
@@ -82,12 +84,13 @@ class kernel_of final : public kernel {
     std::vector<double> scratch;
     const increment_view view = forms_.take(given, scratch);
     const auto system = forms_.own(unit_of(view));
+    const int channels = channels_of(system), pairs = pairs_among(channels);
     run(rows_of(states), given.steps, dt, p, [&](std::int64_t i, auto&& pass) {
       pass(system, [=, &view](int lane) {
         auto w = levy(dt);
-        w.dw = load_scaled_increment<S, channels>(view, i * channels * block_lanes + lane);
+        w.dw = load_scaled_increment<S, most_channels>(view, i * channels * block_lanes + lane, channels);
         if constexpr (needs_areas_on<Scheme, own_system>)
-          w.area = load_lanes<S, pairs>(view.area.data() + i * pairs * block_lanes + lane);
+          w.area = load_lanes<S, most_pairs>(view.area.data() + i * pairs * block_lanes + lane, pairs);
         return w;
       });
     });
@@ -112,30 +115,31 @@ class kernel_of final : public kernel {
 
  private:
   using own_system = std::remove_cvref_t<decltype(std::declval<const Forms&>().own(1.0))>;
-  static constexpr int dimension = own_system::dimension, channels = own_system::channels, pairs = pairs_of<channels>;
+  static constexpr int dimension = own_system::dimension, most_channels = own_system::channels,
+                       most_pairs = pairs_of<most_channels>;
   static constexpr int width = static_cast<int>(S::size());
   static_assert(block_lanes % width == 0);
 
-  static wiener_levy<S, channels> levy(double dt) {
-    wiener_levy<S, channels> w;
+  static wiener_levy<S, most_channels> levy(double dt) {
+    wiener_levy<S, most_channels> w;
     w.dt = dt;
     return w;
   }
 
   /// Where each component of the system lies in the states.
-  using rows = std::array<double*, dimension>;
+  using rows = vec<double*, dimension>;
   rows rows_of(std::span<double> states) const {
-    rows out;
-    for (int k = 0; k < dimension; ++k) out[k] = states.data() + forms_.axis(k) * block_lanes;
+    auto out = zeros<rows>(static_cast<int>(states.size()) / block_lanes);
+    for (int k = 0; k < out.size; ++k) out[k] = states.data() + forms_.axis(k) * block_lanes;
     return out;
   }
   static vec<S, dimension> load(const rows& from, int lane) {
-    vec<S, dimension> v;
-    for (int k = 0; k < dimension; ++k) v[k].copy_from(from[k] + lane, stdx::element_aligned);
+    auto v = zeros<vec<S, dimension>>(from.size);
+    for (int k = 0; k < v.size; ++k) v[k].copy_from(from[k] + lane, stdx::element_aligned);
     return v;
   }
   static void store(const vec<S, dimension>& v, const rows& to, int lane) {
-    for (int k = 0; k < dimension; ++k) v[k].copy_to(to[k] + lane, stdx::element_aligned);
+    for (int k = 0; k < v.size; ++k) v[k].copy_to(to[k] + lane, stdx::element_aligned);
   }
 
   /// Every step of every lane. at(i, pass): calls pass(system, increment of a lane) for step i.

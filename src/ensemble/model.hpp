@@ -22,6 +22,8 @@ class model {
   virtual double energy(std::span<const double> mu) const = 0;
   virtual double dissipation_rate(std::span<const double> mu) const = 0;  ///< -dh/dt without noise
   virtual std::vector<double> casimirs(std::span<const double> mu) const = 0;
+  /// What a change of each Casimir is measured by: its own size, but where it may vanish.
+  virtual std::vector<double> casimir_sizes(std::span<const double> mu) const = 0;
   /// Both for a block, [component][lane]: energies [lane], Casimirs [casimir][lane].
   virtual void conserved(std::span<const double> states, std::span<double> energies,
                          std::span<double> casimirs) const = 0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <polhode/increment.hpp>
+#include <polhode/systems/lie_poisson.hpp>
 
 #include "ensemble/kernel.hpp"
 
@@ -14,7 +15,6 @@ namespace polhode {
 template <class System>
 class plain_forms {
  public:
-  static constexpr int channels = System::channels, pairs = pairs_of<channels>;
   explicit plain_forms(System system) : system_(std::move(system)) {}
 
   int axis(int k) const { return k; }
@@ -29,6 +29,7 @@ class plain_forms {
   }
 
   shared_steps share(const increment_view& path) const {
+    const std::size_t channels = this->channels(), pairs = this->pairs();
     shared_steps out{channels + pairs, {}};
     out.table.resize(static_cast<std::size_t>(path.steps) * out.words);
     for (std::size_t i = 0; i < static_cast<std::size_t>(path.steps); ++i) {
@@ -41,15 +42,21 @@ class plain_forms {
   }
   const System& common() const { return system_; }
   template <class S>
-  wiener_levy<S, channels> enter(const System&, const double* row, double dt) const {
-    wiener_levy<S, channels> w;
+  wiener_levy<S, System::channels> enter(const System&, const double* row, double dt) const {
+    const int m = static_cast<int>(channels()), areas = static_cast<int>(pairs());
+    wiener_levy<S, System::channels> w;
     w.dt = dt;
-    for (int k = 0; k < channels; ++k) w.dw[k] = S(row[k]);
-    for (int k = 0; k < pairs; ++k) w.area[k] = S(row[channels + k]);
+    w.dw = zeros<decltype(w.dw)>(m);
+    w.area = zeros<decltype(w.area)>(areas);
+    for (int k = 0; k < m; ++k) w.dw[k] = S(row[k]);
+    for (int k = 0; k < areas; ++k) w.area[k] = S(row[m + k]);
     return w;
   }
 
  private:
+  std::size_t channels() const { return static_cast<std::size_t>(channels_of(system_)); }
+  std::size_t pairs() const { return static_cast<std::size_t>(pairs_among(channels_of(system_))); }
+
   System system_;
 };
 

@@ -28,33 +28,32 @@ class tangent_kernel_of final : public tangent_kernel {
   }
 
  private:
-  static constexpr int dimension = System::dimension, channels = System::channels, pairs = pairs_of<channels>;
-  static constexpr int next_vector = dimension * block_lanes;
+  static constexpr int dimension = System::dimension;
   using number = dual<pack, tangent_vectors>;
+  using increments = wiener_levy<number, System::channels>;
 
-  wiener_levy<number, channels> increment(const increment_view& view, int i, int lane) const {
-    wiener_levy<number, channels> w;
+  increments increment(const increment_view& view, int i, int lane) const {
+    const int channels = channels_of(system_), pairs = pairs_among(channels);
+    increments w;
     w.dt = dt_;
     if (view.silent()) return w;
-    const auto dw = load_increment<pack, channels>(view, i * channels * block_lanes + lane);
-    for (int k = 0; k < channels; ++k) w.dw[k].value = dw[k];
-    if constexpr (needs_areas_on<Scheme, System>) {
-      const auto area = load_lanes<pack, pairs>(view.area.data() + i * pairs * block_lanes + lane);
-      for (int k = 0; k < pairs; ++k) w.area[k].value = area[k];
-    }
+    w.dw =
+        constant_of<number>(load_increment<pack, System::channels>(view, i * channels * block_lanes + lane, channels));
+    if constexpr (needs_areas_on<Scheme, System>)
+      w.area = constant_of<number>(
+          load_lanes<pack, pairs_of<System::channels>>(view.area.data() + i * pairs * block_lanes + lane, pairs));
     return w;
   }
 
-  POLHODE_FLATTEN void step(double* state, double* tangent, const wiener_levy<number, channels>& w) const {
-    const auto value = load_lanes<pack, dimension>(state);
-    vec<number, dimension> mu;
-    for (int k = 0; k < dimension; ++k) mu[k].value = value[k];
+  POLHODE_FLATTEN void step(double* state, double* tangent, const increments& w) const {
+    const int n = dimension_of(system_), next_vector = n * block_lanes;
+    auto mu = constant_of<number>(load_lanes<pack, dimension>(state, n));
     for (int t = 0; t < tangent_vectors; ++t) {
-      const auto slope = load_lanes<pack, dimension>(tangent + t * next_vector);
-      for (int k = 0; k < dimension; ++k) mu[k].slope[t] = slope[k];
+      const auto slope = load_lanes<pack, dimension>(tangent + t * next_vector, n);
+      for (int k = 0; k < n; ++k) mu[k].slope[t] = slope[k];
     }
     mu = Scheme::step(system_, mu, w);
-    for (int k = 0; k < dimension; ++k) {
+    for (int k = 0; k < n; ++k) {
       mu[k].value.copy_to(state + k * block_lanes, stdx::element_aligned);
       for (int t = 0; t < tangent_vectors; ++t)
         mu[k].slope[t].copy_to(tangent + t * next_vector + k * block_lanes, stdx::element_aligned);

@@ -5,10 +5,12 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reports/model/scene.hpp"
 #include "sphere/closed_forms/gibbs.hpp"
+#include "sphere/galerkin/reference_value.hpp"
 #include "sphere/sphere_problem.hpp"
 
 namespace polhode {
@@ -46,6 +48,8 @@ struct capabilities {
   std::function<report::scene(int power)> in_unit = {};  ///< the same solutions at |mu| times 4^power, t over it
   std::string in_cpp = {};  ///< declares `body`, of the type that polhode/systems/NAME.hpp has under the system's name
   std::function<gibbs_law()> gibbs = {};  ///< of an isotropically driven system, in closed form
+  /// Of the Gibbs law, by the name of an observable; nothing for a name that it does not know.
+  std::function<std::optional<reference_value>(std::string_view)> gibbs_mean = {};
 };
 
 }  // namespace polhode

@@ -19,6 +19,9 @@ struct parameter_rule {
   std::optional<report::number_rows> fallback = {};  ///< where a scene may leave it out
   /// What a scene gives, in any shape, as it is kept; nothing where it is not accepted.
   std::function<std::optional<report::number_rows>(const report::number_rows& given, report::shape)> read = {};
+  /// The same rule where the parameters that were read before it decide on what it accepts.
+  std::function<parameter_rule(const report::scene& so_far)> refined = {};
+  bool is_flag = false;  ///< true or false, kept as 1 or 0
 };
 
 /// "three" for 3.

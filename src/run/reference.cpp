@@ -18,6 +18,7 @@
 #include "sphere/lyapunov.hpp"
 #include "sphere/spectral_gap.hpp"
 #include "sphere/stationary.hpp"
+#include "systems/systems.hpp"
 #include "transfer/transfer.hpp"
 
 namespace polhode {
@@ -49,12 +50,16 @@ void check(const reference_options& o) {
   check_that_it_is_used(o);
 }
 
+[[noreturn]] void refuse_observable(const std::string& name, const std::vector<observable_entry>& accepted) {
+  std::vector<std::string> known;
+  for (const auto& entry : accepted) known.push_back(entry.name);
+  refuse("--observable", name, "not known" + accepted_instead(name, known));
+}
+
 /// By the names of any system on a sphere.
 sphere_function observable_of(const sphere_problem& p, const std::string& name) {
   if (const auto f = named_observable(name, p)) return *f;
-  std::vector<std::string> known;
-  for (const auto& entry : named_observables()) known.push_back(entry.name);
-  refuse("--observable", name, "not known" + accepted_instead(name, known));
+  refuse_observable(name, named_observables());
 }
 
 /// The root of the mean square of f over the sphere.
@@ -133,6 +138,20 @@ void answer_gibbs(const subject& bound, const reference_options& o, reference_an
   take(s, stationary_mean(p, f, value_tolerance * size_of(p, f), o.degree), out);
 }
 
+/// Where there is no sphere, but a Gibbs law that the system knows.
+reference_answer gibbs_answer(const subject& bound, const reference_options& o) {
+  const auto& s = bound.scene;
+  reference_answer out;
+  out.quantity = o.quantity;
+  out.observable = o.observable.value_or(usual_observable);
+  if (o.degree > 0) refuse("--degree", fmt::format("{}", o.degree), "accepted for systems on a sphere of momentum");
+  const auto found = bound.offers->gibbs_mean(out.observable);
+  if (!found) refuse_observable(out.observable, find_system(s.system)->observables);
+  out.method = "the Gibbs law exp(-2 theta h / sigma^2), in closed form but for one quadrature";
+  take(s, *found, out);
+  return out;
+}
+
 void answer_lyapunov(const scene& s, const sphere_problem& p, const reference_options& o, reference_answer& out) {
   const auto found = lyapunov(p, exponent_tolerance * shear_of(p), o.degree);
   out.method = "the stationary law of tangent directions in Wigner functions (Furstenberg-Khasminskii)";
@@ -147,6 +166,7 @@ reference_answer reference(const scene& s, const reference_options& o) {
   gsl_set_error_handler_off();
   check(o);
   const auto bound = bind_scene(s);
+  if (!bound.sphere() && o.quantity == "gibbs" && bound.offers->gibbs_mean) return gibbs_answer(bound, o);
   if (!bound.sphere())
     throw input_error(
         fmt::format("scene {}: system = \"{}\" has no exact references: {}", s.name, s.system, no_exact_law));

@@ -108,7 +108,11 @@ class reader {
 
   template <class Parse>
   auto read(std::string_view key, Parse parse, const std::vector<std::string>& known = {}) const {
-    const auto& accepted = std::ranges::find(rules_, key, &key_rule::key)->accepted;
+    return read(key, std::ranges::find(rules_, key, &key_rule::key)->accepted, parse, known);
+  }
+  template <class Parse>
+  auto read(std::string_view key, const std::string& accepted, Parse parse,
+            const std::vector<std::string>& known = {}) const {
     const auto* node = table_.get(key);
     if (node == nullptr) throw input_error(fmt::format("{}: {} is missing; accepted: {}", source_, key, accepted));
     if (auto value = parse(*node)) return *std::move(value);
@@ -123,12 +127,16 @@ class reader {
   std::vector<key_rule> rules_;
 };
 
-report::parameter read_parameter(const reader& keys, const parameter_rule& rule) {
+report::parameter read_parameter(const reader& keys, const parameter_rule& general, const report::scene& so_far) {
+  const auto rule = general.refined ? general.refined(so_far) : general;
   if (rule.fallback && !keys.has(rule.name)) return {rule.name, rule.shape, *rule.fallback};
-  return {rule.name, rule.shape, keys.read(rule.name, [&](auto& node) -> std::optional<report::number_rows> {
-            const auto given = parameter_in(node);
-            return given ? rule.read(given->rows, given->shape) : std::nullopt;
-          })};
+  const auto parse = [&](const toml::node& node) -> std::optional<report::number_rows> {
+    if (const auto* flag = node.as_boolean())
+      return rule.is_flag ? std::optional(report::number_rows{{flag->get() ? 1.0 : 0.0}}) : std::nullopt;
+    const auto given = parameter_in(node);
+    return given && !rule.is_flag ? rule.read(given->rows, given->shape) : std::nullopt;
+  };
+  return {rule.name, rule.shape, keys.read(rule.name, rule.accepts, parse)};
 }
 
 toml::table parse_table(std::string_view text, std::string_view source) {
@@ -158,9 +166,9 @@ scene parse_scene(std::string_view source_text, std::string_view source, std::st
       "system", [&](auto& n) { return only_if(text_in(n), is_system); }, systems);
   const auto& of = *find_system(out.system);
   const auto& rules = parameters_in(table, of);
-  for (const auto& rule : rules) out.parameters.push_back(read_parameter(keys_of, rule));
+  for (const auto& rule : rules) out.parameters.push_back(read_parameter(keys_of, rule, out));
   if (&rules == &of.own_units) out.parameters = of.from_own_units(out.parameters);
-  out.momentum = read_parameter(keys_of, momentum_rule(of)).rows.front();
+  out.momentum = read_parameter(keys_of, momentum_rule(of), out).rows.front();
   out.horizon = keys_of.read("horizon", [&](auto& n) { return only_if(number_in(n), positive); });
   out.steps = {4, 8, 16, 32, 64};
   if (keys_of.has("steps")) out.steps = keys_of.read("steps", step_counts);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "ensemble/kernel_of.hpp"
@@ -22,44 +23,57 @@ class model_of final : public model {
   static constexpr int n = System::dimension, m = System::channels;
   explicit model_of(System system) : system_(std::move(system)) {}
 
-  int dimension() const override { return n; }
-  noise_layout layout() const override { return {m, system_.active_channels()}; }
+  int dimension() const override { return dimension_of(system_); }
+  noise_layout layout() const override { return {channels_of(system_), system_.active_channels()}; }
   noise_class noise() const override { return system_.classify(); }
   double energy(std::span<const double> mu) const override { return system_.energy(state(mu)); }
   double dissipation_rate(std::span<const double> mu) const override { return system_.dissipation_rate(state(mu)); }
   std::vector<double> casimirs(std::span<const double> mu) const override {
     const auto c = System::algebra::casimirs(state(mu));
-    return {c.c.begin(), c.c.end()};
+    return {c.begin(), c.end()};
+  }
+  std::vector<double> casimir_sizes(std::span<const double> mu) const override {
+    using g = typename System::algebra;
+    if constexpr (requires { g::casimir_sizes(state(mu)); }) {
+      const auto c = g::casimir_sizes(state(mu));
+      return {c.begin(), c.end()};
+    } else {
+      auto sizes = casimirs(mu);
+      for (double& c : sizes) c = std::fabs(c);
+      return sizes;
+    }
   }
   POLHODE_FLATTEN void conserved(std::span<const double> states, std::span<double> energies,
                                  std::span<double> casimirs) const override {
     for (int lane = 0; lane < block_lanes; lane += static_cast<int>(pack::size())) {
-      const auto mu = load_lanes<pack, n>(states.data() + lane);
+      const auto mu = load_lanes<pack, n>(states.data() + lane, dimension());
       pack(system_.energy(mu)).copy_to(energies.data() + lane, stdx::element_aligned);
       store_lanes(System::algebra::casimirs(mu), casimirs.data() + lane);
     }
   }
   void drift(std::span<const double> mu, std::span<double> out) const override {
     const auto x = state(mu);
-    std::ranges::copy(System::algebra::coad(system_.generator(x), x).c, out.begin());
+    std::ranges::copy(System::algebra::coad(system_.generator(x), x), out.begin());
   }
   void coadjoint(std::span<const double> xi, std::span<const double> mu, std::span<double> out) const override {
-    std::ranges::copy(System::algebra::coad(state(xi), state(mu)).c, out.begin());
+    std::ranges::copy(System::algebra::coad(state(xi), state(mu)), out.begin());
   }
   POLHODE_FLATTEN void coarsen(const increment_view& fine, int factor, std::span<double> dw,
                                std::span<double> area) const override {
-    constexpr int pairs = pairs_of<m>;
+    const int channels = channels_of(system_), pairs = pairs_among(channels);
     const auto at = [&](int i, int lane) {
       wiener_levy<pack, m> w;
-      w.dw = load_increment<pack, m>(fine, i * m * block_lanes + lane);
-      if (!fine.area.empty()) w.area = load_lanes<pack, pairs>(fine.area.data() + i * pairs * block_lanes + lane);
+      w.dw = load_increment<pack, m>(fine, i * channels * block_lanes + lane, channels);
+      w.area = zeros<decltype(w.area)>(pairs);
+      if (!fine.area.empty())
+        w.area = load_lanes<pack, pairs_of<m>>(fine.area.data() + i * pairs * block_lanes + lane, pairs);
       return w;
     };
     for (int k = 0; k < fine.steps / factor; ++k)
       for (int lane = 0; lane < block_lanes; lane += static_cast<int>(pack::size())) {
         auto sum = at(k * factor, lane);
         for (int i = 1; i < factor; ++i) sum = chen(sum, at(k * factor + i, lane));
-        store_lanes(sum.dw, dw.data() + k * m * block_lanes + lane);
+        store_lanes(sum.dw, dw.data() + k * channels * block_lanes + lane);
         store_lanes(sum.area, area.data() + k * pairs * block_lanes + lane);
       }
   }
@@ -69,8 +83,8 @@ class model_of final : public model {
 
  private:
   static vec<double, n> state(std::span<const double> mu) {
-    vec<double, n> x;
-    std::copy_n(mu.begin(), n, x.c.begin());
+    auto x = zeros<vec<double, n>>(static_cast<int>(mu.size()));
+    std::ranges::copy(mu.first(static_cast<std::size_t>(x.size)), x.begin());
     return x;
   }
   System system_;

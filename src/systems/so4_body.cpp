@@ -10,7 +10,9 @@
 #include <span>
 #include <vector>
 
+#include "problem/noise_covariance.hpp"
 #include "problem/vectors.hpp"
+#include "sphere/closed_forms/chain_gibbs.hpp"
 #include "systems/system_source.hpp"
 #include "systems/systems.hpp"
 
@@ -62,8 +64,24 @@ std::string in_cpp(const report::scene& s) {
                      fmt::join(vectors, ", "), head);
 }
 
+/// beta < 0: none, as the noise is not isotropic.
+chain_gibbs gibbs_of(const report::scene& s) {
+  const double strength = isotropic_strength(s);
+  chain_gibbs law{.sites = {},
+                  .exchange = Eigen::Matrix2d::Constant(s.number("coupling")),
+                  .beta = strength > 0 ? 2 * dissipation_of(s) / (strength * strength) : -1};
+  for (const std::size_t part : {0U, 3U}) {
+    const Eigen::Vector3d inertia(s.vector("inertia").data() + part);
+    law.sites.push_back(
+        {inertia.cwiseInverse().asDiagonal(), Eigen::Vector3d::Zero(), length(std::span(s.momentum).subspan(part, 3))});
+  }
+  return law;
+}
+
 capabilities offers(const report::scene& s) {
   capabilities out{.rates = rates_of(s)};
+  if (const auto law = gibbs_of(s); law.beta >= 0)
+    out.gibbs_mean = [law](std::string_view observable) { return law.mean(observable); };
   out.in_unit = [=](int power) { return with_momentum_unit(s, power); };
   out.in_cpp = in_cpp(s);
   return out;

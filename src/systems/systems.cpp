@@ -8,7 +8,8 @@
 namespace polhode {
 
 /// All of them: name_system() is in systems/name.cpp or systems/name/.
-#define POLHODE_SYSTEMS(apply) apply(rigid_body) apply(spin) apply(so4_body)
+#define POLHODE_SYSTEMS(apply) \
+  apply(rigid_body) apply(spin) apply(so4_body) apply(heavy_top) apply(spins) apply(maxwell_bloch) apply(son_body)
 
 #define POLHODE_DECLARED(name) system_entry name##_system();
 POLHODE_SYSTEMS(POLHODE_DECLARED)
@@ -20,6 +21,7 @@ const std::vector<system_entry>& systems() {
 }
 
 parameter_rule momentum_rule(const system_entry& of) {
+  if (of.momentum) return *of.momentum;
   const std::size_t size = of.dimension;
   return {.name = "momentum",
           .shape = report::shape::vector,
@@ -40,7 +42,7 @@ const system_entry* find_system(std::string_view name) {
 
 std::shared_ptr<const capabilities> offers_of(const report::scene& s) {
   const auto* system = find_system(s.system);
-  const bool fits = system != nullptr && s.momentum.size() == system->dimension;
+  const bool fits = system != nullptr && (system->dimension == 0 || s.momentum.size() == system->dimension);
   return std::make_shared<const capabilities>(fits ? system->offers(s) : capabilities{});
 }
 

@@ -1,6 +1,8 @@
 // The systems that scenes can name, each bound to its schemes in a source of its own (templates are instantiated once).
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,8 +13,9 @@ namespace polhode {
 
 /// What a scene may name as its `system`.
 struct system_entry {
-  std::string_view name, title;
-  std::size_t dimension;  ///< of the momentum
+  std::string_view name;
+  std::string title;
+  std::size_t dimension;  ///< of the momentum; 0: a parameter decides
   std::string_view unit;  ///< of the momentum
   std::vector<parameter_rule> parameters;
   std::vector<observable_entry> observables;
@@ -20,6 +23,7 @@ struct system_entry {
   capabilities (*offers)(const report::scene&);
   std::vector<parameter_rule> own_units = {};  ///< what a scene may give in place of `parameters`
   std::vector<report::parameter> (*from_own_units)(const std::vector<report::parameter>&) = nullptr;
+  std::optional<parameter_rule> momentum = {};  ///< where not every vector that is not zero is a state
 };
 
 const std::vector<system_entry>& systems();

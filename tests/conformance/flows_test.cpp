@@ -4,9 +4,12 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include <polhode/systems/maxwell_bloch.hpp>
 #include <polhode/systems/spin.hpp>
+#include <polhode/systems/spins.hpp>
 
 #include "references/odeint.hpp"
+#include "support/heavy_top.hpp"
 #include "support/schemes.hpp"
 
 namespace polhode::test {
@@ -107,6 +110,98 @@ TEST(Flows, OfCoupledBodiesAreOfSecondOrder) {
               3, 0.1);
   EXPECT_NEAR(order_of([&](const pair& x, double t) { return s.free_flow(x, t); },
                        [&](const pair& x) { return so4::coad(s.omega(x), x); }, both, 0.02),
+              3, 0.1);
+}
+
+pair top_drift(const heavy_top& s, const pair& x) { return se3::coad(s.omega(x), x); }
+
+TEST(Flows, OfAHeavyTopsGravityAloneAreExact) {
+  const auto s = asymmetric_top();
+  const auto pull = [&](const pair& x) { return se3::coad(se3::joined(vector{}, s.pull), x); };
+  for (const double t : {0.1, 1.0, 4.0})
+    EXPECT_LE(distance(s.first_turn(top_state, t), by_odeint(pull, top_state, t)), 1e-12) << t;
+}
+
+TEST(Flows, OfAHeavyTopAreOfSecondOrder) {
+  const auto s = asymmetric_top();
+  const auto damping = [&](const pair& x) { return s.theta * se3::coad(se3::coad(s.omega(x), x), x); };
+  EXPECT_NEAR(order_of([&](const pair& x, double t) { return s.dissipation_flow(x, t); }, damping, top_state, 0.02), 3,
+              0.1);
+  const auto drift = [&](const pair& x) { return top_drift(s, x); };
+  EXPECT_NEAR(order_of([&](const pair& x, double t) { return s.free_flow(x, t); }, drift, top_state, 0.02), 3, 0.1);
+}
+
+/// Of the true path: a top whose axis is one of symmetry keeps Pi_3 (Lagrange); with I_1 = I_2 = 2 I_3 and the centre
+/// of mass on axis 1, |(Pi_1 + i Pi_2)^2 / 4 I_3^2 - (weight / I_3)(Gamma_1 + i Gamma_2)|^2 is kept (Kovalevskaya
+/// 1889).
+TEST(Flows, KeepTheIntegralsOfTheClassicalTops) {
+  const heavy_top lagrange({1.4, 1.4, 0.8}, 1.3, {0, 0, 1}, 0, {}), kovalevskaya({2, 2, 1}, 1.3, {1, 0, 0}, 0, {});
+  const auto kovalevskayas = [](const pair& x) {
+    const double p = x[0] / 2, q = x[1] / 2, real = p * p - q * q - 1.3 * x[3], imaginary = 2 * p * q - 1.3 * x[4];
+    return real * real + imaginary * imaginary;
+  };
+  for (const double t : {0.5, 3.0}) {
+    const auto l = by_odeint([&](const pair& x) { return top_drift(lagrange, x); }, top_state, t);
+    EXPECT_NEAR(l[2], top_state[2], 1e-12) << t;
+    EXPECT_NEAR(lagrange.energy(l), lagrange.energy(top_state), 1e-12) << t;
+    const auto k = by_odeint([&](const pair& x) { return top_drift(kovalevskaya, x); }, top_state, t);
+    EXPECT_NEAR(kovalevskayas(k), kovalevskayas(top_state), 1e-11) << t;
+    EXPECT_GT(distance(k, top_state), 0.1) << t;
+  }
+}
+
+TEST(Flows, OfMaxwellAndBlochsPartsAreExact) {
+  const maxwell_bloch s(0.7, {});
+  for (const double t : {0.1, 1.0, 4.0}) {
+    const auto shifted = by_odeint([](const vector& x) { return vector{{x[1], 0, 0}}; }, start, t);
+    EXPECT_LE(distance(s.first_turn(start, t), shifted), 1e-12) << t;
+    const auto turned = by_odeint([](const vector& x) { return vector{{0, x[0] * x[2], -x[0] * x[1]}}; }, start, t);
+    EXPECT_LE(distance(s.last_turn(start, t), turned), 1e-12) << t;
+  }
+}
+
+TEST(Flows, OfMaxwellAndBlochAreOfSecondOrder) {
+  const maxwell_bloch s(0.7, {});
+  const auto equation = [](const vector& x) { return vector{{x[1], x[0] * x[2], -x[0] * x[1]}}; };
+  EXPECT_LE(distance(se2::coad(s.omega(start), start), equation(start)), 1e-16);
+  EXPECT_NEAR(order_of([&](const vector& x, double t) { return s.free_flow(x, t); }, equation, start, 0.02), 3, 0.1);
+  EXPECT_NEAR(order_of([&](const vector& x, double t) { return s.dissipation_flow(x, t); },
+                       [&](const vector& x) { return s.theta * se2::coad(se2::coad(s.omega(x), x), x); }, start, 0.02),
+              3, 0.1);
+}
+
+TEST(Flows, OfCoupledSpinsAreOfSecondOrder) {
+  const Eigen::Matrix3d ring = 0.6 * (Eigen::Matrix3d::Ones() - Eigen::Matrix3d::Identity());
+  const spins s(tilted(), {0.3, -0.2, 0.5}, ring, 0.7, spins::isotropic(0, 9));
+  using group = spins::group;
+  using state = vec<double, group::dimension>;
+  const auto by_solver = [](const auto& drift, const state& mu, double t) {
+    const std::vector<double> first(mu.begin(), mu.end());
+    const auto end = solve_drift(
+        [&](std::span<const double> x, std::span<double> out) {
+          state m(static_cast<int>(x.size()));
+          std::ranges::copy(x, m.begin());
+          std::ranges::copy(drift(m), out.begin());
+        },
+        first, t);
+    state out(mu.size);
+    std::ranges::copy(end, out.begin());
+    return out;
+  };
+  state mu(9);
+  for (int k = 0; k < 9; ++k) mu[k] = normals<9>({5, noise_kind::initial_state, 0, 0})[k];
+  const auto order = [&](const auto& flow, const auto& drift) {
+    const auto error = [&](double t) {
+      const auto apart = flow(mu, t) - by_solver(drift, mu, t);
+      return std::sqrt(dot(apart, apart));
+    };
+    return std::log2(error(0.02) / error(0.01));
+  };
+  EXPECT_NEAR(order([&](const state& x, double t) { return s.dissipation_flow(x, t); },
+                    [&](const state& x) { return s.theta * group::coad(group::coad(s.omega(x), x), x); }),
+              3, 0.1);
+  EXPECT_NEAR(order([&](const state& x, double t) { return s.free_flow(x, t); },
+                    [&](const state& x) { return group::coad(s.omega(x), x); }),
               3, 0.1);
 }
 

@@ -1,11 +1,12 @@
-// Whether a step without noise and dissipation is a Poisson map, on so(3) and so(4): schemes that claim it are to
-// rounding, and the others are not.
+// Whether a step without noise and dissipation is a Poisson map, on so(3), so(4) and se(3): schemes that claim it are
+// to rounding, and the others are not.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
 
 #include <polhode/dual.hpp>
 
+#include "support/heavy_top.hpp"
 #include "support/schemes.hpp"
 #include "support/spin.hpp"
 
@@ -70,15 +71,18 @@ TYPED_TEST(PoissonMap, IsWhatItClaims) {
   const vec<double, 6> mu{{0.6, 0.48, 0.64, -0.3, 0.8, 0.5}};
   const auto body = defect<TypeParam>(paper_body(0, 0.5), paper_momentum, 0.1);
   const auto pair = defect<TypeParam>(coupled_bodies(0), mu, 0.1),
-             magnet = defect<TypeParam>(tilted_spin(0), paper_momentum, 0.1);
+             magnet = defect<TypeParam>(tilted_spin(0), paper_momentum, 0.1),
+             top = defect<TypeParam>(asymmetric_top(0), top_state, 0.1);
   if (TypeParam::info.poisson) {
     EXPECT_LE(body, rounding);
     EXPECT_LE(pair, rounding);
     EXPECT_LE(magnet, rounding);
+    EXPECT_LE(top, rounding);
   } else {
     EXPECT_GE(body, no_rounding);
     EXPECT_GE(pair, no_rounding);
     EXPECT_GE(magnet, no_rounding);
+    EXPECT_GE(top, no_rounding);
   }
 }
 

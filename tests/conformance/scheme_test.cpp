@@ -4,6 +4,8 @@
 #include <polhode/dual.hpp>
 
 #include "references/odeint.hpp"
+#include "support/heavy_top.hpp"
+#include "support/maxwell_bloch.hpp"
 #include "support/schemes.hpp"
 #include "support/spin.hpp"
 
@@ -16,15 +18,6 @@ TYPED_TEST_SUITE(SchemeConformance, every_scheme);
 
 const vec<double, 6> so4_momentum{{0.6, 0.48, 0.64, -0.3, 0.8, 0.5}};
 
-template <class System>
-wiener_levy<double, System::channels> some_increment(double dt, std::uint64_t step) {
-  wiener_levy<double, System::channels> w;
-  w.dt = dt;
-  w.dw = std::sqrt(dt) * normals<System::channels>({7, noise_kind::increment, 3, step});
-  w.area = (dt / 2) * normals<pairs_of<System::channels>>({7, noise_kind::area, 3, step});
-  return w;
-}
-
 template <class Scheme, class System>
 void zero_increment_is_identity(const System& system, const state_of<System>& mu) {
   const auto next = Scheme::step(system, mu, wiener_levy<double, System::channels>{});
@@ -35,6 +28,8 @@ TYPED_TEST(SchemeConformance, ZeroIncrementIsTheIdentity) {
   zero_increment_is_identity<TypeParam>(paper_body(), paper_momentum);
   zero_increment_is_identity<TypeParam>(coupled_bodies(), so4_momentum);
   zero_increment_is_identity<TypeParam>(tilted_spin(), paper_momentum);
+  zero_increment_is_identity<TypeParam>(asymmetric_top(), top_state);
+  zero_increment_is_identity<TypeParam>(atoms_in_light(), paper_momentum);
 }
 
 template <class Scheme, class System>
@@ -75,6 +70,8 @@ TYPED_TEST(SchemeConformance, WithoutNoiseConvergesToOdeintAtTheClaimedOrder) {
   converges_to_odeint<TypeParam>(paper_body(), paper_momentum);
   converges_to_odeint<TypeParam>(coupled_bodies(), so4_momentum);
   converges_to_odeint<TypeParam>(tilted_spin(), paper_momentum);
+  converges_to_odeint<TypeParam>(asymmetric_top(), top_state);
+  converges_to_odeint<TypeParam>(atoms_in_light(), paper_momentum);
 }
 
 /// Largest relative change of a Casimir over some noisy steps.
@@ -83,7 +80,7 @@ double casimir_change(const System& system, const state_of<System>& mu) {
   const auto start = System::algebra::casimirs(mu);
   auto x = mu;
   for (std::uint64_t i = 0; i < 1000; ++i)
-    x = Scheme::step(prepared<Scheme>(system, 0.05), x, some_increment<System>(0.05, i));
+    x = Scheme::step(prepared<Scheme>(system, 0.05), x, some_increment<System::channels>(0.05, i));
   const auto end = System::algebra::casimirs(x);
   double worst = 0;
   for (int k = 0; k < end.size; ++k)
@@ -94,7 +91,9 @@ double casimir_change(const System& system, const state_of<System>& mu) {
 TYPED_TEST(SchemeConformance, CasimirsAreKeptIfAndOnlyIfClaimed) {
   for (const double change : {casimir_change<TypeParam>(paper_body(), paper_momentum),
                               casimir_change<TypeParam>(coupled_bodies(), so4_momentum),
-                              casimir_change<TypeParam>(tilted_spin(), paper_momentum)})
+                              casimir_change<TypeParam>(tilted_spin(), paper_momentum),
+                              casimir_change<TypeParam>(asymmetric_top(), top_state),
+                              casimir_change<TypeParam>(atoms_in_light(), paper_momentum)})
     if (TypeParam::info.casimir.exact)
       EXPECT_LT(change, 2e-13);
     else
@@ -108,7 +107,7 @@ void packs_agree(const System& system, const state_of<System>& mu) {
   state_of<System, pack> packed;
   for (int k = 0; k < System::dimension; ++k) packed[k] = mu[k];
   for (std::uint64_t i = 0; i < 1000; ++i) {
-    const auto w = some_increment<System>(0.02, i);
+    const auto w = some_increment<System::channels>(0.02, i);
     wiener_levy<pack, System::channels> p;
     p.dt = w.dt;
     for (int k = 0; k < System::channels; ++k) p.dw[k] = w.dw[k];
@@ -124,6 +123,8 @@ TYPED_TEST(SchemeConformance, PacksAgreeWithDoublesOverAThousandSteps) {
   packs_agree<TypeParam>(paper_body(), paper_momentum);
   packs_agree<TypeParam>(coupled_bodies(), so4_momentum);
   packs_agree<TypeParam>(tilted_spin(), paper_momentum);
+  packs_agree<TypeParam>(asymmetric_top(), top_state);
+  packs_agree<TypeParam>(atoms_in_light(), paper_momentum);
 }
 
 /// The step with dual numbers against differences of the step with doubles, along a tangent of the orbit.
@@ -132,7 +133,7 @@ void duals_give_the_derivative(const System& system, const state_of<System>& mu)
   using number = dual<double, 1>;
   constexpr double dt = 0.1, h = 1e-5;
   const auto stepped = prepared<Scheme>(system, dt);
-  const auto w = some_increment<System>(dt, 0);
+  const auto w = some_increment<System::channels>(dt, 0);
   wiener_levy<number, System::channels> constant;
   constant.dt = dt;
   for (int k = 0; k < System::channels; ++k) constant.dw[k] = w.dw[k];
@@ -155,6 +156,8 @@ TYPED_TEST(SchemeConformance, DualNumbersGiveTheDerivative) {
   duals_give_the_derivative<TypeParam>(paper_body(), paper_momentum);
   duals_give_the_derivative<TypeParam>(coupled_bodies(), so4_momentum);
   duals_give_the_derivative<TypeParam>(tilted_spin(), paper_momentum);
+  duals_give_the_derivative<TypeParam>(asymmetric_top(), top_state);
+  duals_give_the_derivative<TypeParam>(atoms_in_light(), paper_momentum);
 }
 
 // That the order is as claimed with them and without: local_error_test.cpp.

@@ -24,6 +24,16 @@ inline rigid_body paper_body(double theta = 0.5, double sigma = 0.5) {
 }
 inline constexpr vec<double, 3> paper_momentum{{0.6, 0.48, 0.64}};
 
+/// Of step `step` of one path: increments, and areas of their size.
+template <int M>
+wiener_levy<double, M> some_increment(double dt, std::uint64_t step) {
+  wiener_levy<double, M> w;
+  w.dt = dt;
+  w.dw = std::sqrt(dt) * normals<M>({7, noise_kind::increment, 3, step});
+  w.area = (dt / 2) * normals<pairs_of<M>>({7, noise_kind::area, 3, step});
+  return w;
+}
+
 template <int N>
 double distance(const vec<double, N>& a, const vec<double, N>& b) {
   return std::sqrt(dot(a - b, a - b));

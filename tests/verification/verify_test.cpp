@@ -147,6 +147,18 @@ TEST(So4, ClaimsHoldThere) {
   expect_no_failure(verify(load_scene("so4"), options), options.experiments);
 }
 
+// Orbits that are not compact, a product of spheres whose number a scene decides: paths and energy law are as claimed.
+struct Systems : testing::TestWithParam<const char*> {};
+TEST_P(Systems, ClaimsHoldThere) {
+  verify_options options;
+  options.schemes = {"magnus", "strang"};
+  options.experiments = {"strong", "energy"};
+  options.effort = effort::quick;
+  options.threads = 2;
+  expect_no_failure(verify(load_scene(GetParam()), options), options.experiments);
+}
+INSTANTIATE_TEST_SUITE_P(OffTheSphere, Systems, testing::Values("heavy_top", "spin_pair", "maxwell_bloch"));
+
 TEST(Growing, AfterEachExperimentButTheLastWhatIsThereIsTold) {
   verify_options options;
   options.experiments = {"casimir", "energy", "work_precision"};

@@ -8,8 +8,9 @@ namespace polhode {
 
 /// Number of pairs i < j among so many channels, ordered (0,1), (0,2), …, (1,2), …
 constexpr int pairs_among(int channels) { return channels * (channels - 1) / 2; }
+/// Of a vec<S, M>: at most so many where M < 0.
 template <int M>
-inline constexpr int pairs_of = pairs_among(M);
+inline constexpr int pairs_of = M < 0 ? -pairs_among(-M) : pairs_among(M);
 
 /// A step, or one of its equal parts: a time that converts to double, and a type on which a system bound to its step
 /// size can look up what it has computed in advance.
@@ -42,9 +43,10 @@ wiener_levy<S, M> chen(const wiener_levy<S, M>& first, const wiener_levy<S, M>& 
   wiener_levy<S, M> both;
   both.dt = first.dt + second.dt;
   both.dw = first.dw + second.dw;
+  both.area = first.area;
   int pair = 0;
-  for (int i = 0; i < M; ++i)
-    for (int j = i + 1; j < M; ++j, ++pair)
+  for (int i = 0; i < both.dw.size; ++i)
+    for (int j = i + 1; j < both.dw.size; ++j, ++pair)
       both.area[pair] =
           first.area[pair] + second.area[pair] + S(0.5) * (first.dw[i] * second.dw[j] - first.dw[j] * second.dw[i]);
   return both;

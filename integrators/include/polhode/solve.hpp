@@ -14,8 +14,8 @@ using matrix = vec<vec<S, N>, N>;
 
 template <class S, int N>
 vec<S, N> times(const matrix<S, N>& rows, const vec<S, N>& x) {
-  vec<S, N> out;
-  for (int i = 0; i < N; ++i) out[i] = dot(rows[i], x);
+  auto out = zeros<vec<S, N>>(x.size);
+  for (int i = 0; i < x.size; ++i) out[i] = dot(rows[i], x);
   return out;
 }
 
@@ -37,17 +37,21 @@ matrix<S, 3> inverse(const matrix<S, 3>& a) {
 /// numbers in its own lane.
 template <quotient = quotient::exact, class S, int N>
 matrix<S, N> inverse(matrix<S, N> a) {
-  matrix<S, N> out;
-  for (int i = 0; i < N; ++i) out[i][i] = S(1.0);
-  for (int k = 0; k < N; ++k) {
-    for (int i = k + 1; i < N; ++i) {
+  const int n = a.size;
+  auto out = zeros<matrix<S, N>>(n);
+  for (int i = 0; i < n; ++i) {
+    out[i] = zeros<vec<S, N>>(n);
+    out[i][i] = S(1.0);
+  }
+  for (int k = 0; k < n; ++k) {
+    for (int i = k + 1; i < n; ++i) {
       const auto larger = magnitude(a[i][k]) > magnitude(a[k][k]);
       const auto ordered = [&](matrix<S, N>& m, int j) {
         const S upper = select(larger, m[i][j], m[k][j]), lower = select(larger, m[k][j], m[i][j]);
         m[k][j] = upper;
         m[i][j] = lower;
       };
-      for (int j = 0; j < N; ++j) {
+      for (int j = 0; j < n; ++j) {
         ordered(a, j);
         ordered(out, j);
       }
@@ -55,7 +59,7 @@ matrix<S, N> inverse(matrix<S, N> a) {
     const S pivot = S(1.0) / a[k][k];
     a[k] = pivot * a[k];
     out[k] = pivot * out[k];
-    for (int i = 0; i < N; ++i) {
+    for (int i = 0; i < n; ++i) {
       if (i == k) continue;
       const S factor = a[i][k];
       a[i] = a[i] - factor * a[k];

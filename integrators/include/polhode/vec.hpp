@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 
 namespace polhode {
 
@@ -15,6 +16,10 @@ struct vec {
 
   constexpr S& operator[](int i) { return c[static_cast<std::size_t>(i)]; }
   constexpr const S& operator[](int i) const { return c[static_cast<std::size_t>(i)]; }
+  constexpr S* begin() { return c.data(); }
+  constexpr S* end() { return begin() + N; }
+  constexpr const S* begin() const { return c.data(); }
+  constexpr const S* end() const { return begin() + N; }
 
   friend constexpr vec operator+(vec a, const vec& b) {
     for (int i = 0; i < N; ++i) a[i] = a[i] + b[i];
@@ -33,6 +38,74 @@ struct vec {
     return a;
   }
 };
+
+/// At most -N numbers, N < 0: how many is known when the program runs, and loops go over those alone. Without any it
+/// stands for zero in a sum.
+template <class S, int N>
+requires(N < 0) struct vec<S, N> {
+  using scalar = S;
+  static constexpr int capacity = -N;
+  int size = 0;
+
+  vec() {}
+  /// So many zeros.
+  explicit vec(int n) : size(n) {
+    for (int i = 0; i < size; ++i) std::construct_at(begin() + i);
+  }
+  vec(const vec& other) : size(other.size) {
+    for (int i = 0; i < size; ++i) std::construct_at(begin() + i, other[i]);
+  }
+  vec& operator=(const vec& other) {
+    size = other.size;
+    for (int i = 0; i < size; ++i) (*this)[i] = other[i];
+    return *this;
+  }
+
+  S& operator[](int i) { return c_[static_cast<std::size_t>(i)]; }
+  const S& operator[](int i) const { return c_[static_cast<std::size_t>(i)]; }
+  S* begin() { return c_.data(); }
+  S* end() { return begin() + size; }
+  const S* begin() const { return c_.data(); }
+  const S* end() const { return begin() + size; }
+
+  friend vec operator+(vec a, const vec& b) {
+    if (b.size == 0) return a;
+    if (a.size == 0) return b;
+    for (int i = 0; i < a.size; ++i) a[i] = a[i] + b[i];
+    return a;
+  }
+  friend vec operator-(vec a, const vec& b) {
+    if (b.size == 0) return a;
+    if (a.size == 0) return -b;
+    for (int i = 0; i < a.size; ++i) a[i] = a[i] - b[i];
+    return a;
+  }
+  friend vec operator-(vec a) {
+    for (int i = 0; i < a.size; ++i) a[i] = -a[i];
+    return a;
+  }
+  friend vec operator*(const S& s, vec a) {
+    for (int i = 0; i < a.size; ++i) a[i] = s * a[i];
+    return a;
+  }
+
+ private:
+  union {
+    std::array<S, capacity> c_;  // the first `size` of them exist
+  };
+};
+
+/// Zeros, as many as a type of fixed size has, or n.
+template <class Vector>
+constexpr Vector zeros(int n) {
+  if constexpr (requires { Vector::capacity; })
+    return Vector(n);
+  else
+    return Vector{};
+}
+
+/// Numbers that a vector of that N can hold.
+constexpr int capacity_of(int n) { return n < 0 ? -n : n; }
 
 /// Zero as a type: what is absent costs nothing. A step written for vectors drops the terms in which it appears.
 struct zero {
@@ -69,7 +142,7 @@ struct zero_vector {
 template <class S, int N>
 constexpr S dot(const vec<S, N>& a, const vec<S, N>& b) {
   S sum = a[0] * b[0];
-  for (int i = 1; i < N; ++i) sum = sum + a[i] * b[i];
+  for (int i = 1; i < a.size; ++i) sum = sum + a[i] * b[i];
   return sum;
 }
 
@@ -81,7 +154,7 @@ constexpr vec<S, 3> cross(const vec<S, 3>& a, const vec<S, 3>& b) {
 /// Componentwise product with constants: diag(d) a.
 template <class S, int N>
 constexpr vec<S, N> scaled(const vec<double, N>& d, vec<S, N> a) {
-  for (int i = 0; i < N; ++i) a[i] = S(d[i]) * a[i];
+  for (int i = 0; i < a.size; ++i) a[i] = S(d[i]) * a[i];
   return a;
 }
 

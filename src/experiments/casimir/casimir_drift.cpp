@@ -63,13 +63,13 @@ void report_drift(const drift_sample& sample, std::span<const double> dt, bool n
 }  // namespace
 
 std::vector<double> casimir_drifts(const model& m, std::span<const double> states, std::span<const double> start) {
-  const auto reference = m.casimirs(start);
+  const auto reference = m.casimirs(start), sizes = m.casimir_sizes(start);
   std::vector<double> out;
   for (int lane = 0; lane < block_lanes; ++lane) {
     const auto now = m.casimirs(lane_of(states, lane, m.dimension()));
     double worst = 0;
     for (std::size_t i = 0; i < now.size(); ++i) {
-      const double change = std::fabs(now[i] - reference[i]) / std::max(std::fabs(reference[i]), 1e-300);
+      const double change = std::fabs(now[i] - reference[i]) / std::max(sizes[i], 1e-300);
       worst = std::isfinite(change) ? std::max(worst, change) : std::numeric_limits<double>::infinity();
     }
     out.push_back(worst);

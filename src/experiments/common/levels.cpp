@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problem/vectors.hpp"
 #include "statistics/orders/level_choice.hpp"
 
 namespace polhode {
@@ -13,6 +14,13 @@ constexpr double time_scales = 4;
 }  // namespace
 
 double fastest_rate(const subject& s) { return s.offers->rates.fastest(); }
+
+double energy_size(const subject& s) {
+  constexpr double next_to_zero = 0.01;
+  const double own = std::fabs(s.model->energy(s.scene.momentum));
+  const double moved = length(s.scene.momentum) * s.offers->rates.motion;
+  return std::max(own < next_to_zero * moved ? moved : own, 1e-300);
+}
 
 double longest_at_equilibrium(const subject& s) { return time_scales / fastest_rate(s); }
 

@@ -21,6 +21,10 @@ struct level_grid {
 /// The fastest rate of the system at its initial momentum: rotation, dissipation and noise added.
 double fastest_rate(const subject&);
 
+/// What an error of the energy is measured by: |h| at the start; where that happens to be next to zero, |mu| times the
+/// rate of the motion.
+double energy_size(const subject&);
+
 /// The longest step at which a stationary law is asked for: four times the fastest time scale.
 double longest_at_equilibrium(const subject&);
 

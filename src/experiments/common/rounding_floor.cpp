@@ -45,8 +45,7 @@ rounding_floor rounding_floor_of(const context& c, const subject& s, const schem
   for (std::size_t at = 0; at < start.size(); ++at) state += noise_of(states, at);
   for (std::size_t lane = 0; lane < block_lanes; ++lane) energy += noise_of(energies, lane);
   const double unit = std::numeric_limits<double>::epsilon() * std::sqrt(steps);
-  return {std::sqrt(state) / (unit * length(s.scene.momentum)),
-          std::sqrt(energy) / (unit * std::fabs(m.energy(s.scene.momentum)))};
+  return {std::sqrt(state) / (unit * length(s.scene.momentum)), std::sqrt(energy) / (unit * energy_size(s))};
 }
 
 void report_floor(const std::string& claim, double units, recorder& record) {

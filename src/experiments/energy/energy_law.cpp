@@ -87,7 +87,7 @@ void report_convergence(const subject& s, const scheme_entry& scheme, const leve
                         recorder& record) {
   constexpr int most_steps = 1 << 17;
   const double order = scheme.info.deterministic_order;
-  const double energy = std::fabs(s.model->energy(s.scene.momentum));
+  const double energy = energy_size(s);
   runs_of_levels runs{{first.horizon, {}}, {}, {}, {}};
   const auto path = [&] { return floored_errors(runs.grid, runs.state_error, length(truth.momentum)); };
   const auto law = [&] { return floored_errors(runs.grid, runs.residual, energy); };

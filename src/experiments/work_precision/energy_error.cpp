@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "ensemble/noise/paths.hpp"
+#include "experiments/common/levels.hpp"
 #include "references/odeint.hpp"
 
 namespace polhode {
 
 energy_truth::energy_truth(const subject& still, double horizon)
-    : still_(still), horizon_(horizon), unit_(std::max(std::fabs(still.model->energy(still.scene.momentum)), 1e-300)) {}
+    : still_(still), horizon_(horizon), unit_(energy_size(still)) {}
 
 double energy_truth::error(const scheme_entry& scheme, double dt) const {
   const auto stepper = scheme.make(dt);

@@ -63,13 +63,13 @@ known_error casimir_change(const context& c, const scheme_entry& scheme, int ste
   auto states = replicated(c.subject.scene.momentum);
   increment_buffer noise(m, steps, scheme.needs_areas, {c.generator, noise_quality::fast});
   scheme.make(dt)->advance(states, !m.layout().silent() ? noise.fill(c.seed, 0, 0, steps, dt) : silence(steps));
-  const auto start = m.casimirs(c.subject.scene.momentum);
+  const auto start = m.casimirs(c.subject.scene.momentum), sizes = m.casimir_sizes(c.subject.scene.momentum);
   double sum = 0, squares = 0;
   for (int lane = 0; lane < block_lanes; ++lane) {
     const auto now = m.casimirs(lane_of(states, lane, m.dimension()));
     double worst = 0;
     for (std::size_t i = 0; i < now.size(); ++i)
-      worst = std::max(worst, std::pow((now[i] - start[i]) / std::max(std::fabs(start[i]), 1e-300), 2));
+      worst = std::max(worst, std::pow((now[i] - start[i]) / std::max(sizes[i], 1e-300), 2));
     sum += worst / block_lanes;
     squares += worst * worst / block_lanes;
   }

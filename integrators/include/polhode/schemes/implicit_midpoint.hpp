@@ -35,16 +35,17 @@ struct implicit_midpoint {
                                     .casimir = keeps_casimirs,
                                     .action = group_action::cayley,
                                     .implicit = true};
-  static constexpr int most_corrections = 8;  ///< by the derivative at mu
-  static constexpr int max_iterations = 16;   ///< of Newton's method, where these do not do
-  static constexpr double tolerance = 1e-16;  ///< of the error left, relative to the state
-  static constexpr double rounding = 1e-15;   ///< a correction below it is none
+  static constexpr int most_corrections = 8;   ///< by the derivative at mu
+  static constexpr int most_repetitions = 40;  ///< where there is no derivative
+  static constexpr int max_iterations = 16;    ///< of Newton's method, where these do not do
+  static constexpr double tolerance = 1e-16;   ///< of the error left, relative to the state
+  static constexpr double rounding = 1e-15;    ///< a correction below it is none
 
   template <lie_poisson_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
     const auto solved = midpoint(system, mu, w);
     auto next = System::algebra::cayley_action(generator(system, solved.m, w), mu);
-    for (int k = 0; k < System::dimension; ++k)
+    for (int k = 0; k < next.size; ++k)
       next[k] = select(solved.failed, S(std::numeric_limits<double>::quiet_NaN()), next[k]);
     return next;
   }
@@ -57,8 +58,8 @@ struct implicit_midpoint {
   };
 
   template <class System, class S>
-  static auto midpoint(const System& system, const vec<S, System::dimension>& mu,
-                       const wiener<S, System::channels>& w) {
+  requires(System::dimension > 0) static auto midpoint(const System& system, const vec<S, System::dimension>& mu,
+                                                       const wiener<S, System::channels>& w) {
     constexpr int n = System::dimension;
     const auto at = linearised_motion(system, mu, w);
     const auto back = inverse_derivative<quotient::truncated>(at);
@@ -92,8 +93,9 @@ struct implicit_midpoint {
 
   /// Of duals the values are solved for alone: F(m, mu, dW) = 0 then gives the slopes, DF dm = -dF at constant m.
   template <class System, class V, int slopes>
-  static auto midpoint(const System& system, const vec<dual<V, slopes>, System::dimension>& mu,
-                       const wiener<dual<V, slopes>, System::channels>& w) {
+  requires(System::dimension > 0) static auto midpoint(const System& system,
+                                                       const vec<dual<V, slopes>, System::dimension>& mu,
+                                                       const wiener<dual<V, slopes>, System::channels>& w) {
     constexpr int n = System::dimension;
     using number = dual<V, slopes>;
     vec<V, n> value;
@@ -115,6 +117,41 @@ struct implicit_midpoint {
     return solution<vec<number, n>, decltype(solved.failed)>{m, solved.failed};
   }
 
+  /// Where the number of components is not known to the compiler: m = mu + motion(m) / 2 repeated, as no matrix pays;
+  /// Newton's method for the lanes where that is too slow.
+  template <class System, class S>
+  requires(System::dimension < 0) static auto midpoint(const System& system, const vec<S, System::dimension>& mu,
+                                                       const wiener<S, System::channels>& w) {
+    const S size = dot(mu, mu);
+    auto m = mu;
+    auto pending = size == size;
+    for (int i = 0; i < most_repetitions && any(S(0.0), pending); ++i) {
+      const auto next = mu + S(0.5) * motion(system, m, w);
+      const auto change = next - m;
+      for (int k = 0; k < m.size; ++k) m[k] = select(pending, next[k], m[k]);
+      pending = pending && !(dot(change, change) <= S(rounding * rounding) * size);
+    }
+    if (any(S(0.0), pending)) [[unlikely]]
+      iterate(system, mu, w, m, pending);
+    return solution<decltype(m), decltype(pending)>{m, pending};
+  }
+  /// The same of duals, whose slopes settle at the rate of the values.
+  template <class System, class V, int slopes>
+  requires(System::dimension < 0) static auto midpoint(const System& system,
+                                                       const vec<dual<V, slopes>, System::dimension>& mu,
+                                                       const wiener<dual<V, slopes>, System::channels>& w) {
+    using number = dual<V, slopes>;
+    const auto values = [](const auto& of) {
+      auto out = zeros<vec<V, System::dimension>>(of.size);
+      for (int k = 0; k < of.size; ++k) out[k] = of[k].value;
+      return out;
+    };
+    const auto solved = midpoint(system, values(mu), wiener<V, System::channels>{w.dt, values(w.dw)});
+    auto m = constant_of<number>(solved.m);
+    for (int i = 0; i < most_repetitions; ++i) m = mu + number(0.5) * motion(system, m, w);
+    return solution<decltype(m), decltype(solved.failed)>{m, solved.failed};
+  }
+
   /// Without a question in between: a branch that packs take or do not would cost more than one too many.
   template <class System, class S>
   static constexpr int usual_corrections =
@@ -126,8 +163,8 @@ struct implicit_midpoint {
   /// DF(m)^-1.
   template <quotient q, class S, int n>
   static auto inverse_derivative(const linearised<S, n>& motion_at) {
-    matrix<S, n> out;
-    for (int k = 0; k < n; ++k) {
+    auto out = zeros<matrix<S, n>>(motion_at.value.size);
+    for (int k = 0; k < out.size; ++k) {
       out[k] = S(-0.5) * motion_at.slope[k];
       out[k][k] = S(1.0) + out[k][k];
     }
@@ -147,10 +184,10 @@ struct implicit_midpoint {
   [[gnu::cold, gnu::noinline]] static void iterate(const System& system, const vec<S, System::dimension>& mu,
                                                    const wiener<S, System::channels>& w, vec<S, System::dimension>& m,
                                                    Mask& pending) {
-    for (int k = 0; k < System::dimension; ++k) m[k] = select(pending, mu[k], m[k]);
+    for (int k = 0; k < m.size; ++k) m[k] = select(pending, mu[k], m[k]);
     for (int i = 0; i < max_iterations && any(S(0.0), pending); ++i) {
       const auto correction = newton_correction(system, mu, m, w);
-      for (int k = 0; k < System::dimension; ++k) m[k] = select(pending, S(m[k] - correction[k]), m[k]);
+      for (int k = 0; k < m.size; ++k) m[k] = select(pending, S(m[k] - correction[k]), m[k]);
       pending = pending && !(dot(correction, correction) <= S(100 * rounding * rounding) * dot(mu, mu));
     }
   }

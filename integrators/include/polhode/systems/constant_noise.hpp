@@ -5,13 +5,10 @@
 #include <span>
 
 #include <polhode/increment.hpp>
+#include <polhode/systems/noise_matrix.hpp>
 #include <polhode/vec.hpp>
 
 namespace polhode {
-
-/// On this depend the orders that a scheme may claim. One vector commutes with itself; isotropic: sum sigma sigma^T =
-/// s^2 1.
-enum class noise_class { none, one_vector, isotropic, general };
 
 template <class Algebra>
 class constant_noise {
@@ -52,15 +49,7 @@ class constant_noise {
 
   const matrix& sigma() const { return sigma_; }
 
-  noise_class classify() const {
-    const matrix covariance = sigma_ * sigma_.transpose();
-    const double scale = covariance.trace() / dimension;
-    if (scale == 0) return noise_class::none;
-    Eigen::FullPivLU<matrix> rank(sigma_);
-    if (rank.rank() == 1) return noise_class::one_vector;
-    return (covariance - scale * matrix::Identity()).norm() <= 1e-12 * scale ? noise_class::isotropic
-                                                                             : noise_class::general;
-  }
+  noise_class classify() const { return class_of(sigma_); }
 
   /// How many channels any scheme can see: none, one, or all (weak_order_two spreads two vectors over three).
   int active_channels() const {
@@ -97,29 +86,10 @@ class constant_noise {
     return S(0.5) * sum;
   }
 
-  /// Noise vectors T(dt) for which one exponential of T dW has the law of the Brownian motion on the group to weak
-  /// order two, for any sigma on any Lie algebra. With X_i the vector fields of sigma_i,
-  ///   exp(dt/2 sum X_i^2) - E exp(sum X_i dW^i) = dt^2/2 sum_ab R_ab e_a e_b + O(dt^3),
-  ///   R = (M Q + Q M^T)/12 + 1/4 sum_{i<j} [sigma_i,sigma_j][sigma_i,sigma_j]^T,
-  ///   Q = sum sigma_i sigma_i^T,  M = sum_i ad(sigma_i)^2,
-  /// so that the covariance Q dt + R dt^2 removes the defect (both sides expanded to dt^2: the words iijj, ijij, ijji
-  /// carry 1/8, 0, 0 on the left; 1/24 each on the right, plus 1/12, -1/6, 1/12 from M and 0, 1/8, -1/8 from the
-  /// brackets). Isotropic noise on so(3): R = -sigma^4/12, the factor sqrt(1 - sigma^2 dt/12). One vector: R = 0.
-  /// T(dt) -> sigma as dt -> 0. Where dt is so large that Q + R dt is indefinite its negative part is dropped.
+  /// Noise vectors for which one exponential has the law of the Brownian motion on the group to weak order two
+  /// (noise_matrix.hpp).
   constant_noise weak_order_two(double dt) const {
-    const matrix covariance = sigma_ * sigma_.transpose();
-    matrix m = matrix::Zero(), r = matrix::Zero();
-    for (int i = 0; i < channels; ++i) {
-      const matrix ad = adjoint(vectors_[i]);
-      m += ad * ad;
-    }
-    for (const column& b : brackets_.c) {
-      const Eigen::Map<const Eigen::Matrix<double, dimension, 1>> e(b.c.data());
-      r += 0.25 * e * e.transpose();
-    }
-    r += (m * covariance + covariance * m.transpose()) / 12.0;
-    const Eigen::JacobiSVD<matrix> svd(sigma_, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    return constant_noise(matrix(square_root_of(covariance + dt * r) * svd.matrixU() * svd.matrixV().transpose()));
+    return constant_noise(weak_order_two_vectors<Algebra>(sigma_, brackets_, dt));
   }
 
  private:
@@ -128,21 +98,6 @@ class constant_noise {
     vec<S, dimension> out;
     for (int k = 0; k < dimension; ++k) out[k] = S(v[k]);
     return out;
-  }
-  static matrix square_root_of(const matrix& symmetric) {
-    const Eigen::SelfAdjointEigenSolver<matrix> eigen(symmetric);
-    return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
-           eigen.eigenvectors().transpose();
-  }
-  static matrix adjoint(const column& v) {
-    matrix ad;
-    for (int k = 0; k < dimension; ++k) {
-      column e{};
-      e[k] = 1;
-      const column image = Algebra::bracket(v, e);
-      for (int row = 0; row < dimension; ++row) ad(row, k) = image[row];
-    }
-    return ad;
   }
 
   matrix sigma_;

@@ -14,6 +14,15 @@
 
 namespace polhode {
 
+/// Ad*_exp((x(mu) + x(nu)) / 2) mu, nu = Ad*_exp(x(mu)) mu: the flow of mu' = ad*_x mu for a time one, to second order
+/// in the size of x.
+template <class G, class Generator, class State>
+State averaged_flow(Generator x, const State& mu) {
+  const auto first = x(mu);
+  using S = typename State::scalar;
+  return G::exp_action(S(0.5) * (first + x(G::exp_action(first, mu))), mu);
+}
+
 /// A base of System, which has omega(mu), the gradient of h, and energy(mu); G: its Lie algebra.
 template <class System, class G>
 struct double_bracket : constant_noise<G> {

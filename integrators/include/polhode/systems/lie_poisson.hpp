@@ -14,6 +14,23 @@ namespace polhode {
 template <class System, class S = double>
 using state_of = vec<S, System::algebra::dimension>;
 
+/// Components of the state; those of a system with dimension < 0 (at most -dimension) are known at run time alone.
+template <class System>
+constexpr int dimension_of(const System& system) {
+  if constexpr (System::dimension < 0)
+    return system.components();
+  else
+    return System::dimension;
+}
+/// Wiener processes.
+template <class System>
+constexpr int channels_of(const System& system) {
+  if constexpr (System::channels < 0)
+    return system.components();
+  else
+    return System::channels;
+}
+
 /// A Lie algebra with its coadjoint calculus; see lie/so3.hpp for the meaning of each member.
 template <class G>
 concept lie_algebra = requires(const vec<double, G::dimension>& v) {
@@ -128,12 +145,44 @@ struct linearised {
   matrix<S, N> slope;
 };
 
+/// A vector as one of duals that do not vary.
+template <class Number, class S, int N>
+vec<Number, N> constant_of(const vec<S, N>& v) {
+  auto out = zeros<vec<Number, N>>(v.size);
+  for (int k = 0; k < v.size; ++k) out[k].value = v[k];
+  return out;
+}
+
+/// `motion` with its derivative by the state, a direction at a time: where their number is not known to the compiler.
+template <class System, class S>
+linearised<S, System::dimension> linearised_by_column(const System& system, const state_of<System, S>& mu,
+                                                      const wiener<S, System::channels>& w) {
+  using number = dual<S, 1>;
+  const wiener<number, System::channels> increment{w.dt, constant_of<number>(w.dw)};
+  linearised<S, System::dimension> out;
+  out.slope = zeros<decltype(out.slope)>(mu.size);
+  for (auto& row : out.slope) row = zeros<state_of<System, S>>(mu.size);
+  for (int column = 0; column < mu.size; ++column) {
+    auto x = constant_of<number>(mu);
+    x[column].slope[0] = S(1.0);
+    const auto moved = motion(system, x, increment);
+    if (column == 0) out.value = zeros<state_of<System, S>>(mu.size);
+    for (int k = 0; k < mu.size; ++k) {
+      out.value[k] = moved[k].value;
+      out.slope[k][column] = moved[k].slope[0];
+    }
+  }
+  return out;
+}
+
 /// `motion` with its derivative by the state: a system's own, or by dual numbers.
 template <class System, class S>
 linearised<S, System::dimension> linearised_motion(const System& system, const state_of<System, S>& mu,
                                                    const wiener<S, System::channels>& w) {
   if constexpr (requires { system.linearised_motion_over(mu, w); }) {
     return system.linearised_motion_over(mu, w);
+  } else if constexpr (System::dimension < 0) {
+    return linearised_by_column(system, mu, w);
   } else {
     constexpr int n = System::dimension;
     using number = dual<S, n>;

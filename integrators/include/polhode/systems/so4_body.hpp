@@ -41,7 +41,7 @@ struct so4_body : double_bracket<so4_body, so4> {
 
   /// The dissipation alone, to second order: half of the coupling's, that of each body, half of the coupling's.
   template <class S>
-  vec<S, 6> dissipation_flow(const vec<S, 6>& mu, double t) const {
+  [[gnu::noinline]] vec<S, 6> dissipation_flow(const vec<S, 6>& mu, double t) const {
     if (theta == 0) return mu;
     return parted(bodies(parted(mu, t / 2),
                          [&](int which, const vec<S, 3>& x) { return body(which).dissipation_flow(x, theta, t); }),
@@ -49,19 +49,19 @@ struct so4_body : double_bracket<so4_body, so4> {
   }
   /// The motion without dissipation, to second order: half of the coupling, both bodies, half of the coupling.
   template <class S>
-  vec<S, 6> free_flow(const vec<S, 6>& mu, double t) const {
+  [[gnu::noinline]] vec<S, 6> free_flow(const vec<S, 6>& mu, double t) const {
     return first_turn(last_turn(first_turn(mu, t / 2), t), t / 2);
   }
   /// The coupling alone, exact: the sum of both parts stays, and both turn about it.
   template <class S>
-  vec<S, 6> first_turn(const vec<S, 6>& mu, double t) const {
+  [[gnu::noinline]] vec<S, 6> first_turn(const vec<S, 6>& mu, double t) const {
     if (coupling == 0) return mu;
     const auto axis = S(t * coupling) * (so4::part(mu, 0) + so4::part(mu, 1));
     return so4::exp_action(so4::joined(axis, axis), mu);
   }
   /// Both bodies by themselves, each a palindrome of turns about its axes.
   template <class S>
-  vec<S, 6> last_turn(const vec<S, 6>& mu, double t) const {
+  [[gnu::noinline]] vec<S, 6> last_turn(const vec<S, 6>& mu, double t) const {
     return bodies(mu, [&](int which, const vec<S, 3>& x) { return body(which).free_flow(x, t); });
   }
 

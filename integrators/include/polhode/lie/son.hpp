@@ -1,0 +1,192 @@
+// so(n), skew n x n matrices, and its dual, n from 3 to 6, known at run time by the size of a vector: the entries above
+// the diagonal, (1,2), (1,3), …, (2,3), …
+//
+//   [xi, eta] as matrices X Y - Y X,   coad(xi, mu) = ad*_xi mu = M X - X M,   exp_action(xi, mu) = exp(-X) M exp(X)
+//
+// Of n = 3 this is lie/so3.hpp with M = mu^, the matrix of mu x: M_12 = -mu_3, M_13 = mu_2, M_23 = -mu_1.
+#pragma once
+
+#include <polhode/lie/small_matrix.hpp>
+#include <polhode/scalar.hpp>
+#include <polhode/vec.hpp>
+
+namespace polhode {
+
+struct son {
+  static constexpr int most_rows = 6, dimension = -most_rows * (most_rows - 1) / 2;
+  template <class S>
+  using element = vec<S, dimension>;
+  template <class S>
+  using matrix = small_matrix<S, most_rows>;
+
+  /// n of a vector of n (n - 1) / 2 components.
+  static constexpr int rows_of(int components) {
+    int n = 3;
+    while (n * (n - 1) / 2 < components) ++n;
+    return n;
+  }
+  /// The place of entry (i, j), i < j, of n rows.
+  static constexpr int place(int n, int i, int j) { return i * n - i * (i + 1) / 2 + (j - i - 1); }
+
+  template <class S>
+  static matrix<S> as_matrix(const element<S>& v) {
+    matrix<S> out(rows_of(v.size));
+    int k = 0;
+    for (int i = 0; i < out.n; ++i)
+      for (int j = i + 1; j < out.n; ++j, ++k) {
+        out(i, j) = v[k];
+        out(j, i) = -v[k];
+      }
+    return out;
+  }
+  template <class S>
+  static element<S> above_diagonal(const matrix<S>& m) {
+    element<S> out(m.n * (m.n - 1) / 2);
+    int k = 0;
+    for (int i = 0; i < m.n; ++i)
+      for (int j = i + 1; j < m.n; ++j, ++k) out[k] = m(i, j);
+    return out;
+  }
+
+  /// X Y - Y X.
+  template <class S>
+  [[gnu::noinline]] static element<S> bracket(const element<S>& xi, const element<S>& eta) {
+    const auto x = as_matrix(xi), y = as_matrix(eta);
+    element<S> out(xi.size);
+    int place = 0;
+    for (int i = 0; i < x.n; ++i)
+      for (int j = i + 1; j < x.n; ++j, ++place) {
+        S sum(0.0);
+        for (int k = 0; k < x.n; ++k) sum = sum + (x(i, k) * y(k, j) - y(i, k) * x(k, j));
+        out[place] = sum;
+      }
+    return out;
+  }
+  template <class S>
+  static element<S> coad(const element<S>& xi, const element<S>& mu) {
+    return bracket(mu, xi);
+  }
+  template <class S>
+  [[gnu::noinline]] static element<S> exp_action(const element<S>& xi, const element<S>& mu) {
+    return turned(exponential_of(as_matrix(xi)), mu);
+  }
+  /// By the orthogonal matrix (1 - X/2)^-1 (1 + X/2). Of n = 3 the Cayley transform of the coadjoint operator; of n > 3
+  /// that one would keep quadratic Casimirs alone.
+  template <class S>
+  [[gnu::noinline]] static element<S> cayley_action(const element<S>& xi, const element<S>& mu) {
+    return turned(cayley_of(as_matrix(xi)), mu);
+  }
+
+  /// The series sum_k B_k/k! ad_u^k v to k = 14, right to rounding for |u| < 1/2.
+  template <class S>
+  [[gnu::noinline]] static element<S> dexp_inv(const element<S>& u, const element<S>& v) {
+    constexpr double b[] = {1.0 / 12,           -1.0 / 720,     1.0 / 30240,
+                            -1.0 / 1209600,     1.0 / 47900160, -691.0 / 1307674368000.0,
+                            1.0 / 74724249600.0};
+    auto term = bracket(u, v);
+    auto sum = v - S(0.5) * term;
+    for (const double coefficient : b) {
+      term = bracket(u, term);
+      sum = sum + S(coefficient) * term;
+      term = bracket(u, term);
+    }
+    return sum;
+  }
+
+  /// |mu| = (tr M^T M / 2)^(1/2), then tr (M^T M)^k / 2, k = 2 … n/2: they fix the eigenvalues of M.
+  template <class S>
+  static vec<S, -most_rows / 2> casimirs(const element<S>& mu) {
+    const int n = rows_of(mu.size);
+    const auto traces = power_traces(as_matrix(mu), n / 2);
+    vec<S, -most_rows / 2> out(n / 2);
+    for (int k = 0; k < out.size; ++k) out[k] = traces[k];
+    out[0] = square_root(out[0]);
+    return out;
+  }
+
+  /// A point of the orbit of `onto` next to mu: M sum_k c_k (M^T M)^k, its c_k by Newton's method from (1, 0, …). Where
+  /// eigenvalues coincide |mu| alone is put right.
+  template <class S>
+  [[gnu::noinline]] static element<S> orbit_projection(const element<S>& mu, const element<S>& onto) {
+    constexpr int corrections = 6;
+    const int n = rows_of(mu.size), casimirs = n / 2;
+    const auto asked = power_traces(as_matrix(onto), casimirs);
+    auto m = as_matrix(mu);
+    for (int i = 0; i < corrections; ++i) {
+      const auto square = S(-1.0) * (m * m);
+      const auto c = correction(power_traces(m, 2 * casimirs), asked, casimirs);
+      auto power = m;
+      auto next = m;
+      for (int k = 0; k < casimirs; ++k) {
+        next = next + c[k] * power;
+        power = power * square;
+      }
+      m = next;
+    }
+    return above_diagonal(m);
+  }
+
+ private:
+  static constexpr int most_casimirs = most_rows / 2;
+  template <class S>
+  using traces = vec<S, -2 * most_casimirs>;
+
+  /// tr (M^T M)^k / 2, k = 1 … count.
+  template <class S>
+  static traces<S> power_traces(const matrix<S>& m, int count) {
+    const auto square = S(-1.0) * (m * m);
+    auto power = square;
+    traces<S> out(count);
+    for (int k = 0; k < count; ++k) {
+      if (k > 0) power = power * square;
+      S sum(0.0);
+      for (int i = 0; i < m.n; ++i) sum = sum + power(i, i);
+      out[k] = S(0.5) * sum;
+    }
+    return out;
+  }
+
+  /// Of the c_k: q_k (k = 1 …) is asked to be a_k, and changes by sum_j 2 k q_(k+j-1) dc_j.
+  template <class S>
+  static vec<S, -most_casimirs> correction(const traces<S>& q, const traces<S>& asked, int count) {
+    using numbers = vec<S, -most_casimirs>;
+    auto slopes = zeros<polhode::matrix<S, -most_casimirs>>(count);
+    numbers missing(count), scaling(count);
+    for (int k = 0; k < count; ++k) {
+      slopes[k] = numbers(count);
+      for (int j = 0; j < count; ++j) slopes[k][j] = S(2.0 * (k + 1)) * q[k + j];
+      missing[k] = asked[k] - q[k];
+    }
+    scaling[0] = missing[0] / (S(2.0) * q[0]);
+    const auto c = times(inverse(slopes), missing);
+    S most(0.0);
+    for (int k = 0; k < count; ++k) most = most + magnitude(c[k] * q[k]);
+    const auto regular = most < S(10.0) * q[0];  // not where it is no number
+    numbers out(count);
+    for (int k = 0; k < count; ++k) out[k] = select(regular, c[k], scaling[k]);
+    return out;
+  }
+
+  /// R^T M R, R made orthogonal to rounding by a step of Newton's method, R (3 - R^T R) / 2: what squarings leave would
+  /// let the Casimirs drift.
+  template <class S>
+  static element<S> turned(const matrix<S>& nearly, const element<S>& mu) {
+    auto excess = matrix<S>::identity(nearly.n);
+    for (int i = 0; i < nearly.n; ++i)
+      for (int j = 0; j < nearly.n; ++j)
+        for (int k = 0; k < nearly.n; ++k) excess(i, j) = excess(i, j) - nearly(k, i) * nearly(k, j);
+    const auto r = nearly + S(0.5) * (nearly * excess);
+    const auto half = as_matrix(mu) * r;
+    element<S> out(mu.size);
+    int place = 0;
+    for (int i = 0; i < r.n; ++i)
+      for (int j = i + 1; j < r.n; ++j, ++place) {
+        S sum = r(0, i) * half(0, j);
+        for (int k = 1; k < r.n; ++k) sum = sum + r(k, i) * half(k, j);
+        out[place] = sum;
+      }
+    return out;
+  }
+};
+
+}  // namespace polhode

@@ -1,0 +1,80 @@
+// Noise vectors as the columns of a matrix: their class, and the ones of weak order two.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <polhode/vec.hpp>
+
+namespace polhode {
+
+/// On this depend the orders that a scheme may claim. One vector commutes with itself; isotropic: sum sigma sigma^T =
+/// s^2 1.
+enum class noise_class { none, one_vector, isotropic, general };
+
+/// Of a square matrix whose columns are the vectors.
+template <class Matrix>
+noise_class class_of(const Matrix& sigma) {
+  const Matrix covariance = sigma * sigma.transpose();
+  const auto n = sigma.rows();
+  const double scale = covariance.trace() / static_cast<double>(n);
+  if (scale == 0) return noise_class::none;
+  Eigen::FullPivLU<Matrix> rank(sigma);
+  if (rank.rank() == 1) return noise_class::one_vector;
+  return (covariance - scale * Matrix::Identity(n, n)).norm() <= 1e-12 * scale ? noise_class::isotropic
+                                                                               : noise_class::general;
+}
+
+/// Negative eigenvalues are taken for zero.
+template <class Matrix>
+Matrix square_root_of(const Matrix& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(symmetric);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
+/// [v, .] as a matrix.
+template <class Algebra, class Matrix>
+Matrix adjoint_of(const Matrix& sigma, Eigen::Index column) {
+  using element = vec<double, Algebra::dimension>;
+  const int n = static_cast<int>(sigma.rows());
+  auto v = zeros<element>(n);
+  for (int k = 0; k < n; ++k) v[k] = sigma(k, column);
+  Matrix ad(n, n);
+  for (int k = 0; k < n; ++k) {
+    auto e = zeros<element>(n);
+    e[k] = 1;
+    const auto image = Algebra::bracket(v, e);
+    for (int row = 0; row < n; ++row) ad(row, k) = image[row];
+  }
+  return ad;
+}
+
+/// Noise vectors T(dt) for which one exponential of T dW has the law of the Brownian motion on the group to weak
+/// order two, for any sigma on any Lie algebra. With X_i the vector fields of sigma_i,
+///   exp(dt/2 sum X_i^2) - E exp(sum X_i dW^i) = dt^2/2 sum_ab R_ab e_a e_b + O(dt^3),
+///   R = (M Q + Q M^T)/12 + 1/4 sum_{i<j} [sigma_i,sigma_j][sigma_i,sigma_j]^T,
+///   Q = sum sigma_i sigma_i^T,  M = sum_i ad(sigma_i)^2,
+/// so that the covariance Q dt + R dt^2 removes the defect (both sides expanded to dt^2: the words iijj, ijij, ijji
+/// carry 1/8, 0, 0 on the left; 1/24 each on the right, plus 1/12, -1/6, 1/12 from M and 0, 1/8, -1/8 from the
+/// brackets). Isotropic noise on so(3): R = -sigma^4/12, the factor sqrt(1 - sigma^2 dt/12). One vector: R = 0.
+/// T(dt) -> sigma as dt -> 0. Where dt is so large that Q + R dt is indefinite its negative part is dropped.
+/// brackets: [sigma_i, sigma_j], i < j, those that are not zero at least.
+template <class Algebra, class Matrix, class Brackets>
+Matrix weak_order_two_vectors(const Matrix& sigma, const Brackets& brackets, double dt) {
+  const auto n = sigma.rows();
+  const Matrix covariance = sigma * sigma.transpose();
+  Matrix m = Matrix::Zero(n, n), r = Matrix::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Matrix ad = adjoint_of<Algebra>(sigma, i);
+    m += ad * ad;
+  }
+  for (const auto& b : brackets) {
+    const Eigen::Map<const Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1>> e(b.begin(), n);
+    r += 0.25 * e * e.transpose();
+  }
+  r += (m * covariance + covariance * m.transpose()) / 12.0;
+  const Eigen::JacobiSVD<Matrix> svd(sigma, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return Matrix(square_root_of(Matrix(covariance + dt * r)) * svd.matrixU() * svd.matrixV().transpose());
+}
+
+}  // namespace polhode

@@ -1,0 +1,114 @@
+// Coupled classical spins, each with the same anisotropy in the same field, on the dual of so(3)^N.
+//
+//   dS_i = S_i x (Omega_i + theta S_i x Omega_i) dt + sum_k S_i x sigma_ki o dW^k                       (Stratonovich),
+//   h = sum_i (S_i.quadratic S_i / 2 + field.S_i) + sum_{i<j} J_ij S_i.S_j,   Omega_i = dh/dS_i
+//
+// The Casimirs are the lengths |S_i|. Signs as in spin.hpp: h is the energy, the effective field is -Omega_i.
+// Source: Brown, Phys. Rev. 130 (1963) 1677-1686; Arnaudon, De Castro, Holm, arXiv:1601.02249 (coadjoint orbits).
+#pragma once
+
+#include <Eigen/Dense>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include <polhode/lie/so3_power.hpp>
+#include <polhode/systems/constant_noise_sized.hpp>
+#include <polhode/systems/double_bracket.hpp>
+#include <polhode/systems/spin.hpp>
+
+namespace polhode {
+
+inline constexpr int most_spins = 16;
+
+struct spins : double_bracket<spins, so3_power<most_spins>> {
+  using group = so3_power<most_spins>;
+  template <class S>
+  using state = vec<S, group::dimension>;
+  static constexpr bool approximate_dissipation = true;
+
+  /// quadratic symmetric; exchange symmetric, N x N, its diagonal is not looked at; theta >= 0; noise of 3 N
+  /// components.
+  spins(const Eigen::Matrix3d& quadratic, const std::array<double, 3>& field, const Eigen::MatrixXd& exchange,
+        double dissipation, constant_noise<group> noise_vectors)
+      : double_bracket(dissipation, std::move(noise_vectors)),
+        site_(quadratic, field, 0, constant_noise<so3>()),
+        has_site_(!quadratic.isZero(0) || field != std::array<double, 3>{}) {
+    for (int i = 0; i < exchange.rows(); ++i)
+      for (int j = i + 1; j < exchange.rows(); ++j)
+        if (exchange(i, j) != 0) bonds_.push_back({i, j, exchange(i, j)});
+  }
+
+  template <class S>
+  [[gnu::noinline]] state<S> omega(const state<S>& mu) const {
+    state<S> out(mu.size);
+    for (int i = 0; i < mu.size / 3; ++i) group::set_part(out, i, site_.omega(group::part(mu, i)));
+    for (const auto& [i, j, strength] : bonds_)
+      for (int k = 0; k < 3; ++k) {
+        out[3 * i + k] = out[3 * i + k] + S(strength) * mu[3 * j + k];
+        out[3 * j + k] = out[3 * j + k] + S(strength) * mu[3 * i + k];
+      }
+    return out;
+  }
+  template <class S>
+  S energy(const state<S>& mu) const {
+    S sum(0.0);
+    for (int i = 0; i < mu.size / 3; ++i) sum = sum + site_.energy(group::part(mu, i));
+    for (const auto& [i, j, strength] : bonds_) sum = sum + S(strength) * dot(group::part(mu, i), group::part(mu, j));
+    return sum;
+  }
+
+  /// The dissipation alone, to second order: the mean of its generators at both ends of an Euler step, as one
+  /// exponential.
+  template <class S>
+  [[gnu::noinline]] state<S> dissipation_flow(const state<S>& mu, double t) const {
+    if (theta == 0) return mu;
+    return averaged_flow<group>([&](const state<S>& x) { return S(theta * t) * group::coad(omega(x), x); }, mu);
+  }
+  /// The motion without dissipation, to second order.
+  template <class S>
+  [[gnu::noinline]] state<S> free_flow(const state<S>& mu, double t) const {
+    return first_turn(last_turn(first_turn(mu, t / 2), t), t / 2);
+  }
+  /// One principal axis of each spin's own energy, exact.
+  template <class S>
+  [[gnu::noinline]] state<S> first_turn(const state<S>& mu, double t) const {
+    return at_each_site(mu, [&](const vec<S, 3>& x) { return site_.first_turn(x, t); });
+  }
+  /// Half of the rest of it, the bonds, and the other half.
+  template <class S>
+  [[gnu::noinline]] state<S> last_turn(const state<S>& mu, double t) const {
+    const auto rest = [&](const vec<S, 3>& x) { return site_.last_turn(x, t / 2); };
+    auto next = at_each_site(mu, rest);
+    for (auto b = bonds_.begin(); b != bonds_.end(); ++b) turn(next, *b, t / 2);
+    for (auto b = bonds_.rbegin(); b != bonds_.rend(); ++b) turn(next, *b, t / 2);
+    return at_each_site(next, rest);
+  }
+
+ private:
+  struct bond {
+    int i, j;
+    double strength;
+  };
+
+  template <class S, class Flow>
+  state<S> at_each_site(state<S> mu, Flow flow) const {
+    if (!has_site_) return mu;
+    for (int i = 0; i < mu.size / 3; ++i) group::set_part(mu, i, flow(group::part(mu, i)));
+    return mu;
+  }
+  /// One bond alone, exact: the sum of both spins stays, and both turn about it.
+  template <class S>
+  static void turn(state<S>& mu, const bond& of, double t) {
+    const auto a = group::part(mu, of.i), b = group::part(mu, of.j);
+    const auto axis = S(t * of.strength) * (a + b);
+    group::set_part(mu, of.i, so3::exp_action(axis, a));
+    group::set_part(mu, of.j, so3::exp_action(axis, b));
+  }
+
+  spin site_;
+  bool has_site_;
+  std::vector<bond> bonds_;
+};
+
+}  // namespace polhode

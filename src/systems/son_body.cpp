@@ -1,0 +1,134 @@
+// The body in n dimensions: its table, what it offers, and its meeting with the schemes.
+#include <polhode/systems/son_body.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "problem/vectors.hpp"
+#include "systems/system_source.hpp"
+#include "systems/systems.hpp"
+
+namespace polhode {
+namespace {
+
+[[maybe_unused]] son_body make_son_body(const report::scene& s) {
+  return {s.vector("inertia"), dissipation_of(s),
+          son_body::from_vectors(noise_vectors_of(s), static_cast<int>(s.momentum.size()))};
+}
+
+}  // namespace
+}  // namespace polhode
+
+POLHODE_MEETS_SCHEMES(son_body, polhode::make_son_body);
+
+#if POLHODE_COMPILED_ONCE
+namespace polhode {
+namespace {
+
+using report::number_rows;
+using report::shape;
+
+std::size_t rows_of(const report::scene& s) { return static_cast<std::size_t>(s.number("n")); }
+std::size_t components_of(std::size_t rows) { return rows * (rows - 1) / 2; }
+
+/// The two smallest moments make the least inertia.
+rate_bounds rates_of(const report::scene& s) {
+  auto lambda = s.vector("inertia");
+  std::ranges::sort(lambda);
+  const double least = lambda[0] + lambda[1], greatest = lambda.back() + lambda[lambda.size() - 2],
+               size = length(s.momentum);
+  rate_bounds out;
+  out.motion = size / least;
+  out.damping = size * size * (1 / least - 1 / greatest);
+  out.dissipation = dissipation_of(s) * out.damping;
+  for (const auto& v : noise_vectors_of(s)) out.noise += std::pow(length(v), 2);
+  return out;
+}
+
+std::string in_cpp(const report::scene& s) {
+  std::vector<std::string> vectors;
+  for (const auto& v : noise_vectors_of(s)) vectors.push_back(fmt::format("{{{}}}", fmt::join(v, ", ")));
+  return fmt::format(
+      "  const std::vector<std::vector<double>> sigma{{{}}};\n"
+      "  const son_body body({{{}}}, {}, son_body::from_vectors(sigma, {}));\n",
+      fmt::join(vectors, ", "), fmt::join(s.vector("inertia"), ", "), dissipation_of(s), s.momentum.size());
+}
+
+capabilities offers(const report::scene& s) {
+  capabilities out{.rates = rates_of(s)};
+  out.in_unit = [=](int power) { return with_momentum_unit(s, power); };
+  out.in_cpp = in_cpp(s);
+  return out;
+}
+
+parameter_rule rows_rule() {
+  auto rule = number_of("n", "1", "of so(n)");
+  rule.accepts = fmt::format("an integer from 3 to {}", son::most_rows);
+  rule.read = [](const number_rows& given, shape s) -> std::optional<number_rows> {
+    const double n = given[0][0];
+    const bool fits = s == shape::number && n >= 3 && n <= son::most_rows && n == std::floor(n);
+    return fits ? std::optional(given) : std::nullopt;
+  };
+  return rule;
+}
+
+/// lambda_i + lambda_j > 0 for i != j: one of them may be negative, or zero.
+parameter_rule moments_for(std::size_t rows) {
+  auto rule = vector_of("inertia", rows, "inertia", "lambda_i: the inertia in the plane (i, j) is lambda_i + lambda_j");
+  rule.accepts += ", any two of which add up to more than 0";
+  rule.read = [rows](const number_rows& given, shape s) -> std::optional<number_rows> {
+    if (s != shape::vector || given[0].size() != rows) return std::nullopt;
+    auto sorted = given[0];
+    std::ranges::sort(sorted);
+    return sorted[0] + sorted[1] > 0 ? std::optional(given) : std::nullopt;
+  };
+  return rule;
+}
+
+parameter_rule states_for(std::size_t rows) {
+  const auto size = components_of(rows);
+  auto rule = vector_of("momentum", size, "inertia / time", "initial M_12, M_13, …, M_23, …");
+  rule.accepts += ", not all zero";
+  rule.read = [size](const number_rows& given, shape s) -> std::optional<number_rows> {
+    const bool fits = s == shape::vector && given[0].size() == size && length(given[0]) > 0;
+    return fits ? std::optional(given) : std::nullopt;
+  };
+  return rule;
+}
+
+/// A rule whose size follows from n; what it accepts, in a table that has no n.
+template <class For>
+parameter_rule by_rows(For rule_for, std::string accepts) {
+  parameter_rule rule = rule_for(3);
+  rule.accepts = std::move(accepts);
+  rule.refined = [rule_for](const report::scene& s) { return rule_for(rows_of(s)); };
+  return rule;
+}
+
+parameter_rule noise_for(std::size_t rows) { return noise_vectors(components_of(rows), "1 / time^(1/2)"); }
+
+}  // namespace
+
+system_entry son_body_system();
+
+system_entry son_body_system() {
+  return {.name = "son_body",
+          .title = "Dissipative stochastic rigid body in n = 3 to 6 dimensions, on so(n)*; n/2 Casimirs",
+          .dimension = 0,
+          .unit = "inertia / time",
+          .parameters = {rows_rule(), by_rows(moments_for, "n finite numbers, any two of which add up to more than 0"),
+                         dissipation_strength("time / inertia", "dissipation: dh/dt = -theta |ad*_Omega mu|^2"),
+                         by_rows(noise_for, "a finite number, n (n - 1) / 2 of them, or a list of such vectors")},
+          .observables = {{"energy", "h"}, {"mu_1", "first component; so for every one"}},
+          .bind = POLHODE_BOUND_BY_ISA(son_body),
+          .offers = offers,
+          .momentum = by_rows(states_for, "n (n - 1) / 2 finite numbers, not all zero")};
+}
+
+}  // namespace polhode
+#endif

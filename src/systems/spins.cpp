@@ -1,0 +1,225 @@
+// Coupled spins: their table, what they offer, and their meeting with the schemes.
+#include <polhode/systems/spins.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "problem/noise_covariance.hpp"
+#include "problem/vectors.hpp"
+#include "sphere/closed_forms/chain_gibbs.hpp"
+#include "systems/system_source.hpp"
+#include "systems/systems.hpp"
+
+namespace polhode {
+namespace {
+
+Eigen::MatrixXd matrix_of(const report::number_rows& rows) {
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd out(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    out.row(i) = Eigen::Map<const Eigen::RowVectorXd>(rows[static_cast<std::size_t>(i)].data(), n);
+  return out;
+}
+
+[[maybe_unused]] spins make_spins(const report::scene& s) {
+  return {matrix_of(s.vectors("quadratic")), three(s.vector("field")), matrix_of(s.vectors("exchange")),
+          dissipation_of(s), spins::from_vectors(noise_vectors_of(s), static_cast<int>(s.momentum.size()))};
+}
+
+}  // namespace
+}  // namespace polhode
+
+POLHODE_MEETS_SCHEMES(spins, polhode::make_spins);
+
+#if POLHODE_COMPILED_ONCE
+namespace polhode {
+namespace {
+
+using report::number_rows;
+using report::shape;
+
+std::size_t count_of(const report::scene& s) { return static_cast<std::size_t>(s.number("count")); }
+
+std::vector<double> lengths_of(const report::scene& s) {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < count_of(s); ++i) out.push_back(length(std::span(s.momentum).subspan(3 * i, 3)));
+  return out;
+}
+
+/// The fastest spin decides.
+rate_bounds rates_of(const report::scene& s) {
+  const auto quadratic = matrix_of(s.vectors("quadratic"));
+  const double anisotropy = quadratic.norm(), field = length(s.vector("field"));
+  const auto lengths = lengths_of(s);
+  const auto& exchange = s.vectors("exchange");
+  rate_bounds out;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    double motion = anisotropy * lengths[i] + field;
+    for (std::size_t j = 0; j < lengths.size(); ++j)
+      if (j != i) motion += std::fabs(exchange[i][j]) * lengths[j];
+    out.motion = std::max(out.motion, motion);
+    out.damping = std::max(out.damping, lengths[i] * motion);
+    double noise = 0;
+    for (const auto& v : noise_vectors_of(s)) noise += std::pow(length(std::span(v).subspan(3 * i, 3)), 2);
+    out.noise = std::max(out.noise, noise);
+  }
+  out.dissipation = dissipation_of(s) * out.damping;
+  return out;
+}
+
+std::string matrix_in_cpp(std::string_view name, const number_rows& rows) {
+  std::vector<std::string> entries;
+  for (const auto& row : rows) entries.push_back(fmt::format("{}", fmt::join(row, ", ")));
+  return fmt::format("  Eigen::MatrixXd {0}({1}, {1});\n  {0} << {2};\n", name, rows.size(), fmt::join(entries, ", "));
+}
+
+std::string in_cpp(const report::scene& s) {
+  std::vector<std::string> vectors;
+  for (const auto& v : noise_vectors_of(s)) vectors.push_back(fmt::format("{{{}}}", fmt::join(v, ", ")));
+  return matrix_in_cpp("quadratic", s.vectors("quadratic")) + matrix_in_cpp("exchange", s.vectors("exchange")) +
+         fmt::format(
+             "  const std::vector<std::vector<double>> sigma{{{}}};\n"
+             "  const spins body(quadratic, {{{}}}, exchange, {}, spins::from_vectors(sigma, {}));\n",
+             fmt::join(vectors, ", "), fmt::join(s.vector("field"), ", "), dissipation_of(s), s.momentum.size());
+}
+
+capabilities offers(const report::scene& s) {
+  capabilities out{.rates = rates_of(s)};
+  const double strength = isotropic_strength(s);
+  chain_gibbs law{.sites = {},
+                  .exchange = matrix_of(s.vectors("exchange")),
+                  .beta = strength > 0 ? 2 * dissipation_of(s) / (strength * strength) : 0};
+  const Eigen::Matrix3d quadratic = matrix_of(s.vectors("quadratic"));
+  for (const double length : lengths_of(s))
+    law.sites.push_back({quadratic, Eigen::Vector3d(s.vector("field").data()), length});
+  if (strength > 0 && law.solvable())
+    out.gibbs_mean = [law](std::string_view observable) { return law.mean(observable); };
+  out.in_cpp = in_cpp(s);
+  return out;
+}
+
+parameter_rule count_rule() {
+  auto rule = number_of("count", "1", "N, the number of spins");
+  rule.accepts = fmt::format("an integer from 1 to {}", most_spins);
+  rule.read = [](const number_rows& given, shape s) -> std::optional<number_rows> {
+    const bool fits =
+        s == shape::number && given[0][0] >= 1 && given[0][0] <= most_spins && given[0][0] == std::floor(given[0][0]);
+    return fits ? std::optional(given) : std::nullopt;
+  };
+  return rule;
+}
+
+parameter_rule chain_rule() {
+  auto rule = number_of("open", "1", "whether the bonds of a number `exchange` form a chain and no ring");
+  rule.accepts = "true or false";
+  rule.is_flag = true;
+  rule.fallback = number_rows{{0}};
+  return rule;
+}
+
+/// J between neighbours; a ring of two has one bond.
+number_rows bonds_between_neighbours(std::size_t count, bool open, double strength) {
+  number_rows out(count, std::vector<double>(count, 0.0));
+  for (std::size_t i = 0; i + 1 < count; ++i) out[i][i + 1] = out[i + 1][i] = strength;
+  if (!open && count > 2) out[0][count - 1] = out[count - 1][0] = strength;
+  return out;
+}
+
+parameter_rule exchange_for(std::size_t count, bool open) {
+  auto rule = symmetric_matrix("exchange", count, "1 / (momentum time)", "J_ij in h; a number: between neighbours");
+  rule.accepts = fmt::format("a finite number, or a symmetric {0} x {0} matrix of finite numbers", count);
+  rule.read = [=, matrix = rule.read](const number_rows& given, shape s) {
+    if (s == shape::number) return std::optional(bonds_between_neighbours(count, open, given[0][0]));
+    return s == shape::vectors ? matrix(given, s) : std::nullopt;
+  };
+  rule.fallback = bonds_between_neighbours(count, open, 0);
+  return rule;
+}
+
+parameter_rule exchange_rule() {
+  auto rule = exchange_for(1, false);
+  rule.accepts = "a finite number, or a symmetric count x count matrix of finite numbers";
+  rule.refined = [](const report::scene& s) { return exchange_for(count_of(s), s.number("open") != 0); };
+  return rule;
+}
+
+parameter_rule noise_rule() {
+  auto rule = noise_vectors(3, "1 / time^(1/2)");
+  rule.accepts = "a finite number, 3 count of them, or a list of vectors of 3 count";
+  rule.refined = [](const report::scene& s) { return noise_vectors(3 * count_of(s), "1 / time^(1/2)"); };
+  return rule;
+}
+
+/// One spin for all, or each of them; none of length zero.
+parameter_rule states_for(std::size_t count) {
+  auto rule =
+      vector_of("momentum", 3 * count, "momentum", "initial spins, one after the other; three numbers: all alike");
+  rule.accepts = fmt::format("three finite numbers, or {} of them, no spin zero", 3 * count);
+  rule.read = [=](const number_rows& given, shape s) -> std::optional<number_rows> {
+    if (s != shape::vector) return std::nullopt;
+    std::vector<double> all;
+    if (given[0].size() == 3)
+      for (std::size_t i = 0; i < count; ++i) all.insert(all.end(), given[0].begin(), given[0].end());
+    else
+      all = given[0];
+    if (all.size() != 3 * count) return std::nullopt;
+    for (std::size_t i = 0; i < count; ++i)
+      if (length(std::span(all).subspan(3 * i, 3)) == 0) return std::nullopt;
+    return number_rows{all};
+  };
+  return rule;
+}
+
+parameter_rule states_rule() {
+  auto rule = states_for(1);
+  rule.accepts = "three finite numbers, or 3 count of them, no spin zero";
+  rule.refined = [](const report::scene& s) { return states_for(count_of(s)); };
+  return rule;
+}
+
+template <class Value>
+parameter_rule with_fallback(parameter_rule rule, Value value) {
+  rule.fallback = std::move(value);
+  return rule;
+}
+
+std::vector<observable_entry> observables() {
+  return {{"energy", "h"},
+          {"s1_3", "third component of the first spin; so for every spin and component"},
+          {"s1_3^2", "its square; so for every spin and component"}};
+}
+
+}  // namespace
+
+system_entry spins_system();
+
+system_entry spins_system() {
+  return {
+      .name = "spins",
+      .title = fmt::format("Up to {} coupled dissipative stochastic spins on so(3)*^N, N Casimirs |S_i|", most_spins),
+      .dimension = 0,
+      .unit = "momentum",
+      .parameters = {count_rule(),
+                     with_fallback(symmetric_matrix("quadratic", 3, "1 / (momentum time)",
+                                                    "Lambda in S_i.Lambda S_i / 2, of any signature, of every spin"),
+                                   number_rows(3, {0, 0, 0})),
+                     with_fallback(vector_of("field", 3, "1 / time", "b in b.S_i, of every spin"),
+                                   number_rows{{0, 0, 0}}),
+                     chain_rule(), exchange_rule(),
+                     dissipation_strength("1 / momentum", "dissipation: dh/dt = -theta sum |S_i x Omega_i|^2"),
+                     noise_rule()},
+      .observables = observables(),
+      .bind = POLHODE_BOUND_BY_ISA(spins),
+      .offers = offers,
+      .momentum = states_rule()};
+}
+
+}  // namespace polhode
+#endif

@@ -1,0 +1,205 @@
+// What every Lie algebra of lie/ must do, against matrices. A new one adds its name and a state.
+#include <gtest/gtest.h>
+
+#include <polhode/lie/se2.hpp>
+#include <polhode/lie/se3.hpp>
+#include <polhode/lie/so3_power.hpp>
+#include <polhode/lie/so4.hpp>
+#include <polhode/lie/son.hpp>
+
+#include "support/dense.hpp"
+#include "support/schemes.hpp"
+
+namespace polhode::test {
+namespace {
+
+template <class Algebra, int components = Algebra::dimension>
+struct on {
+  using algebra = Algebra;
+  using element = vec<double, Algebra::dimension>;
+  static constexpr int n = components;
+  static constexpr bool by_matrices = std::is_same_v<Algebra, son>;
+  static constexpr double dexp_inv_reach = by_matrices ? 0.6 : 5;  ///< a series, or a closed form
+
+  static element of(const vec<double, n>& numbers) {
+    auto out = zeros<element>(n);
+    for (int k = 0; k < n; ++k) out[k] = numbers[k];
+    return out;
+  }
+  /// Of a length that is no more than the largest angle.
+  static element some(std::uint64_t i, double size) {
+    const auto v = normals<n>({12, noise_kind::initial_state, i, 0});
+    return size / std::sqrt(dot(v, v)) * of(v);
+  }
+  static element state() { return some(99, 1.3); }
+  static Eigen::VectorXd numbers(const element& v) { return Eigen::Map<const Eigen::VectorXd>(v.begin(), n); }
+  static Eigen::MatrixXd coad_matrix(const element& xi) {
+    Eigen::MatrixXd m(n, n);
+    for (int k = 0; k < n; ++k) {
+      auto e = zeros<element>(n);
+      e[k] = 1;
+      m.col(k) = numbers(Algebra::coad(xi, e));
+    }
+    return m;
+  }
+  static double distance(const element& a, const Eigen::VectorXd& b) { return (numbers(a) - b).norm(); }
+  static double distance(const element& a, const element& b) { return distance(a, numbers(b)); }
+};
+
+template <class On>
+struct LieAlgebra : testing::Test {};
+using every_algebra = testing::Types<on<so3>, on<so4>, on<so3_power<16>, 9>, on<se2>, on<se3>, on<son, 3>, on<son, 6>,
+                                     on<son, 10>, on<son, 15>>;
+TYPED_TEST_SUITE(LieAlgebra, every_algebra);
+
+constexpr double sizes[] = {0.0, 1e-300, 1e-12, 1e-6, 1e-3, 0.199, 0.201, 1.0, 3.0, 10.0};
+
+TYPED_TEST(LieAlgebra, ExponentialActionIsTheMatrixExponential) {
+  using on = TypeParam;
+  for (const double size : sizes)
+    for (std::uint64_t i = 0; i < 10; ++i) {
+      const auto xi = on::some(i, size);
+      const Eigen::VectorXd expected = exponential_of(on::coad_matrix(xi)) * on::numbers(on::state());
+      EXPECT_LE(on::distance(on::algebra::exp_action(xi, on::state()), expected), 2e-14 * std::max(1.0, size));
+    }
+}
+
+TYPED_TEST(LieAlgebra, CayleyActionIsTheCayleyTransform) {
+  using on = TypeParam;
+  if (on::by_matrices && on::n > 3) return;  // another one: OfMatricesIsByAnOrthogonalMatrix
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(on::n, on::n);
+  for (const double size : sizes)
+    for (std::uint64_t i = 0; i < 10; ++i) {
+      const Eigen::MatrixXd half = 0.5 * on::coad_matrix(on::some(i, size));
+      const Eigen::VectorXd expected = solution_of(one - half, (one + half) * on::numbers(on::state()));
+      EXPECT_LE(on::distance(on::algebra::cayley_action(on::some(i, size), on::state()), expected),
+                2e-14 * std::max(1.0, size));
+    }
+}
+
+TYPED_TEST(LieAlgebra, ActionsKeepTheCasimirs) {
+  using on = TypeParam;
+  using algebra = typename on::algebra;
+  const auto casimirs = algebra::casimirs(on::state());
+  for (const double size : sizes)
+    for (std::uint64_t i = 0; i < 10; ++i)
+      for (const auto& next : {algebra::exp_action(on::some(i, size), on::state()),
+                               algebra::cayley_action(on::some(i, size), on::state())})
+        for (int k = 0; k < casimirs.size; ++k)
+          EXPECT_NEAR(algebra::casimirs(next)[k] / casimirs[k], 1, 1e-15 * std::max(4.0, size)) << size;
+}
+
+TYPED_TEST(LieAlgebra, BracketIsTheCommutatorOfCoadjointOperatorsInItsOrder) {
+  using on = TypeParam;
+  using algebra = typename on::algebra;
+  const auto x = on::some(1, 0.7), y = on::some(2, 1.3), mu = on::state();
+  const auto commutator = algebra::coad(y, algebra::coad(x, mu)) - algebra::coad(x, algebra::coad(y, mu));
+  EXPECT_LE(on::distance(commutator, algebra::coad(algebra::bracket(x, y), mu)), 1e-14);
+}
+
+TYPED_TEST(LieAlgebra, BracketObeysJacobi) {
+  using on = TypeParam;
+  const auto b = [](const auto& x, const auto& y) { return on::algebra::bracket(x, y); };
+  const auto x = on::some(1, 0.7), y = on::some(2, 1.3), z = on::some(3, 0.9);
+  const auto sum = b(x, b(y, z)) + b(y, b(z, x)) + b(z, b(x, y));
+  EXPECT_LE(on::numbers(sum).norm(), 1e-15);
+}
+
+/// d/dt exp(C(u + t w)) at t = 0 equals C(v) exp(C(u)) where w = dexp_inv(-u, v).
+TYPED_TEST(LieAlgebra, DexpInvInvertsTheDifferentialOfTheAction) {
+  using on = TypeParam;
+  using algebra = typename on::algebra;
+  for (const double size : {1e-9, 1e-3, 0.1, 0.19, 0.21, 1.0, 3.0, 5.0}) {
+    if (size > on::dexp_inv_reach) continue;
+    const auto u = on::some(3, size), v = on::some(4, 1.0), w = algebra::dexp_inv(-u, v);
+    constexpr double h = 1e-4;
+    const auto at = [&](double t) { return algebra::exp_action(u + t * w, on::state()); };
+    const auto slope = (1 / (12 * h)) * (8.0 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h)));
+    EXPECT_LE(on::distance(slope, algebra::coad(v, algebra::exp_action(u, on::state()))), 1e-9) << size;
+  }
+}
+
+/// The sum of B_k/k! ad_u^k v, on both sides of the angle where the closed form takes over.
+TYPED_TEST(LieAlgebra, DexpInvIsItsSeries) {
+  using on = TypeParam;
+  using algebra = typename on::algebra;
+  const double b[] = {-0.5, 1.0 / 12, 0, -1.0 / 720, 0, 1.0 / 30240, 0, -1.0 / 1209600, 0, 1.0 / 47900160};
+  for (const double size : {0.0, 1e-6, 0.1, 0.2 - 1e-9, 0.2 + 1e-9}) {
+    const auto u = on::some(5, size), v = on::some(6, 1.0);
+    auto sum = v, term = v;
+    for (const double coefficient : b) {
+      term = algebra::bracket(u, term);
+      sum = sum + coefficient * term;
+    }
+    EXPECT_LE(on::distance(algebra::dexp_inv(u, v), sum), 2e-15) << size;
+  }
+}
+
+TYPED_TEST(LieAlgebra, ProjectionPutsAStateBackOntoItsOrbit) {
+  using on = TypeParam;
+  using algebra = typename on::algebra;
+  const auto orbit = algebra::casimirs(on::state());
+  for (const double far : {1e-12, 0.01, 0.5}) {
+    if (on::by_matrices && far > 0.1) continue;
+    const auto back = algebra::orbit_projection(on::state() + on::some(7, far), on::state());
+    for (int k = 0; k < orbit.size; ++k) EXPECT_NEAR(algebra::casimirs(back)[k] / orbit[k], 1, 4e-15) << far;
+    EXPECT_LE(on::distance(back, on::state()), 3 * far + 1e-15);
+  }
+  EXPECT_LE(on::distance(algebra::orbit_projection(on::state(), on::state()), on::state()), 5e-16);
+}
+
+/// Of a vector above the diagonal.
+Eigen::MatrixXd skew(const vec<double, son::dimension>& v) {
+  const auto m = son::as_matrix(v);
+  Eigen::MatrixXd out(m.n, m.n);
+  for (int i = 0; i < m.n; ++i)
+    for (int j = 0; j < m.n; ++j) out(i, j) = m(i, j);
+  return out;
+}
+
+TEST(Son, CayleyActionIsByAnOrthogonalMatrix) {
+  using six = on<son, 15>;
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(6, 6), m = skew(six::state());
+  for (const double size : sizes) {
+    const Eigen::MatrixXd x = 0.5 * skew(six::some(1, size)), r = (one - x).inverse() * (one + x);
+    EXPECT_LE((skew(son::cayley_action(six::some(1, size), six::state())) - r.transpose() * m * r).norm(), 1e-13);
+  }
+}
+
+/// M = mu^.
+TEST(Son, OfThreeRowsIsSo3) {
+  using three = on<son, 3>;
+  const auto hat = [](const vec<double, 3>& v) { return three::of({{-v[2], v[1], -v[0]}}); };
+  const vec<double, 3> mu{{0.6, 0.48, 0.64}};
+  for (const double size : {1e-6, 0.3, 2.0}) {
+    const auto xi = size * normals<3>({12, noise_kind::initial_state, 1, 0});
+    EXPECT_LE(three::distance(son::coad(hat(xi), hat(mu)), hat(so3::coad(xi, mu))), 1e-15 * std::max(1.0, size));
+    EXPECT_LE(three::distance(son::exp_action(hat(xi), hat(mu)), hat(so3::exp_action(xi, mu))), 4e-15);
+    EXPECT_LE(three::distance(son::cayley_action(hat(xi), hat(mu)), hat(so3::cayley_action(xi, mu))), 4e-15);
+    EXPECT_LE(three::distance(son::bracket(hat(xi), hat(mu)), hat(so3::bracket(xi, mu))), 1e-15 * std::max(1.0, size));
+  }
+  EXPECT_NEAR(son::casimirs(hat(mu))[0], so3::casimirs(mu)[0], 1e-15);
+}
+
+/// A lane's own number of squarings.
+TEST(Son, LanesDoNotSeeEachOther) {
+  using three = on<son, 6>;
+  using packs = vec<pack, son::dimension>;
+  packs xi(6), mu(6);
+  for (int k = 0; k < 6; ++k) {
+    xi[k] = pack([&](auto lane) {
+      return std::ldexp(three::some(static_cast<std::uint64_t>(lane), 1)[k], 2 * static_cast<int>(lane) - 4);
+    });
+    mu[k] = three::state()[k];
+  }
+  const auto all = son::exp_action(xi, mu);
+  for (std::size_t lane = 0; lane < pack::size(); ++lane) {
+    auto own = zeros<three::element>(6);
+    for (int k = 0; k < 6; ++k) own[k] = xi[k][lane];
+    const auto alone = son::exp_action(own, three::state());
+    for (int k = 0; k < 6; ++k) EXPECT_NEAR(all[k][lane], alone[k], 1e-13) << lane;
+  }
+}
+
+}  // namespace
+}  // namespace polhode::test

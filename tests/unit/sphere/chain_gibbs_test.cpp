@@ -1,0 +1,129 @@
+// The Gibbs law of coupled spins, by transfer matrices, against closed forms and sums over all points of all spheres.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sphere/closed_forms/chain_gibbs.hpp"
+#include "sphere/harmonics/harmonics.hpp"
+
+namespace polhode {
+namespace {
+
+/// coth x - 1/x.
+double langevin(double x) { return 1 / std::tanh(x) - 1 / x; }
+
+chain_site free_spin(double length = 1) { return {Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero(), length}; }
+
+Eigen::MatrixXd chain(int count, double strength) {
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(count, count);
+  for (int i = 0; i + 1 < count; ++i) out(i, i + 1) = out(i + 1, i) = strength;
+  return out;
+}
+
+double mean(const chain_gibbs& law, std::string_view name, double within = 1e-11) {
+  const auto found = law.mean(name);
+  EXPECT_TRUE(found && found->value) << name;
+  if (!found || !found->value) return NAN;
+  EXPECT_LE(found->uncertainty, within) << name;
+  EXPECT_EQ(found->reason, "") << name;
+  return *found->value;
+}
+
+TEST(ChainGibbs, OfTwoBoundSpinsIsTheClosedForm) {
+  const chain_gibbs law{{free_spin(), free_spin()}, chain(2, 1), 10};
+  EXPECT_NEAR(mean(law, "energy"), -0.9000000041, 1e-10);
+  EXPECT_NEAR(mean(law, "energy"), -langevin(10), 1e-12);
+  EXPECT_NEAR(mean(law, "s2_3"), 0, 1e-13);
+  EXPECT_NEAR(mean(law, "s1_2^2"), 1.0 / 3, 1e-12);
+}
+
+TEST(ChainGibbs, OfAChainOfFreeSpinsHasIndependentBonds) {
+  const chain_gibbs law{{free_spin(), free_spin(2), free_spin(0.5), free_spin()}, chain(4, -0.7), 3};
+  EXPECT_NEAR(mean(law, "energy"), -1.4 * langevin(4.2) - 0.7 * langevin(2.1) - 0.35 * langevin(1.05), 1e-12);
+}
+
+TEST(ChainGibbs, OfSpinsInAFieldWithoutBondsIsLangevins) {
+  const Eigen::Vector3d field(0, 0, 0.8);
+  const chain_gibbs law{{{Eigen::Matrix3d::Zero(), field, 1}, {Eigen::Matrix3d::Zero(), field, 2}}, chain(2, 0), 2};
+  EXPECT_NEAR(mean(law, "s1_3"), -langevin(1.6), 1e-12);
+  EXPECT_NEAR(mean(law, "mu_6"), -2 * langevin(3.2), 1e-12);
+  EXPECT_NEAR(mean(law, "energy"), -0.8 * langevin(1.6) - 1.6 * langevin(3.2), 1e-12);
+}
+
+/// Three of them on a ring or a chain of different bonds, by a sum over all points of three spheres.
+struct summed {
+  double energy = 0, component = 0, square = 0;
+};
+summed by_sums(const chain_gibbs& law) {
+  const auto rule = sphere_quadrature(18);
+  const auto n = rule.weights.size();
+  const auto spin = [&](std::size_t site, Eigen::Index i) -> Eigen::Vector3d {
+    return law.sites[site].length * rule.points.row(i).transpose();
+  };
+  const auto own = [&](std::size_t site, const Eigen::Vector3d& s) {
+    return 0.5 * s.dot(law.sites[site].quadratic * s) + law.sites[site].field.dot(s);
+  };
+  summed out;
+  double total = 0;
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j)
+      for (Eigen::Index k = 0; k < n; ++k) {
+        const auto a = spin(0, i), b = spin(1, j), c = spin(2, k);
+        const double h = own(0, a) + own(1, b) + own(2, c) + law.exchange(0, 1) * a.dot(b) +
+                         law.exchange(1, 2) * b.dot(c) + law.exchange(0, 2) * a.dot(c);
+        const double mass = rule.weights[i] * rule.weights[j] * rule.weights[k] * std::exp(-law.beta * h);
+        total += mass;
+        out.energy += mass * h;
+        out.component += mass * c[2];
+        out.square += mass * b[0] * b[0];
+      }
+  return {out.energy / total, out.component / total, out.square / total};
+}
+
+void expect_sums(const Eigen::Matrix3d& exchange) {
+  Eigen::Matrix3d tilted;
+  tilted << 0.5, 0.2, 0, 0.2, -0.4, 0.1, 0, 0.1, 0.3;
+  const chain_gibbs law{{{tilted, {0.2, 0, 0.4}, 1}, {tilted, {0, 0, 0.4}, 1.2}, free_spin(0.9)}, exchange, 1.1};
+  const auto truth = by_sums(law);
+  EXPECT_NEAR(mean(law, "energy"), truth.energy, 1e-10);
+  EXPECT_NEAR(mean(law, "s3_3"), truth.component, 1e-10);
+  EXPECT_NEAR(mean(law, "mu_4^2"), truth.square, 1e-10);
+}
+
+TEST(ChainGibbs, OfARingIsWhatSumsOverAllPointsGive) {
+  Eigen::Matrix3d ring;
+  ring << 0, 0.6, -0.3, 0.6, 0, 0.5, -0.3, 0.5, 0;
+  expect_sums(ring);
+}
+
+TEST(ChainGibbs, OfAChainIsWhatSumsOverAllPointsGive) {
+  Eigen::Matrix3d open;
+  open << 0, 0, -0.3, 0, 0, 0.5, -0.3, 0.5, 0;
+  expect_sums(open);
+}
+
+TEST(ChainGibbs, OfAUniformRingIsThatOfOneWithUnequalBondsThatAreEqual) {
+  chain_gibbs law{std::vector<chain_site>(4, {Eigen::Vector3d(0, 0, -0.8).asDiagonal(), {0.3, 0, 0}, 1}),
+                  chain(4, -0.5), 1.5};
+  law.exchange(0, 3) = law.exchange(3, 0) = -0.5;
+  const double uniform = mean(law, "energy");
+  law.exchange(0, 3) = law.exchange(3, 0) = -0.5 * (1 + 1e-13);
+  EXPECT_NEAR(mean(law, "energy"), uniform, 1e-12);
+}
+
+TEST(ChainGibbs, KnowsWhatItCannotSolve) {
+  const chain_gibbs law{std::vector<chain_site>(4, free_spin()), Eigen::MatrixXd::Ones(4, 4), 1};
+  EXPECT_FALSE(law.solvable());
+  EXPECT_FALSE(law.mean("s5_1"));
+  EXPECT_FALSE(law.mean("pi1"));
+}
+
+TEST(ChainGibbs, SaysSoWhereTheLawIsTooNarrow) {
+  const chain_gibbs law{{free_spin(), free_spin()}, chain(2, 1), 1e5};
+  const auto found = law.mean("energy");
+  ASSERT_TRUE(found);
+  EXPECT_NE(found->reason, "");
+}
+
+}  // namespace
+}  // namespace polhode
