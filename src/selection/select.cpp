@@ -117,7 +117,7 @@ selection select(const context& c, const goal_question& q, const std::vector<std
   explain(prospects, met, out);
   if (out.winner) say_observables(q, *out.winner, out);
   if (out.winner) std::ranges::copy(advice(prospects, *out.winner, q.tolerance), std::back_inserter(out.notes));
-  if (!out.winner || c.subject.scene.system != "rigid_body") return out;
+  if (!out.winner || c.subject.offers->in_cpp.empty()) return out;
   const auto who = std::ranges::find(candidates, out.winner->scheme, &candidate::name);
   const int channels = std::max(1, c.subject.model->layout().active);
   const int cells = 1 + static_cast<int>(std::lround(goal->further_normals(*who, out.winner->dt) / channels));

@@ -2,7 +2,6 @@
 #include <polhode/systems/son_body.hpp>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,19 +49,9 @@ rate_bounds rates_of(const report::scene& s) {
   return out;
 }
 
-std::string in_cpp(const report::scene& s) {
-  std::vector<std::string> vectors;
-  for (const auto& v : noise_vectors_of(s)) vectors.push_back(fmt::format("{{{}}}", fmt::join(v, ", ")));
-  return fmt::format(
-      "  const std::vector<std::vector<double>> sigma{{{}}};\n"
-      "  const son_body body({{{}}}, {}, son_body::from_vectors(sigma, {}));\n",
-      fmt::join(vectors, ", "), fmt::join(s.vector("inertia"), ", "), dissipation_of(s), s.momentum.size());
-}
-
 capabilities offers(const report::scene& s) {
   capabilities out{.rates = rates_of(s)};
   out.in_unit = [=](int power) { return with_momentum_unit(s, power); };
-  out.in_cpp = in_cpp(s);
   return out;
 }
 

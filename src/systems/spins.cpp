@@ -2,7 +2,6 @@
 #include <polhode/systems/spins.hpp>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -74,22 +73,6 @@ rate_bounds rates_of(const report::scene& s) {
   return out;
 }
 
-std::string matrix_in_cpp(std::string_view name, const number_rows& rows) {
-  std::vector<std::string> entries;
-  for (const auto& row : rows) entries.push_back(fmt::format("{}", fmt::join(row, ", ")));
-  return fmt::format("  Eigen::MatrixXd {0}({1}, {1});\n  {0} << {2};\n", name, rows.size(), fmt::join(entries, ", "));
-}
-
-std::string in_cpp(const report::scene& s) {
-  std::vector<std::string> vectors;
-  for (const auto& v : noise_vectors_of(s)) vectors.push_back(fmt::format("{{{}}}", fmt::join(v, ", ")));
-  return matrix_in_cpp("quadratic", s.vectors("quadratic")) + matrix_in_cpp("exchange", s.vectors("exchange")) +
-         fmt::format(
-             "  const std::vector<std::vector<double>> sigma{{{}}};\n"
-             "  const spins body(quadratic, {{{}}}, exchange, {}, spins::from_vectors(sigma, {}));\n",
-             fmt::join(vectors, ", "), fmt::join(s.vector("field"), ", "), dissipation_of(s), s.momentum.size());
-}
-
 capabilities offers(const report::scene& s) {
   capabilities out{.rates = rates_of(s)};
   const double strength = isotropic_strength(s);
@@ -101,7 +84,6 @@ capabilities offers(const report::scene& s) {
     law.sites.push_back({quadratic, Eigen::Vector3d(s.vector("field").data()), length});
   if (strength > 0 && law.solvable())
     out.gibbs_mean = [law](std::string_view observable) { return law.mean(observable); };
-  out.in_cpp = in_cpp(s);
   return out;
 }
 

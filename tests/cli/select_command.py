@@ -30,8 +30,8 @@ class Select(unittest.TestCase):
                             (('paper', '--goal', 'strong', '--tolerance', '1e-1', '--observable', 'energy'), ['energy', 'weak and stationary'])):
             self.refused(*args, names=names)
 
-    def answer(self, *args):
-        rc, out, err = run_it('paper', *args, '--format', 'json')
+    def answer(self, *args, scene='paper'):
+        rc, out, err = run_it(scene, *args, '--format', 'json')
         self.assertEqual((rc, err), (0, ''))
         return json.loads(out)
 
@@ -65,6 +65,14 @@ class Select(unittest.TestCase):
                 self.assertTrue(all(x['reason'] for x in r['rejected']))
                 # The mean of a thousand paths: true value 0.2812, standard deviation below 0.2.
                 self.assertAlmostEqual(float(self.compiled_and_run(r['snippet']).split()[-1]), 0.2812, delta=0.02)
+
+    # Every system whose state has a fixed size says how to declare it; the others answer without a program.
+    def test_programs_of_other_systems_run(self):
+        for scene in ('spin', 'so4', 'heavy_top', 'maxwell_bloch'):
+            with self.subTest(scene=scene):
+                r = self.answer('--goal', 'energy', '--tolerance', '1e-2', scene=scene)
+                self.assertRegex(self.compiled_and_run(r['snippet']), r'\Amean energy after [\d.]+: -?\d+\.\d+\n\Z')
+        self.assertEqual(self.answer('--goal', 'energy', '--tolerance', '1e-2', scene='spin_pair')['snippet'], '')
 
     def test_one_observable_says_of_what_it_is_silent(self):
         args = ('--goal', 'weak', '--tolerance', '1e-3', '--observable', 'energy', '--require', 'casimir-exact,explicit,no-areas')
