@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <polhode/systems/maxwell_bloch.hpp>
+#include <polhode/systems/son_body.hpp>
 #include <polhode/systems/spin.hpp>
 #include <polhode/systems/spins.hpp>
 
@@ -170,11 +171,11 @@ TEST(Flows, OfMaxwellAndBlochAreOfSecondOrder) {
               3, 0.1);
 }
 
-TEST(Flows, OfCoupledSpinsAreOfSecondOrder) {
-  const Eigen::Matrix3d ring = 0.6 * (Eigen::Matrix3d::Ones() - Eigen::Matrix3d::Identity());
-  const spins s(tilted(), {0.3, -0.2, 0.5}, ring, 0.7, spins::isotropic(0, 9));
-  using group = spins::group;
-  using state = vec<double, group::dimension>;
+/// Of a system whose size is known at run time alone: both flows against Odeint.
+template <class System>
+void expect_flows_of_second_order(const System& s, int components) {
+  using algebra = typename System::algebra;
+  using state = vec<double, algebra::dimension>;
   const auto by_solver = [](const auto& drift, const state& mu, double t) {
     const std::vector<double> first(mu.begin(), mu.end());
     const auto end = solve_drift(
@@ -188,8 +189,8 @@ TEST(Flows, OfCoupledSpinsAreOfSecondOrder) {
     std::ranges::copy(end, out.begin());
     return out;
   };
-  state mu(9);
-  for (int k = 0; k < 9; ++k) mu[k] = normals<9>({5, noise_kind::initial_state, 0, 0})[k];
+  state mu(components);
+  for (int k = 0; k < components; ++k) mu[k] = normals<16>({5, noise_kind::initial_state, 0, 0})[k];
   const auto order = [&](const auto& flow, const auto& drift) {
     const auto error = [&](double t) {
       const auto apart = flow(mu, t) - by_solver(drift, mu, t);
@@ -198,11 +199,25 @@ TEST(Flows, OfCoupledSpinsAreOfSecondOrder) {
     return std::log2(error(0.02) / error(0.01));
   };
   EXPECT_NEAR(order([&](const state& x, double t) { return s.dissipation_flow(x, t); },
-                    [&](const state& x) { return s.theta * group::coad(group::coad(s.omega(x), x), x); }),
+                    [&](const state& x) { return s.theta * algebra::coad(algebra::coad(s.omega(x), x), x); }),
               3, 0.1);
   EXPECT_NEAR(order([&](const state& x, double t) { return s.free_flow(x, t); },
-                    [&](const state& x) { return group::coad(s.omega(x), x); }),
+                    [&](const state& x) { return algebra::coad(s.omega(x), x); }),
               3, 0.1);
+}
+
+TEST(Flows, OfCoupledSpinsAreOfSecondOrder) {
+  const Eigen::Matrix3d ring = 0.6 * (Eigen::Matrix3d::Ones() - Eigen::Matrix3d::Identity());
+  expect_flows_of_second_order(spins(tilted(), {0.3, -0.2, 0.5}, ring, 0.7, spins::isotropic(0, 9)), 9);
+}
+
+TEST(Flows, OfBodiesInMoreDimensionsAreOfSecondOrder) {
+  const std::vector<double> lambda{1, 1.4, 0.7, 2, 1.2, 0.9};
+  for (const int n : {4, 5, 6}) {
+    const int components = n * (n - 1) / 2;
+    expect_flows_of_second_order(
+        son_body({lambda.begin(), lambda.begin() + n}, 0.3, son_body::isotropic(0, components)), components);
+  }
 }
 
 }  // namespace

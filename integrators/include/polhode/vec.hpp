@@ -104,9 +104,6 @@ constexpr Vector zeros(int n) {
     return Vector{};
 }
 
-/// Numbers that a vector of that N can hold.
-constexpr int capacity_of(int n) { return n < 0 ? -n : n; }
-
 /// Zero as a type: what is absent costs nothing. A step written for vectors drops the terms in which it appears.
 struct zero {
   friend constexpr zero operator+(zero, zero) { return {}; }

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "experiments/common/levels.hpp"
 #include "run/reference.hpp"
 #include "run/verify.hpp"
 #include "scene_files.hpp"
@@ -178,6 +179,23 @@ TEST_F(system_scenes, faults_of_spins_are_refused) {
     refuse(ring(), "momentum", bad, {"momentum = ", "three finite numbers, or 9 of them, no spin zero"});
   refuse(ring(), "sigma", "[1, 2, 3]", {"sigma = ", "9 of them"});
   refuse(ring(), "theta", "true", {"theta = ", ">= 0"});
+}
+
+// A Casimir and an energy that are zero at the start are measured by what they could be.
+TEST_F(system_scenes, what_vanishes_at_the_start_has_a_size) {
+  auto level = top();
+  level["momentum"] = "[0.3, -0.4, 0, 0, 0, 1]";
+  const auto s = bind_scene(load_scene(write(text(level))));
+  EXPECT_EQ(s.model->casimirs(s.scene.momentum), (std::vector<double>{1, 0}));
+  EXPECT_EQ(s.model->casimir_sizes(s.scene.momentum), (std::vector<double>{1, std::sqrt(1.25)}));
+  auto across = ring();
+  across["count"] = "2";
+  across["momentum"] = "[1, 0, 0, 0, 0, 1]";
+  const auto pair = bind_scene(load_scene(write(text(across))));
+  EXPECT_EQ(pair.model->energy(pair.scene.momentum), 0);
+  EXPECT_DOUBLE_EQ(polhode::energy_size(pair), std::sqrt(2.0) * 0.5);
+  const auto paper = bind_scene(load_scene("paper"));
+  EXPECT_EQ(polhode::energy_size(paper), paper.model->energy(paper.scene.momentum));
 }
 
 TEST_F(system_scenes, faults_of_maxwell_and_bloch_are_refused) {

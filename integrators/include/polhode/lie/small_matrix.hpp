@@ -11,9 +11,9 @@ namespace polhode {
 template <class S, int most>
 struct small_matrix {
   explicit small_matrix(int rows) : n(rows), entries(rows * rows) {}
-  static small_matrix identity(int rows, double size = 1) {
+  static small_matrix identity(int rows) {
     small_matrix out(rows);
-    for (int i = 0; i < rows; ++i) out(i, i) = S(size);
+    for (int i = 0; i < rows; ++i) out(i, i) = S(1.0);
     return out;
   }
 
