@@ -12,13 +12,14 @@ namespace polhode::report {
 
 using number_rows = std::vector<std::vector<double>>;
 
-/// How a value is written: 0.5, [1, 2, 3], or [[1, 0], [0, 1]].
-enum class shape { number, vector, vectors };
+/// How a value is written: 0.5, [1, 2, 3], [[1, 0], [0, 1]], or "a word".
+enum class shape { number, vector, vectors, word };
 
 struct parameter {
   std::string name;
   report::shape shape = report::shape::number;
-  report::number_rows rows;  ///< a number: one row of one; a vector: one row
+  report::number_rows rows = {};  ///< a number: one row of one; a vector: one row; a word: none
+  std::string word = {};
   bool operator==(const parameter&) const = default;
 };
 
@@ -39,6 +40,12 @@ struct scene {
   double number(std::string_view of) const { return at(of).rows[0][0]; }
   const std::vector<double>& vector(std::string_view of) const { return at(of).rows[0]; }
   const report::number_rows& vectors(std::string_view of) const { return at(of).rows; }
+
+  /// Empty where the scene leaves it at what the equation is without it: such a word is not kept.
+  std::string_view word(std::string_view of) const {
+    const auto found = std::ranges::find(parameters, of, &parameter::name);
+    return found == parameters.end() ? std::string_view{} : found->word;
+  }
 
   const parameter& at(std::string_view of) const {
     const auto found = std::ranges::find(parameters, of, &parameter::name);

@@ -86,6 +86,7 @@ void mark_axes(raster& out) {
 }
 
 std::string in_short(const parameter& p) {
+  if (p.shape == shape::word) return p.word;
   if (p.shape == shape::number) return fmt::format("{:.6g}", p.rows[0][0]);
   if (p.shape == shape::vector) return fmt::format("({:.6g})", fmt::join(p.rows[0], ", "));
   std::string out;

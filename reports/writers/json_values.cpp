@@ -35,6 +35,7 @@ json to_value(const provenance& p) {
 }
 
 json to_value(const parameter& p) {
+  if (p.shape == shape::word) return p.word;
   if (p.shape == shape::number) return number(p.rows[0][0]);
   if (p.shape == shape::vector) return numbers(p.rows[0]);
   json all = json::array();

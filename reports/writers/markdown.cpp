@@ -143,15 +143,18 @@ void append_left_out(std::string& out, const results& r) {
   out += '\n';
 }
 
+std::string value_of(const parameter& p) {
+  if (p.shape == shape::word) return safe(p.word);
+  return p.shape == shape::vectors ? fmt::format("{}", fmt::join(p.rows, ", "))
+                                   : fmt::format("{}", fmt::join(p.rows[0], ", "));
+}
+
 void append_scene(std::string& out, const scene& s) {
   out += "## Scene\n\n";
   append_head(out, {"key", "value"});
   append_row(out, {"name", safe(s.name)});
   append_row(out, {"system", safe(s.system)});
-  for (const auto& p : s.parameters)
-    append_row(out, {safe(p.name), shortened(p.shape == shape::vectors ? fmt::format("{}", fmt::join(p.rows, ", "))
-                                                                       : fmt::format("{}", fmt::join(p.rows[0], ", ")),
-                                             longest_text)});
+  for (const auto& p : s.parameters) append_row(out, {safe(p.name), shortened(value_of(p), longest_text)});
   append_row(out, {"momentum", fmt::format("{}", fmt::join(s.momentum, ", "))});
   append_row(out, {"horizon", fmt::format("{}", s.horizon)});
   append_row(out, {"steps", shortened(fmt::format("{}", fmt::join(s.steps, ", ")), longest_text)});

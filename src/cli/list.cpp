@@ -70,12 +70,14 @@ std::string_view name_of(report::shape s) {
     case report::shape::number: return "number";
     case report::shape::vector: return "numbers";
     case report::shape::vectors: return "list of vectors";
+    case report::shape::word: return "word";
   }
   return "";
 }
 
 /// Null where a scene has to say it.
 json default_of(const parameter_rule& p) {
+  if (!p.words.empty()) return p.words.front();
   if (!p.fallback) return nullptr;
   if (p.shape == report::shape::number) return (*p.fallback)[0][0];
   return p.shape == report::shape::vector ? json((*p.fallback)[0]) : json(*p.fallback);

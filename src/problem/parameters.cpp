@@ -107,6 +107,15 @@ parameter_rule symmetric_matrix(std::string name, std::size_t size, std::string 
           .read = [size](const rows& given, shape s) { return symmetric(given, s, size); }};
 }
 
+parameter_rule one_of(std::string name, std::vector<std::string> words, std::string meaning) {
+  return {.name = std::move(name),
+          .shape = shape::word,
+          .unit = "",
+          .accepts = fmt::format("\"{}\"", fmt::join(words, "\" or \"")),
+          .meaning = std::move(meaning),
+          .words = std::move(words)};
+}
+
 parameter_rule noise_vectors(std::size_t size, std::string unit) {
   const auto n = in_words(size);
   return {.name = std::string(noise_key),

@@ -21,7 +21,8 @@ struct parameter_rule {
   std::function<std::optional<report::number_rows>(const report::number_rows& given, report::shape)> read = {};
   /// The same rule where the parameters that were read before it decide on what it accepts.
   std::function<parameter_rule(const report::scene& so_far)> refined = {};
-  bool is_flag = false;  ///< true or false, kept as 1 or 0
+  bool is_flag = false;                 ///< true or false, kept as 1 or 0
+  std::vector<std::string> words = {};  ///< one of these, the first where a scene says none
 };
 
 /// "three" for 3.
@@ -37,6 +38,8 @@ parameter_rule vector_of(std::string name, std::size_t size, std::string unit, s
 parameter_rule positive_vector_of(std::string name, std::size_t size, std::string unit, std::string meaning);
 /// A symmetric matrix, or its diagonal.
 parameter_rule symmetric_matrix(std::string name, std::size_t size, std::string unit, std::string meaning);
+/// One of some words, the first of which says what holds without it.
+parameter_rule one_of(std::string name, std::vector<std::string> words, std::string meaning);
 /// The key `sigma`: a number s for s e_i, so many numbers s_i for s_i e_i, or any list of vectors; zeros are dropped.
 parameter_rule noise_vectors(std::size_t size, std::string unit);
 

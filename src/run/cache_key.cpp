@@ -46,7 +46,7 @@ const std::string& build_identity() {
 /// Numbers as the shortest text that reads back as the same number.
 std::string text_of(const report::scene& s) {
   std::string parameters;
-  for (const auto& p : s.parameters) parameters += fmt::format("{} {}\n", p.name, p.rows);
+  for (const auto& p : s.parameters) parameters += fmt::format("{} {}{}\n", p.name, p.rows, p.word);
   return fmt::format("system {}\n{}momentum {}\nhorizon {}\nsteps {}\n", s.system, parameters, s.momentum, s.horizon,
                      s.steps);
 }

@@ -13,6 +13,7 @@
 #include "scene/nearest.hpp"
 #include "sphere/closed_forms/gibbs.hpp"
 #include "sphere/expectations/expectation.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
 #include "sphere/harmonics/harmonics.hpp"
 #include "sphere/harmonics/observables.hpp"
 #include "sphere/lyapunov.hpp"
@@ -114,9 +115,9 @@ void answer_expectation(const subject& bound, const reference_options& o, refere
   out.time = o.time.value_or(s.horizon);
   const auto f = observable_of(p, out.observable);
   const auto found = expectation(p, f, start, *out.time, value_tolerance * size_of(p, f), o.degree);
-  out.method = p.covariance.isZero(0) ? "no noise: the one path, by Boost.Odeint"
-               : found.forgotten      ? "the stationary law in spherical harmonics: the start is forgotten"
-                                      : "Kolmogorov's backward equation in spherical harmonics";
+  out.method = !p.has_noise()    ? "no noise: the one path, by Boost.Odeint"
+               : found.forgotten ? "the stationary law in spherical harmonics: the start is forgotten"
+                                 : "Kolmogorov's backward equation in spherical harmonics";
   if (found.relaxed) out.method += ", until only the stationary mean is left";
   take(s, found, out);
 }
@@ -132,9 +133,9 @@ void answer_gibbs(const subject& bound, const reference_options& o, reference_an
     out.method = "the Gibbs law exp(-2 theta h / sigma^2), by Bessel functions and adaptive quadrature";
     return take(s, *value, out);
   }
-  out.method = isotropic
-                   ? "the stationary density, here the Gibbs law, in spherical harmonics"
-                   : "the stationary density in spherical harmonics; the noise is not isotropic, so it is no Gibbs law";
+  out.method = isotropic ? "the stationary density, here the Gibbs law, in spherical harmonics"
+                         : "the stationary density in spherical harmonics; the noise is not isotropic and constant, so "
+                           "no Gibbs law is assumed";
   take(s, stationary_mean(p, f, value_tolerance * size_of(p, f), o.degree), out);
 }
 
@@ -173,7 +174,7 @@ reference_answer reference(const scene& s, const reference_options& o) {
   const auto& p = *bound.sphere();
   reference_answer out;
   out.quantity = o.quantity;
-  if (p.covariance.isZero(0) && o.quantity != "expectation") {
+  if (!p.has_noise() && o.quantity != "expectation") {
     out.quantity = "expectation";
     answer_expectation(bound, {out.quantity, o.observable, {}, 0}, out);
     out.reason = fmt::format(
@@ -187,7 +188,7 @@ reference_answer reference(const scene& s, const reference_options& o) {
   if (o.quantity == "lyapunov") answer_lyapunov(s, p, o, out);
   if (o.quantity == "gap") {
     out.method = "the least decay rate of Kolmogorov's operator in spherical harmonics";
-    const double rate = p.covariance.trace();
+    const double rate = noise_rate(p);
     auto found = spectral_gap(p, finest_rate_tolerance * rate, o.degree);
     if (found.value && found.uncertainty <= rate_tolerance * rate) found.reason.clear();
     take(s, found, out);

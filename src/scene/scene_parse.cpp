@@ -127,8 +127,20 @@ class reader {
   std::vector<key_rule> rules_;
 };
 
+/// Nothing for the first word, which changes nothing.
+std::string read_word(const reader& keys, const parameter_rule& rule) {
+  if (!keys.has(rule.name)) return "";
+  const auto is_known = [&](const std::string& word) {
+    return std::ranges::find(rule.words, word) != rule.words.end();
+  };
+  const auto word = keys.read(
+      rule.name, [&](auto& n) { return only_if(text_in(n), is_known); }, rule.words);
+  return word == rule.words.front() ? "" : word;
+}
+
 report::parameter read_parameter(const reader& keys, const parameter_rule& general, const report::scene& so_far) {
   const auto rule = general.refined ? general.refined(so_far) : general;
+  if (rule.shape == report::shape::word) return {rule.name, rule.shape, {}, read_word(keys, rule)};
   if (rule.fallback && !keys.has(rule.name)) return {rule.name, rule.shape, *rule.fallback};
   const auto parse = [&](const toml::node& node) -> std::optional<report::number_rows> {
     if (const auto* flag = node.as_boolean())
@@ -167,8 +179,9 @@ scene parse_scene(std::string_view source_text, std::string_view source, std::st
   const auto& of = *find_system(out.system);
   const auto& rules = parameters_in(table, of);
   for (const auto& rule : rules) out.parameters.push_back(read_parameter(keys_of, rule, out));
-  if (&rules == &of.own_units) out.parameters = of.from_own_units(out.parameters);
+  std::erase_if(out.parameters, [](const auto& p) { return p.shape == report::shape::word && p.word.empty(); });
   out.momentum = read_parameter(keys_of, momentum_rule(of), out).rows.front();
+  if (&rules == &of.own_units) out.parameters = of.from_own_units(out);
   out.horizon = keys_of.read("horizon", [&](auto& n) { return only_if(number_in(n), positive); });
   out.steps = {4, 8, 16, 32, 64};
   if (keys_of.has("steps")) out.steps = keys_of.read("steps", step_counts);

@@ -75,7 +75,7 @@ std::string averaged_in_words(const sphere_problem& problem) {
 }  // namespace
 
 reference_value spectral_gap(const sphere_problem& problem, double tolerance, int wanted) {
-  if (problem.covariance.isZero(0)) return {.reason = "no noise: nothing relaxes in law"};
+  if (!problem.has_noise()) return {.reason = "no noise: nothing relaxes in law"};
   if (conserves_a_component(problem)) return {.value = 0};
   if (const auto reason = no_unique_law(problem); !reason.empty()) return {.reason = reason};
   slowest_mode mode;

@@ -2,6 +2,8 @@
 // a system of their own or a planted defect.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -118,10 +120,11 @@ void add_scheme(subject& out, const System& system) {
                            },
                            [system](double dt) { return tangent_kernel_for<Scheme>(system, dt); }});
   } else {
-    out.inapplicable.push_back({"", std::string(Scheme::info.name),
-                                constant_noise_system<System>
-                                    ? "the system does not split into flows"
-                                    : "needs a system of flows, or noise vectors that do not depend on the state"});
+    std::string why = constant_noise_system<System>
+                          ? "the system does not split into flows"
+                          : "needs a system of flows, or noise vectors that do not depend on the state";
+    if constexpr (requires { Scheme::needs; }) why = fmt::format("needs {}", Scheme::needs);
+    out.inapplicable.push_back({"", std::string(Scheme::info.name), why});
   }
 }
 

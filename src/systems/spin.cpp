@@ -12,8 +12,10 @@
 #include "problem/vectors.hpp"
 #include "references/free_rotation.hpp"
 #include "sphere/equilibria.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
 #include "systems/system_source.hpp"
 #include "systems/systems.hpp"
+#include "systems/varying_spin.hpp"
 
 namespace polhode {
 namespace {
@@ -53,11 +55,11 @@ number_rows rows_of(const Eigen::Matrix3d& m) {
 
 sphere_problem on_sphere(const report::scene& s) {
   const auto& field = s.vector("field");
-  return {.quadratic = matrix_of(s.vectors("quadratic")),
-          .damping = dissipation_of(s),
-          .radius = length(s.momentum),
-          .covariance = noise_covariance(s),
-          .field = Eigen::Vector3d(field.data())};
+  return with_noise_of(s, {.quadratic = matrix_of(s.vectors("quadratic")),
+                           .damping = dissipation_of(s),
+                           .radius = length(s.momentum),
+                           .covariance = {},
+                           .field = Eigen::Vector3d(field.data())});
 }
 
 rate_bounds rates_of(const sphere_problem& p) {
@@ -65,7 +67,7 @@ rate_bounds rates_of(const sphere_problem& p) {
   out.motion = greatest_rate_on(p);
   out.damping = p.radius * (p.radius * p.spread() + p.field.norm());
   out.dissipation = p.damping * out.damping;
-  out.noise = p.covariance.trace();
+  out.noise = noise_rate(p);
   return out;
 }
 
@@ -93,7 +95,7 @@ report::scene with_anisotropy(report::scene s, double factor) {
 
 report::scene in_unit(report::scene s, int power) {
   for (double& b : s.vector("field")) b = std::ldexp(b, 2 * power);
-  return with_momentum_unit(std::move(s), power);
+  return in_momentum_unit(std::move(s), power);
 }
 
 std::string in_cpp(const report::scene& s) {
@@ -118,7 +120,7 @@ capabilities offers(const report::scene& s) {
                  greatest_anisotropy,     [=](double factor) { return with_anisotropy(s, factor); },
                  "next to no anisotropy", with_anisotropy(s, next_to_none)};
   out.in_unit = [=](int power) { return in_unit(s, power); };
-  out.in_cpp = in_cpp(s);
+  if (!has_state_noise(s)) out.in_cpp = in_cpp(s);
   return out;
 }
 
@@ -140,20 +142,22 @@ parameter_rule anisotropy_rule() {
 }
 
 /// Landau and Lifshitz's equation dS = -S x (B + noise) - alpha S x (S x B) at temperature k_B T (Brown 1963): h = E,
-/// theta = alpha, sigma = sqrt(2 alpha k_B T).
-std::vector<report::parameter> from_spin_units(const std::vector<report::parameter>& given) {
-  report::scene s;
-  s.parameters = given;
+/// theta = alpha, sigma = sqrt(2 alpha k_B T); noise that is inside the damping, too, is stronger by sqrt(1 + alpha^2
+/// |S|^2) in law.
+std::vector<report::parameter> from_spin_units(const report::scene& s) {
   const Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero() - 2 * matrix_of(s.vectors("anisotropy"));
-  const double damping = s.number("damping"), sigma = std::sqrt(2 * damping * s.number("temperature"));
+  const double damping = s.number("damping"), inside = has_state_noise(s) ? damping * length(s.momentum) : 0;
+  const double sigma = std::sqrt(2 * damping * s.number("temperature") / (1 + inside * inside));
   std::vector<double> field;
   for (const double b : s.vector("field")) field.push_back(0 - b);
   number_rows noise;
   if (sigma > 0) noise = rows_of(sigma * Eigen::Matrix3d::Identity());
-  return {{"quadratic", shape::vectors, rows_of(quadratic)},
-          {"field", shape::vector, {field}},
-          {std::string(dissipation_key), shape::number, {{damping}}},
-          {std::string(noise_key), shape::vectors, noise}};
+  std::vector<report::parameter> out{{"quadratic", shape::vectors, rows_of(quadratic)},
+                                     {"field", shape::vector, {field}},
+                                     {std::string(dissipation_key), shape::number, {{damping}}},
+                                     {std::string(noise_key), shape::vectors, noise}};
+  if (has_state_noise(s)) out.insert(out.end() - 1, s.at("noise"));
+  return out;
 }
 
 }  // namespace
@@ -169,13 +173,18 @@ system_entry spin_system() {
                                           "Lambda in h = Pi.Lambda Pi / 2 + field.Pi, of any signature"),
                          field_rule("b in h = Pi.Lambda Pi / 2 + b.Pi"),
                          dissipation_strength("1 / momentum", "dissipation: dh/dt = -theta |Pi x Omega|^2"),
-                         noise_vectors(3, "1 / time^(1/2)")},
+                         noise_form({"field", "field and damping", "random anisotropy"}),
+                         noise_vectors_of_form("1 / time^(1/2)")},
           .observables = named_observables(),
-          .bind = POLHODE_BOUND_BY_ISA(spin),
+          .bind =
+              [](const report::scene& s) {
+                return has_state_noise(s) ? bind_varying_spin(s) : POLHODE_BOUND_BY_ISA(spin)(s);
+              },
           .offers = offers,
           .own_units = {anisotropy_rule(), field_rule("B in E = -S.K S - B.S"),
                         number_from_zero("damping", "1 / momentum", "alpha in dS = -S x B - alpha S x (S x B)"),
-                        number_from_zero("temperature", "momentum / time", "k_B T: the Gibbs law is exp(-E / k_B T)")},
+                        number_from_zero("temperature", "momentum / time", "k_B T: the Gibbs law is exp(-E / k_B T)"),
+                        noise_form({"field", "field and damping", ""})},
           .from_own_units = from_spin_units};
 }
 

@@ -30,9 +30,9 @@
 #define POLHODE_COMPILED_ONCE 1
 #endif
 
-#define POLHODE_BOUND_BY_ISA(system)                                    \
-  [](const polhode::report::scene& s) {                                 \
-    polhode::subject out;                                               \
-    polhode::by_isa(POLHODE_ENTRIES(polhode_bind_##system##_))(s, out); \
-    return out;                                                         \
+#define POLHODE_BOUND_BY_ISA(system)                                        \
+  [](const polhode::report::scene& scene) {                                 \
+    polhode::subject out;                                                   \
+    polhode::by_isa(POLHODE_ENTRIES(polhode_bind_##system##_))(scene, out); \
+    return out;                                                             \
   }

@@ -22,7 +22,7 @@ struct system_entry {
   subject (*bind)(const report::scene&);
   capabilities (*offers)(const report::scene&);
   std::vector<parameter_rule> own_units = {};  ///< what a scene may give in place of `parameters`
-  std::vector<report::parameter> (*from_own_units)(const std::vector<report::parameter>&) = nullptr;
+  std::vector<report::parameter> (*from_own_units)(const report::scene& given) = nullptr;
   std::optional<parameter_rule> momentum = {};  ///< where not every vector that is not zero is a state
 };
 

@@ -8,6 +8,7 @@
 #include <polhode/systems/son_body.hpp>
 #include <polhode/systems/spin.hpp>
 #include <polhode/systems/spins.hpp>
+#include <polhode/systems/varying_spin.hpp>
 
 #include "references/odeint.hpp"
 #include "support/heavy_top.hpp"
@@ -63,6 +64,23 @@ TEST(Flows, OfASpinsMotionAreExactInAFieldAlone) {
   const auto truth = by_odeint([&](const vector& x) { return cross(x, s.omega(x)); }, start, 2.0);
   EXPECT_LE(distance(s.free_flow(start, 2.0), truth), 1e-13);
   EXPECT_LE(distance(s.last_turn(s.first_turn(start, 2.0), 2.0), truth), 1e-13);
+}
+
+TEST(Flows, OfNoiseThatDependsOnTheStateAreExactOneVectorAfterTheOther) {
+  const vector v[] = {{{0.3, 0.4, 0.5}}, {{-0.5, 0.2, 0.3}}, {{0.1, 0.6, -0.4}}};
+  for (const auto form : {state_noise::damped, state_noise::quadratic}) {
+    const varying_spin s{{tilted(), {0.3, -0.2, 0.5}, 0.7, spin::from_vectors(v)}, form};
+    const wiener<double, 3> w{0.5, {{0.8, -1.1, 0.4}}};
+    auto truth = start;
+    for (int i = 0; i < 3; ++i) {
+      const auto sigma = [&](const vector& x) {
+        return form == state_noise::damped ? v[i] + 0.7 * cross(x, v[i])
+                                           : (dot(v[i], x) / std::sqrt(dot(v[i], v[i]))) * v[i];
+      };
+      truth = by_odeint([&](const vector& x) { return w.dw[i] * cross(x, sigma(x)); }, truth, 1.0);
+    }
+    EXPECT_LE(distance(s.noise_flow(start, w), truth), 1e-13);
+  }
 }
 
 /// log2 of the ratio of the errors of one flow of t and of t / 2.

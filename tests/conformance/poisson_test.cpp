@@ -2,6 +2,8 @@
 // to rounding, and the others are not.
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include <polhode/dual.hpp>
@@ -69,27 +71,23 @@ TYPED_TEST_SUITE(PoissonMap, every_scheme);
 
 TYPED_TEST(PoissonMap, IsWhatItClaims) {
   const vec<double, 6> mu{{0.6, 0.48, 0.64, -0.3, 0.8, 0.5}};
-  const auto body = defect<TypeParam>(paper_body(0, 0.5), paper_momentum, 0.1);
-  const auto pair = defect<TypeParam>(coupled_bodies(0), mu, 0.1),
-             magnet = defect<TypeParam>(tilted_spin(0), paper_momentum, 0.1),
-             top = defect<TypeParam>(asymmetric_top(0), top_state, 0.1);
-  if (TypeParam::info.poisson) {
-    EXPECT_LE(body, rounding);
-    EXPECT_LE(pair, rounding);
-    EXPECT_LE(magnet, rounding);
-    EXPECT_LE(top, rounding);
-  } else {
-    EXPECT_GE(body, no_rounding);
-    EXPECT_GE(pair, no_rounding);
-    EXPECT_GE(magnet, no_rounding);
-    EXPECT_GE(top, no_rounding);
+  std::vector<double> found{defect<TypeParam>(paper_body(0, 0.5), paper_momentum, 0.1),
+                            defect<TypeParam>(coupled_bodies(0), mu, 0.1),
+                            defect<TypeParam>(tilted_spin(0), paper_momentum, 0.1)};
+  if constexpr (scheme_on<TypeParam, heavy_top>) found.push_back(defect<TypeParam>(asymmetric_top(0), top_state, 0.1));
+  for (const double d : found) {
+    if (TypeParam::info.poisson)
+      EXPECT_LE(d, rounding);
+    else
+      EXPECT_GE(d, no_rounding);
   }
 }
 
 // Flows that are not exact are no Poisson maps: that the test refutes.
 TYPED_TEST(PoissonMap, IsNoneByFlowsOfSecondOrder) {
   const vec<double, 6> mu{{0.6, 0.48, 0.64, -0.3, 0.8, 0.5}};
-  EXPECT_GE(defect<TypeParam>(approximate_bodies(), mu, 0.1), no_rounding);
+  const bool needs_no_flows = TypeParam::info.implicit && TypeParam::info.poisson;
+  if (!needs_no_flows) EXPECT_GE(defect<TypeParam>(approximate_bodies(), mu, 0.1), no_rounding);
 }
 
 // Dissipation contracts areas on the orbit.

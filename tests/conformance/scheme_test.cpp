@@ -18,6 +18,16 @@ TYPED_TEST_SUITE(SchemeConformance, every_scheme);
 
 const vec<double, 6> so4_momentum{{0.6, 0.48, 0.64, -0.3, 0.8, 0.5}};
 
+/// Of those that the scheme can run on.
+template <class Scheme, class Test>
+void on_every_system(Test test) {
+  test(paper_body(), paper_momentum);
+  test(coupled_bodies(), so4_momentum);
+  test(tilted_spin(), paper_momentum);
+  if constexpr (scheme_on<Scheme, heavy_top>) test(asymmetric_top(), top_state);
+  if constexpr (scheme_on<Scheme, maxwell_bloch>) test(atoms_in_light(), paper_momentum);
+}
+
 template <class Scheme, class System>
 void zero_increment_is_identity(const System& system, const state_of<System>& mu) {
   const auto next = Scheme::step(system, mu, wiener_levy<double, System::channels>{});
@@ -25,11 +35,8 @@ void zero_increment_is_identity(const System& system, const state_of<System>& mu
 }
 
 TYPED_TEST(SchemeConformance, ZeroIncrementIsTheIdentity) {
-  zero_increment_is_identity<TypeParam>(paper_body(), paper_momentum);
-  zero_increment_is_identity<TypeParam>(coupled_bodies(), so4_momentum);
-  zero_increment_is_identity<TypeParam>(tilted_spin(), paper_momentum);
-  zero_increment_is_identity<TypeParam>(asymmetric_top(), top_state);
-  zero_increment_is_identity<TypeParam>(atoms_in_light(), paper_momentum);
+  on_every_system<TypeParam>(
+      [](const auto& system, const auto& mu) { zero_increment_is_identity<TypeParam>(system, mu); });
 }
 
 template <class Scheme, class System>
@@ -67,11 +74,7 @@ void converges_to_odeint(System system, const state_of<System>& mu) {
 }
 
 TYPED_TEST(SchemeConformance, WithoutNoiseConvergesToOdeintAtTheClaimedOrder) {
-  converges_to_odeint<TypeParam>(paper_body(), paper_momentum);
-  converges_to_odeint<TypeParam>(coupled_bodies(), so4_momentum);
-  converges_to_odeint<TypeParam>(tilted_spin(), paper_momentum);
-  converges_to_odeint<TypeParam>(asymmetric_top(), top_state);
-  converges_to_odeint<TypeParam>(atoms_in_light(), paper_momentum);
+  on_every_system<TypeParam>([](const auto& system, const auto& mu) { converges_to_odeint<TypeParam>(system, mu); });
 }
 
 /// Largest relative change of a Casimir over some noisy steps.
@@ -89,15 +92,13 @@ double casimir_change(const System& system, const state_of<System>& mu) {
 }
 
 TYPED_TEST(SchemeConformance, CasimirsAreKeptIfAndOnlyIfClaimed) {
-  for (const double change : {casimir_change<TypeParam>(paper_body(), paper_momentum),
-                              casimir_change<TypeParam>(coupled_bodies(), so4_momentum),
-                              casimir_change<TypeParam>(tilted_spin(), paper_momentum),
-                              casimir_change<TypeParam>(asymmetric_top(), top_state),
-                              casimir_change<TypeParam>(atoms_in_light(), paper_momentum)})
+  on_every_system<TypeParam>([](const auto& system, const auto& mu) {
+    const double change = casimir_change<TypeParam>(system, mu);
     if (TypeParam::info.casimir.exact)
       EXPECT_LT(change, 2e-13);
     else
       EXPECT_GT(change, 1e-4);
+  });
 }
 
 template <class Scheme, class System>
@@ -120,11 +121,7 @@ void packs_agree(const System& system, const state_of<System>& mu) {
 }
 
 TYPED_TEST(SchemeConformance, PacksAgreeWithDoublesOverAThousandSteps) {
-  packs_agree<TypeParam>(paper_body(), paper_momentum);
-  packs_agree<TypeParam>(coupled_bodies(), so4_momentum);
-  packs_agree<TypeParam>(tilted_spin(), paper_momentum);
-  packs_agree<TypeParam>(asymmetric_top(), top_state);
-  packs_agree<TypeParam>(atoms_in_light(), paper_momentum);
+  on_every_system<TypeParam>([](const auto& system, const auto& mu) { packs_agree<TypeParam>(system, mu); });
 }
 
 /// The step with dual numbers against differences of the step with doubles, along a tangent of the orbit.
@@ -153,11 +150,8 @@ void duals_give_the_derivative(const System& system, const state_of<System>& mu)
 }
 
 TYPED_TEST(SchemeConformance, DualNumbersGiveTheDerivative) {
-  duals_give_the_derivative<TypeParam>(paper_body(), paper_momentum);
-  duals_give_the_derivative<TypeParam>(coupled_bodies(), so4_momentum);
-  duals_give_the_derivative<TypeParam>(tilted_spin(), paper_momentum);
-  duals_give_the_derivative<TypeParam>(asymmetric_top(), top_state);
-  duals_give_the_derivative<TypeParam>(atoms_in_light(), paper_momentum);
+  on_every_system<TypeParam>(
+      [](const auto& system, const auto& mu) { duals_give_the_derivative<TypeParam>(system, mu); });
 }
 
 // That the order is as claimed with them and without: local_error_test.cpp.

@@ -13,6 +13,7 @@
 #include <polhode/systems/rigid_body.hpp>
 
 #include "problem/vectors.hpp"
+#include "run/reference.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
 #include "systems/bind.hpp"
@@ -146,6 +147,29 @@ TEST(StateNoise, SchemesThatRestOnConstantVectorsAreLeftOut) {
   }
   EXPECT_EQ(out, (std::vector<std::string>{"milstein", "milstein_no_area", "lie_euler", "magnus", "strang_two_turns",
                                            "strang_weak2"}));
+}
+
+TEST(StateNoise, OfAnyFormMeetsTheClaimsOfEverySchemeThatTakesIt) {
+  for (const char* name : {"random_inertia", "thermal_spin"})
+    for (const char* experiment : {"strong", "weak", "gibbs", "casimir"}) {
+      const auto r = verify(load_scene(name), quick(experiment));
+      EXPECT_FALSE(r.verdicts.empty()) << name << ' ' << experiment;
+      for (const auto& v : r.verdicts)
+        EXPECT_NE(v.kind, verdict_kind::refuted) << name << ' ' << v.scheme << ' ' << v.claim << ": " << v.reason;
+    }
+}
+
+/// sum V_i^2 = (1 + theta^2) s^2 Laplacian on the unit sphere.
+TEST(StateNoise, InsideTheDampingHasTheMeansOfStrongerConstantNoise) {
+  auto inside = load_scene("thermal_spin"), constant = inside;
+  std::erase_if(constant.parameters, [](const auto& p) { return p.name == "noise"; });
+  constant = with_noise_times(constant, std::sqrt(1 + 0.4 * 0.4));
+  for (const char* quantity : {"expectation", "gibbs"})
+    for (const char* observable : {"energy", "pi1", "pi3^2"}) {
+      const auto a = reference(inside, {.quantity = quantity, .observable = observable}),
+                 b = reference(constant, {.quantity = quantity, .observable = observable});
+      EXPECT_NEAR(a.value, b.value, 1e-11) << quantity << ' ' << observable;
+    }
 }
 
 using stratonovich_schemes =

@@ -144,10 +144,11 @@ export interface Density {
   heights: number;
   values: (number | null)[];
 }
-/** A parameter of the scene's system: a number, a vector, or a list of vectors. */
+/** A parameter of the scene's system: a number, a vector, a list of vectors, or a word. */
 export interface Parameter {
   name: string;
   rows: number[][];
+  word: string; // empty: numbers
 }
 export interface Scene {
   name: string;

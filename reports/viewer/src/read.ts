@@ -23,7 +23,10 @@ function sceneOf(x: unknown, missing: string[]): Scene {
     system: text(o.system),
     parameters: Object.entries(o)
       .filter(([name]) => !known.has(name))
-      .map(([name, value]) => ({ name, rows: rowsOf(value) })),
+      .map(([name, value]) => ({
+        name,
+        ...(typeof value === 'string' ? { rows: [], word: value } : { rows: rowsOf(value), word: '' }),
+      })),
     dissipation: number(o[dissipationKey]),
     sigma: Array.isArray(o.sigma) ? o.sigma.map(numbers) : [],
     momentum: numbers(o.momentum),

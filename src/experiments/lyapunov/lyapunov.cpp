@@ -107,6 +107,7 @@ void run(const context& c, report::results& out) {
 std::optional<std::string> skip_reason(const subject& s) {
   if (!s.sphere()) return no_exact_law;
   if (s.model->noise() == noise_class::none) return "no noise: there is no random flow";
+  if (!s.sphere()->varying.empty()) return "the noise depends on the state and stretches as well: no exact exponents";
   if (s.sphere()->is_spherical()) return "a spherical body turns rigidly: both exponents are 0";
   return std::nullopt;
 }

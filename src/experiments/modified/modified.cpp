@@ -70,6 +70,8 @@ std::optional<std::string> skip_reason(const subject& s) {
   if (!s.sphere()) return no_exact_law;
   if (!s.sphere()->quadratic.isDiagonal(0) || s.sphere()->has_field())
     return "the family of effective equations has principal axes along the coordinates and no field";
+  if (!s.sphere()->varying.empty())
+    return "the family of effective equations has noise that does not depend on the state";
   if (s.model->noise() == noise_class::none && s.sphere()->is_spherical())
     return "a spherical body without noise turns uniformly about a fixed axis: nothing that a function could see";
   return std::nullopt;

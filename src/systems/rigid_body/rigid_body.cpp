@@ -11,7 +11,9 @@
 #include "problem/noise_covariance.hpp"
 #include "problem/vectors.hpp"
 #include "references/free_rotation.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
 #include "systems/systems.hpp"
+#include "systems/varying_spin.hpp"
 
 namespace polhode {
 namespace {
@@ -20,14 +22,14 @@ constexpr double greatest_ratio = 1e6;
 
 std::array<double, 3> inertia_of(const report::scene& s) { return three(s.vector("inertia")); }
 
-rate_bounds rates_of(const report::scene& s) {
+rate_bounds rates_of(const report::scene& s, const sphere_problem& on_sphere) {
   const double c = length(s.momentum), square = c * c;
   const auto [least, greatest] = std::ranges::minmax(s.vector("inertia"));
   rate_bounds out;
   out.motion = c / least;
   out.damping = square * (1 / least - 1 / greatest);
   out.dissipation = dissipation_of(s) * out.damping;
-  out.noise = noise_covariance(s).trace();
+  out.noise = noise_rate(on_sphere);
   return out;
 }
 
@@ -57,7 +59,8 @@ capabilities offers(const report::scene& s) {
   const auto inertia = inertia_of(s), start = three(s.momentum);
   const double c = length(s.momentum), theta = dissipation_of(s);
   const auto q = noise_covariance(s);
-  capabilities out{.rates = rates_of(s), .sphere = body_on_sphere(inertia, theta, c, q)};
+  const auto on_sphere = with_noise_of(s, body_on_sphere(inertia, theta, c, q));
+  capabilities out{.rates = rates_of(s, on_sphere), .sphere = on_sphere};
   out.free = {"jacobi", [=](double time) {
                 const auto end = free_rotation(inertia, start, time);
                 return std::vector(end.begin(), end.end());
@@ -65,13 +68,14 @@ capabilities offers(const report::scene& s) {
   out.shape = {"inertia ratio",       1,
                greatest_ratio,        [=](double ratio) { return with_ratio(s, ratio); },
                "near-equal inertias", with_ratio(s, 1 + 1e-8)};
-  out.in_unit = [=](int power) { return with_momentum_unit(s, power); };
-  out.in_cpp = in_cpp(s);
+  out.in_unit = [=](int power) { return in_momentum_unit(s, power); };
+  if (!has_state_noise(s)) out.in_cpp = in_cpp(s);
   out.gibbs = [=] { return gibbs_law(inertia, c, 2 * theta / q(0, 0)); };
   return out;
 }
 
 subject bind_to_schemes(const report::scene& scene) {
+  if (has_state_noise(scene)) return bind_varying_spin(scene);
   subject out;
   by_isa(POLHODE_ENTRIES(polhode_bind_rigid_body_))(scene, out);
   return out;
@@ -88,7 +92,7 @@ system_entry rigid_body_system() {
           .unit = "inertia / time",
           .parameters = {positive_vector_of("inertia", 3, "inertia", "principal moments of inertia"),
                          dissipation_strength("time / inertia", "dissipation: dh/dt = -theta |Pi x Omega|^2"),
-                         noise_vectors(3, "1 / time^(1/2)")},
+                         noise_form({"constant", "", "random inertia"}), noise_vectors_of_form("1 / time^(1/2)")},
           .observables = named_observables(),
           .bind = bind_to_schemes,
           .offers = offers};

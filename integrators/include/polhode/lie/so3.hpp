@@ -48,6 +48,12 @@ struct so3 {
     return rotated(factor, S(S(0.5) * factor), xi, mu);
   }
 
+  /// -X M X of the matrices of xi x and mu x: (xi.mu) xi.
+  template <class S>
+  static vec<S, 3> sandwich(const vec<S, 3>& xi, const vec<S, 3>& mu) {
+    return dot(xi, mu) * xi;
+  }
+
   /// Inverse of the differential of exp: sum_k B_k/k! ad_u^k v = v - [u,v]/2 + (1 - (t/2) cot(t/2))/t^2 [u,[u,v]],
   /// t = |u| < 2 pi. Source: Iserles, Munthe-Kaas, Norsett, Zanna, Lie-group methods, Acta Numerica 9 (2000), App. B.
   template <class S>

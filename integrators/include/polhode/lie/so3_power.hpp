@@ -39,6 +39,10 @@ struct so3_power {
     return each([](const auto& a, const auto& b) { return so3::cayley_action(a, b); }, xi, mu);
   }
   template <class S>
+  [[gnu::noinline]] static element<S> sandwich(const element<S>& xi, const element<S>& mu) {
+    return each([](const auto& a, const auto& b) { return so3::sandwich(a, b); }, xi, mu);
+  }
+  template <class S>
   [[gnu::noinline]] static element<S> dexp_inv(const element<S>& u, const element<S>& v) {
     return each([](const auto& a, const auto& b) { return so3::dexp_inv(a, b); }, u, v);
   }

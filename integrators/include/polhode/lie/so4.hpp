@@ -34,6 +34,10 @@ struct so4 {
     return both([](auto a, auto b) { return so3::cayley_action(a, b); }, xi, mu);
   }
   template <class S>
+  static vec<S, 6> sandwich(const vec<S, 6>& xi, const vec<S, 6>& mu) {
+    return both([](auto a, auto b) { return so3::sandwich(a, b); }, xi, mu);
+  }
+  template <class S>
   static vec<S, 6> dexp_inv(const vec<S, 6>& u, const vec<S, 6>& v) {
     return both([](auto a, auto b) { return so3::dexp_inv(a, b); }, u, v);
   }

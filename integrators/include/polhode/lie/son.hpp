@@ -77,6 +77,13 @@ struct son {
     return turned(cayley_of(as_matrix(xi)), mu);
   }
 
+  /// -X M X.
+  template <class S>
+  [[gnu::noinline]] static element<S> sandwich(const element<S>& xi, const element<S>& mu) {
+    const auto x = as_matrix(xi);
+    return above_diagonal(S(-1.0) * (x * as_matrix(mu) * x));
+  }
+
   /// The series sum_k B_k/k! ad_u^k v to k = 14, right to rounding for |u| < 1/2.
   template <class S>
   [[gnu::noinline]] static element<S> dexp_inv(const element<S>& u, const element<S>& v) {

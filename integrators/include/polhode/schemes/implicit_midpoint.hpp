@@ -2,25 +2,14 @@
 //
 //   m = 1/2 (mu_n + mu_{n+1}),   mu_{n+1} = mu_n + ad*_xi m,   xi = a(m) dt + sigma dW (Stratonovich)
 //
-// Newton on F(m) = m - mu_n - 1/2 ad*_{xi(m)} m; at the solution mu_{n+1} = Cay(xi(m)) mu_n, which is how it is
-// evaluated, so that the Casimirs do not depend on the last digits of m. The noise is linear in m, so that F'' is of
-// the order of dt, and the derivative at mu_n serves all corrections of a step of ordinary size: each is smaller than
-// the one before by about dt |m - mu_n|. Where they do not get small Newton's method starts again. A fixed-point
-// iteration would diverge for the larger Gaussian increments. A step whose iteration does not converge returns NaN in
-// its lane: failure is data.
+// At the solution mu_{n+1} = Cay(xi(m)) mu_n, which is how it is evaluated.
 //
 // Source: Milstein, Repin, Tretyakov, SIAM J. Numer. Anal. 40 (2002) 1583-1604 (symplectic case, truncated noise).
 // Keeps every quadratic Casimir. Cost a step: one motion with its derivative, one inverse of that, two to eight
 // motions; one Cayley action.
 #pragma once
 
-#include <concepts>
-#include <limits>
-#include <utility>
-
-#include <polhode/dual.hpp>
-#include <polhode/schemes/scheme_info.hpp>
-#include <polhode/solve.hpp>
+#include <polhode/schemes/midpoint_solver.hpp>
 
 namespace polhode {
 
@@ -35,161 +24,20 @@ struct implicit_midpoint {
                                     .casimir = keeps_casimirs,
                                     .action = group_action::cayley,
                                     .implicit = true};
-  static constexpr int most_corrections = 8;   ///< by the derivative at mu
-  static constexpr int most_repetitions = 40;  ///< where there is no derivative
-  static constexpr int max_iterations = 16;    ///< of Newton's method, where these do not do
-  static constexpr double tolerance = 1e-16;   ///< of the error left, relative to the state
-  static constexpr double rounding = 1e-15;    ///< a correction below it is none
 
   template <lie_poisson_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
-    const auto solved = midpoint(system, mu, w);
-    auto next = System::algebra::cayley_action(generator(system, solved.m, w), mu);
-    for (int k = 0; k < next.size; ++k)
-      next[k] = select(solved.failed, S(std::numeric_limits<double>::quiet_NaN()), next[k]);
-    return next;
+    return midpoint_solver<implicit_midpoint>::cayley_step(system, mu, w);
   }
-
- private:
-  template <class Vector, class Mask>
-  struct solution {
-    Vector m;
-    Mask failed;
-  };
 
   template <class System, class S>
-  requires(System::dimension > 0) static auto midpoint(const System& system, const vec<S, System::dimension>& mu,
-                                                       const wiener<S, System::channels>& w) {
-    constexpr int n = System::dimension;
-    const auto at = linearised_motion(system, mu, w);
-    const auto back = inverse_derivative<quotient::truncated>(at);
-    const S size = dot(mu, mu);
-    auto way = times(back, S(0.5) * at.value);  // m - mu
-    const auto correction = [&] { return times(back, way - S(0.5) * motion(system, mu + way, w)); };
-    // What is left is about the last correction times its ratio to the one before.
-    const auto done = [&](const S& last, const S& before) {
-      return last <= S(rounding * rounding) * size || last * last <= S(tolerance * tolerance) * before * size;
-    };
-    S before = size, last = size;
-    for (int i = 0; i < usual_corrections<System, S>; ++i) {
-      const auto c = correction();
-      way = way - c;
-      before = last;
-      last = dot(c, c);
-    }
-    auto pending = !done(last, before);
-    for (int i = usual_corrections<System, S>; i < most_corrections && any(S(0.0), pending); ++i) {
-      const auto c = correction();
-      for (int k = 0; k < n; ++k) way[k] = select(pending, S(way[k] - c[k]), way[k]);
-      before = last;
-      last = dot(c, c);
-      pending = pending && !done(last, before);
-    }
-    auto m = mu + way;
-    if (any(S(0.0), pending)) [[unlikely]]
-      iterate(system, mu, w, m, pending);
-    return solution<decltype(m), decltype(pending)>{m, pending};
+  static auto motion(const System& system, const vec<S, System::dimension>& m, const wiener<S, System::channels>& w) {
+    return polhode::motion(system, m, w);
   }
-
-  /// Of duals the values are solved for alone: F(m, mu, dW) = 0 then gives the slopes, DF dm = -dF at constant m.
-  template <class System, class V, int slopes>
-  requires(System::dimension > 0) static auto midpoint(const System& system,
-                                                       const vec<dual<V, slopes>, System::dimension>& mu,
-                                                       const wiener<dual<V, slopes>, System::channels>& w) {
-    constexpr int n = System::dimension;
-    using number = dual<V, slopes>;
-    vec<V, n> value;
-    for (int k = 0; k < n; ++k) value[k] = mu[k].value;
-    wiener<V, System::channels> increment;
-    increment.dt = w.dt;
-    for (int k = 0; k < System::channels; ++k) increment.dw[k] = w.dw[k].value;
-    const auto solved = midpoint(system, value, increment);
-    const auto back = inverse_derivative<quotient::exact>(linearised_motion(system, solved.m, increment));
-    vec<number, n> m;
-    for (int k = 0; k < n; ++k) m[k].value = solved.m[k];
-    const auto f = m - mu - number(0.5) * motion(system, m, w);
-    for (int t = 0; t < slopes; ++t) {
-      vec<V, n> moved;
-      for (int k = 0; k < n; ++k) moved[k] = f[k].slope[t];
-      const auto way = times(back, moved);
-      for (int k = 0; k < n; ++k) m[k].slope[t] = -way[k];
-    }
-    return solution<vec<number, n>, decltype(solved.failed)>{m, solved.failed};
-  }
-
-  /// Where the number of components is not known to the compiler: m = mu + motion(m) / 2 repeated, as no matrix pays;
-  /// Newton's method for the lanes where that is too slow.
   template <class System, class S>
-  requires(System::dimension < 0) static auto midpoint(const System& system, const vec<S, System::dimension>& mu,
-                                                       const wiener<S, System::channels>& w) {
-    const S size = dot(mu, mu);
-    auto m = mu;
-    auto pending = size == size;
-    for (int i = 0; i < most_repetitions && any(S(0.0), pending); ++i) {
-      const auto next = mu + S(0.5) * motion(system, m, w);
-      const auto change = next - m;
-      for (int k = 0; k < m.size; ++k) m[k] = select(pending, next[k], m[k]);
-      pending = pending && !(dot(change, change) <= S(rounding * rounding) * size);
-    }
-    if (any(S(0.0), pending)) [[unlikely]]
-      iterate(system, mu, w, m, pending);
-    return solution<decltype(m), decltype(pending)>{m, pending};
-  }
-  /// The same of duals, whose slopes settle at the rate of the values.
-  template <class System, class V, int slopes>
-  requires(System::dimension < 0) static auto midpoint(const System& system,
-                                                       const vec<dual<V, slopes>, System::dimension>& mu,
-                                                       const wiener<dual<V, slopes>, System::channels>& w) {
-    using number = dual<V, slopes>;
-    const auto values = [](const auto& of) {
-      auto out = zeros<vec<V, System::dimension>>(of.size);
-      for (int k = 0; k < of.size; ++k) out[k] = of[k].value;
-      return out;
-    };
-    const auto solved = midpoint(system, values(mu), wiener<V, System::channels>{w.dt, values(w.dw)});
-    auto m = constant_of<number>(solved.m);
-    for (int i = 0; i < most_repetitions; ++i) m = mu + number(0.5) * motion(system, m, w);
-    return solution<decltype(m), decltype(solved.failed)>{m, solved.failed};
-  }
-
-  /// Without a question in between: a branch that packs take or do not would cost more than one too many.
-  template <class System, class S>
-  static constexpr int usual_corrections =
-      std::same_as<decltype(noise(std::declval<const System&>(), state_of<System, S>{}, wiener<S, System::channels>{})),
-                   zero_vector>
-          ? 2
-          : 3;
-
-  /// DF(m)^-1.
-  template <quotient q, class S, int n>
-  static auto inverse_derivative(const linearised<S, n>& motion_at) {
-    auto out = zeros<matrix<S, n>>(motion_at.value.size);
-    for (int k = 0; k < out.size; ++k) {
-      out[k] = S(-0.5) * motion_at.slope[k];
-      out[k][k] = S(1.0) + out[k][k];
-    }
-    return inverse<q>(out);
-  }
-
-  /// DF(m)^-1 F(m).
-  template <class System, class S>
-  static auto newton_correction(const System& system, const vec<S, System::dimension>& mu,
-                                const vec<S, System::dimension>& m, const wiener<S, System::channels>& w) {
-    const auto at = linearised_motion(system, m, w);
-    return times(inverse_derivative<quotient::exact>(at), m - mu - S(0.5) * at.value);
-  }
-
-  /// Newton's method from mu, in the pending lanes; those where it fails stay pending.
-  template <class System, class S, class Mask>
-  [[gnu::cold, gnu::noinline]] static void iterate(const System& system, const vec<S, System::dimension>& mu,
-                                                   const wiener<S, System::channels>& w, vec<S, System::dimension>& m,
-                                                   Mask& pending) {
-    for (int k = 0; k < m.size; ++k) m[k] = select(pending, mu[k], m[k]);
-    for (int i = 0; i < max_iterations && any(S(0.0), pending); ++i) {
-      const auto correction = newton_correction(system, mu, m, w);
-      for (int k = 0; k < m.size; ++k) m[k] = select(pending, S(m[k] - correction[k]), m[k]);
-      pending = pending && !(dot(correction, correction) <= S(100 * rounding * rounding) * dot(mu, mu));
-    }
+  static auto linearised_motion(const System& system, const vec<S, System::dimension>& m,
+                                const wiener<S, System::channels>& w) {
+    return polhode::linearised_motion(system, m, w);
   }
 };
 

@@ -21,11 +21,9 @@ struct milstein_no_area {
                                     .deterministic_order = 1,
                                     .casimir = casimirs_drift(1, 1)};
 
-  template <constant_noise_system System, class S>
+  template <bracketed_noise_system System, class S>
   static auto step(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
-    using g = typename System::algebra;
-    const auto b = noise(system, mu, w);
-    return mu + motion(system, mu, w) + S(0.5) * g::coad(b, g::coad(b, mu));
+    return mu + motion(system, mu, w) + S(0.5) * noise_twice(system, mu, w);
   }
 };
 

@@ -68,6 +68,14 @@ concept constant_noise_system = lie_poisson_system<System> &&
   system.noise(w.dw);
 };
 
+/// One whose noise fields have brackets that are known: constant vectors, or ones with their derivatives.
+template <class System>
+concept bracketed_noise_system = constant_noise_system<System> ||
+    requires(const System& system, const state_of<System>& mu, const wiener_levy<double, System::channels>& w) {
+  { system.area_noise_at(mu, w.area) } -> element_of<System>;
+  { system.noise_slope_at(mu, w, mu) } -> element_of<System>;
+};
+
 /// A system that splits into parts with flows of their own; splitting schemes need it.
 template <class System>
 concept splittable_system = lie_poisson_system<System> &&
@@ -104,10 +112,27 @@ auto noise(const System& system, const state_of<System, S>& mu, const wiener<S, 
     return system.noise(w.dw);
 }
 
-/// sum_{i<j} A^ij [sigma_i, sigma_j] over one step.
-template <constant_noise_system System, class S>
-auto area_noise(const System& system, const wiener_levy<S, System::channels>& w) {
-  return system.area_noise(w.area);
+/// sum_{i<j} A^ij [sigma_i, sigma_j] over one step: the bracket of the fields V_i(mu) = ad*_{sigma_i} mu, so that
+/// vectors that depend on the state add D sigma_j [V_i] - D sigma_i [V_j].
+template <bracketed_noise_system System, class S>
+auto area_noise(const System& system, const state_of<System, S>& mu, const wiener_levy<S, System::channels>& w) {
+  if constexpr (constant_noise_system<System>)
+    return system.area_noise(w.area);
+  else
+    return system.area_noise_at(mu, w.area);
+}
+
+/// DB(mu)[B(mu)], B(mu) = ad*_b mu, b = sum sigma_i dW^i: ad*_b ad*_b mu, and where b depends on the state
+/// ad*_{Db[B]} mu besides.
+template <bracketed_noise_system System, class S>
+auto noise_twice(const System& system, const state_of<System, S>& mu, const wiener<S, System::channels>& w) {
+  using g = typename System::algebra;
+  const auto b = noise(system, mu, w);
+  const auto once = g::coad(b, mu);
+  if constexpr (constant_noise_system<System>)
+    return g::coad(b, once);
+  else
+    return g::coad(b, once) + g::coad(system.noise_slope_at(mu, w, once), mu);
 }
 
 /// xi = a(mu) dt + sum sigma_i dW^i over one step, both taken at mu.
@@ -153,23 +178,32 @@ vec<Number, N> constant_of(const vec<S, N>& v) {
   return out;
 }
 
-/// `motion` with its derivative by the state, a direction at a time: where their number is not known to the compiler.
-template <class System, class S>
-linearised<S, System::dimension> linearised_by_column(const System& system, const state_of<System, S>& mu,
-                                                      const wiener<S, System::channels>& w) {
-  using number = dual<S, 1>;
-  const wiener<number, System::channels> increment{w.dt, constant_of<number>(w.dw)};
-  linearised<S, System::dimension> out;
-  out.slope = zeros<decltype(out.slope)>(mu.size);
-  for (auto& row : out.slope) row = zeros<state_of<System, S>>(mu.size);
-  for (int column = 0; column < mu.size; ++column) {
-    auto x = constant_of<number>(mu);
-    x[column].slope[0] = S(1.0);
-    const auto moved = motion(system, x, increment);
-    if (column == 0) out.value = zeros<state_of<System, S>>(mu.size);
-    for (int k = 0; k < mu.size; ++k) {
+/// A map of the state and the increment with its derivative by the state, by dual numbers; a direction at a time where
+/// their number is not known to the compiler.
+template <class Map, class S, int N, int M>
+linearised<S, N> derivative_of(Map map, const vec<S, N>& mu, const wiener<S, M>& w) {
+  constexpr int at_once = N < 0 ? 1 : N;
+  using number = dual<S, at_once>;
+  const wiener<number, M> increment{w.dt, constant_of<number>(w.dw)};
+  linearised<S, N> out;
+  if constexpr (N < 0) {
+    out.slope = zeros<decltype(out.slope)>(mu.size);
+    for (auto& row : out.slope) row = zeros<vec<S, N>>(mu.size);
+    out.value = zeros<vec<S, N>>(mu.size);
+    for (int column = 0; column < mu.size; ++column) {
+      auto x = constant_of<number>(mu);
+      x[column].slope[0] = S(1.0);
+      const auto moved = map(x, increment);
+      for (int k = 0; k < mu.size; ++k) {
+        out.value[k] = moved[k].value;
+        out.slope[k][column] = moved[k].slope[0];
+      }
+    }
+  } else {
+    const auto moved = map(seeded(mu), increment);
+    for (int k = 0; k < N; ++k) {
       out.value[k] = moved[k].value;
-      out.slope[k][column] = moved[k].slope[0];
+      out.slope[k] = moved[k].slope;
     }
   }
   return out;
@@ -179,24 +213,10 @@ linearised<S, System::dimension> linearised_by_column(const System& system, cons
 template <class System, class S>
 linearised<S, System::dimension> linearised_motion(const System& system, const state_of<System, S>& mu,
                                                    const wiener<S, System::channels>& w) {
-  if constexpr (requires { system.linearised_motion_over(mu, w); }) {
+  if constexpr (requires { system.linearised_motion_over(mu, w); })
     return system.linearised_motion_over(mu, w);
-  } else if constexpr (System::dimension < 0) {
-    return linearised_by_column(system, mu, w);
-  } else {
-    constexpr int n = System::dimension;
-    using number = dual<S, n>;
-    wiener<number, System::channels> increment;
-    increment.dt = w.dt;
-    for (int k = 0; k < System::channels; ++k) increment.dw[k].value = w.dw[k];
-    const auto moved = motion(system, seeded(mu), increment);
-    linearised<S, n> out;
-    for (int k = 0; k < n; ++k) {
-      out.value[k] = moved[k].value;
-      out.slope[k] = moved[k].slope;
-    }
-    return out;
-  }
+  else
+    return derivative_of([&](const auto& x, const auto& v) { return motion(system, x, v); }, mu, w);
 }
 
 /// The noise alone, as one exponential: Ad*_exp(sum sigma_i dW^i) mu; of sigma_i that depend on the state the mean of

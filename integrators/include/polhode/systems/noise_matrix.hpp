@@ -8,8 +8,8 @@
 namespace polhode {
 
 /// On this depend the orders that a scheme may claim. One vector commutes with itself; isotropic: sum sigma sigma^T =
-/// s^2 1.
-enum class noise_class { none, one_vector, isotropic, general };
+/// s^2 1; state_dependent: several vectors that are functions of the state.
+enum class noise_class { none, one_vector, isotropic, general, state_dependent };
 
 /// Of a square matrix whose columns are the vectors.
 template <class Matrix>

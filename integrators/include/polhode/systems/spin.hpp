@@ -62,8 +62,8 @@ struct spin : double_bracket<spin, so3> {
   [[gnu::noinline]] vec<S, 3> dissipation_flow(const vec<S, 3>& pi, double t) const {
     if (theta == 0) return pi;
     if (!has_field_) return kept(damped(pi, t), pi);
-    if (principal_.spherical()) return kept(aligned(pi, t), pi);
-    return kept(aligned(damped(aligned(pi, t / 2), t), t / 2), pi);
+    if (principal_.spherical()) return kept(aligned_with_field(pi, t), pi);
+    return kept(aligned_with_field(damped(aligned_with_field(pi, t / 2), t), t / 2), pi);
   }
 
   /// The motion without dissipation, to second order: half the turn about the field, that of the quadratic part, half
@@ -85,11 +85,26 @@ struct spin : double_bracket<spin, so3> {
     return around(pi, t, [&](const vec<S, 3>& x) { return principal_.last_turn(x, t); });
   }
 
- private:
+ protected:
   template <class S>
   static vec<S, 3> lifted(const vec<double, 3>& v) {
     return {{S(v[0]), S(v[1]), S(v[2])}};
   }
+
+  /// Pi' = Pi x (Pi x b), b = |b| e, for a time t of either sign, exact; amount = |b| t. Of n = Pi/c the part across e
+  /// shrinks and z = n.e falls, by
+  ///   z(t) = (z (1 + E) - (1 - E)) / d,  across(t) = across 2 sqrt(E) / d,  d = 1 - z + E (1 + z),
+  /// E = exp(-2 c amount): z(t) = tanh(artanh z - c amount) without its poles.
+  template <class S>
+  static vec<S, 3> aligned(const vec<S, 3>& pi, const vec<S, 3>& e, const S& amount) {
+    const S c = square_root(dot(pi, pi)), along = dot(pi, e), z = along / c;
+    const S root = exponential(S(-amount * c)), square = root * root;
+    const S d = (S(1.0) - z) + square * (S(1.0) + z);
+    const auto across = pi - along * e;
+    return (S(2.0) * root / d) * across + (c * (z * (S(1.0) + square) - (S(1.0) - square)) / d) * e;
+  }
+
+ private:
   template <class S>
   static vec<S, 3> times(const vec<vec<double, 3>, 3>& rows, const vec<S, 3>& v) {
     vec<S, 3> out;
@@ -136,18 +151,10 @@ struct spin : double_bracket<spin, so3> {
     return in_axes(pi, [&](const vec<S, 3>& y) { return principal_.dissipation_flow(y, theta, t); });
   }
 
-  /// Pi' = theta Pi x (Pi x b), exact: of n = Pi/c the part across b/|b| =: e shrinks and z = n.e falls, by
-  ///   z(t) = (z (1 + E) - (1 - E)) / d,  across(t) = across 2 sqrt(E) / d,  d = 1 - z + E (1 + z),
-  /// E = exp(-2 theta c |b| t): z(t) = tanh(artanh z - theta c |b| t) without its poles.
   template <class S>
-  vec<S, 3> aligned(const vec<S, 3>& pi, double t) const {
+  vec<S, 3> aligned_with_field(const vec<S, 3>& pi, double t) const {
     const double strength = std::sqrt(dot(field, field));
-    const auto e = lifted<S>((1 / strength) * field);
-    const S c = square_root(dot(pi, pi)), along = dot(pi, e), z = along / c;
-    const S root = exponential(S(S(-theta * t * strength) * c)), square = root * root;
-    const S d = (S(1.0) - z) + square * (S(1.0) + z);
-    const auto across = pi - along * e;
-    return (S(2.0) * root / d) * across + (c * (z * (S(1.0) + square) - (S(1.0) - square)) / d) * e;
+    return aligned(pi, lifted<S>((1 / strength) * field), S(theta * t * strength));
   }
 
   bool diagonal_, has_field_;

@@ -104,9 +104,11 @@ function noiseOf(s: Scene): string {
 }
 
 const valueOf = (p: Parameter): string =>
-  p.rows.length === 1 && p.rows[0]?.length === 1
-    ? shown(p.rows[0][0] ?? null)
-    : p.rows.map((row) => tuple(row)).join(' ');
+  p.word !== ''
+    ? p.word
+    : p.rows.length === 1 && p.rows[0]?.length === 1
+      ? shown(p.rows[0][0] ?? null)
+      : p.rows.map((row) => tuple(row)).join(' ');
 
 const fact = (term: Child[], value: string): Child => h('div', {}, h('dt', {}, ...term), h('dd', {}, value || '–'));
 const letter = (name: string, index = ''): Child =>

@@ -1,0 +1,101 @@
+// Systems on a sphere whose noise depends on the state: the key that says so, and their meeting with the schemes.
+#include "systems/varying_spin.hpp"
+
+#include <polhode/systems/varying_spin.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "problem/noise_covariance.hpp"
+#include "problem/vectors.hpp"
+#include "systems/system_source.hpp"
+#include "systems/systems.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::string_view form_key = "noise", damped_noise = "field and damping";
+
+/// Of a scene whose noise depends on the state.
+state_noise form_of(const report::scene& s) {
+  return s.word(form_key) == damped_noise ? state_noise::damped : state_noise::quadratic;
+}
+
+/// Any system on a sphere is a spin.
+[[maybe_unused]] varying_spin make_varying_spin(const report::scene& s) {
+  const auto p = *find_system(s.system)->offers(s).sphere;
+  std::vector<spin::column> vectors;
+  for (const auto& v : noise_vectors_of(s)) vectors.push_back({{v[0], v[1], v[2]}});
+  return {spin(p.quadratic, three({p.field.data(), 3}), p.damping, spin::from_vectors(vectors)), form_of(s)};
+}
+
+}  // namespace
+}  // namespace polhode
+
+POLHODE_MEETS_SCHEMES(varying_spin, polhode::make_varying_spin);
+
+#if POLHODE_COMPILED_ONCE
+namespace polhode {
+namespace {
+
+/// v + theta Pi x v, or v (v.Pi)/|v|.
+affine_noise varying(const Eigen::Vector3d& v, state_noise form, double theta) {
+  if (form == state_noise::quadratic) return {Eigen::Vector3d::Zero(), v * v.transpose() / v.norm()};
+  Eigen::Matrix3d across;  // Pi -> Pi x v
+  across << 0, v[2], -v[1], -v[2], 0, v[0], v[1], -v[0], 0;
+  return {v, theta * across};
+}
+
+}  // namespace
+
+parameter_rule noise_form(const noise_forms& names) {
+  std::vector<std::string> words{names.constant};
+  if (!names.damped.empty()) words.push_back(names.damped);
+  if (!names.quadratic.empty()) words.push_back(names.quadratic);
+  std::string meaning = "sigma_i(Pi) of the vectors v_i of sigma: v_i";
+  if (!names.damped.empty()) meaning += "; v_i + theta Pi x v_i";
+  if (!names.quadratic.empty()) meaning += "; v_i (v_i.Pi)/|v_i|";
+  return one_of(std::string(form_key), std::move(words), meaning);
+}
+
+parameter_rule noise_vectors_of_form(std::string unit) {
+  auto rule = noise_vectors(3, unit);
+  rule.refined = [unit](const report::scene& s) {
+    auto of_form = noise_vectors(3, unit);
+    if (!has_state_noise(s)) return of_form;
+    of_form.accepts = "a finite number, three of them, or a list of at most three vectors of three (as noise = \"" +
+                      std::string(s.word(form_key)) + "\")";
+    of_form.read = [any = of_form.read](const report::number_rows& given, report::shape shape) {
+      auto vectors = any(given, shape);
+      return vectors && vectors->size() <= 3 ? vectors : std::nullopt;
+    };
+    return of_form;
+  };
+  return rule;
+}
+
+bool has_state_noise(const report::scene& s) { return !s.word(form_key).empty(); }
+
+sphere_problem with_noise_of(const report::scene& s, sphere_problem p) {
+  p.covariance = Eigen::Matrix3d::Zero();
+  if (!has_state_noise(s)) {
+    p.covariance = noise_covariance(s);
+  } else {
+    for (const auto& v : noise_vectors_of(s))
+      p.varying.push_back(varying(Eigen::Vector3d(v.data()), form_of(s), p.damping));
+  }
+  return p;
+}
+
+report::scene in_momentum_unit(report::scene s, int power) {
+  const bool quadratic = has_state_noise(s) && form_of(s) == state_noise::quadratic;
+  s = with_momentum_unit(std::move(s), power);
+  return quadratic ? with_noise_times(std::move(s), std::ldexp(1.0, -2 * power)) : s;
+}
+
+subject bind_varying_spin(const report::scene& s) { return POLHODE_BOUND_BY_ISA(varying_spin)(s); }
+
+}  // namespace polhode
+#endif
