@@ -23,7 +23,7 @@ namespace {
 constexpr std::array degrees{4, 6, 8, 10, 12, 14, 16, 20, 24, 28, 32};
 constexpr int affordable = 7000;  // unknowns in the block: seconds
 constexpr double rounding = 1e-14;
-constexpr double cancelled = 4e-15;  // of the terms of an entry
+constexpr double cancelled = 4e-15;   // of the terms of an entry
 constexpr int stretching_degree = 2;  // a lower degree cuts off what is asked for
 
 sparse_matrix bracket(const sparse_matrix& a, const sparse_matrix& b) {
