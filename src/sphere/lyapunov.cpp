@@ -23,6 +23,7 @@ namespace {
 constexpr std::array degrees{4, 6, 8, 10, 12, 14, 16, 20, 24, 28, 32};
 constexpr int affordable = 7000;  // unknowns in the block: seconds
 constexpr double rounding = 1e-14;
+constexpr double cancelled = 4e-15;   // of the terms of an entry
 constexpr int stretching_degree = 2;  // a lower degree cuts off what is asked for
 
 sparse_matrix bracket(const sparse_matrix& a, const sparse_matrix& b) {
@@ -125,11 +126,16 @@ frame_operator operator_on_frames(const sphere_problem& problem, int degree, int
   const bool mixed = std::any_of(noise.begin() + 3, noise.end(), [](double x) { return x != 0; });
   const auto parts = known_parts(angular_velocity_of(problem), degree, beyond, mixed);
   Eigen::VectorXd entries = parts->free + t * parts->damped;
+  Eigen::VectorXd terms = parts->free.cwiseAbs() + t * parts->damped.cwiseAbs();
   for (std::size_t i = 0; i < noise.size(); ++i)
-    if (noise[i] != 0) entries += noise[i] * parts->noise[i];
+    if (noise[i] != 0) {
+      entries += noise[i] * parts->noise[i];
+      terms += std::fabs(noise[i]) * parts->noise[i].cwiseAbs();
+    }
   frame_operator out{parts->pattern, parts->stretching + t * parts->damped_stretching};
-  out.generator.coeffs() = entries;
-  drop_cancelled(out.generator);
+  // Each beside its own terms: weak dissipation next to strong noise is not what cancelled.
+  out.generator.coeffs() = (entries.array().abs() > cancelled * terms.array()).select(entries, 0);
+  out.generator.prune([](int, int, double entry) { return entry != 0; });
   return out;
 }
 

@@ -113,6 +113,29 @@ inline opinions opinions_of_gap(const attacked_scene& s, double found, int degre
   return all;
 }
 
+/// On two grids, the coarser turned: an axis of the body is an equilibrium, and on a grid that holds it but resolves no
+/// noise, Poisson's equation says f there, whatever the resolution.
+inline void add_collocated_mean(opinions& all, const sphere_problem& p, const sphere_function& f, double size) {
+  const auto turned_by = [&](const Eigen::Matrix3d& turn, int n) {
+    const auto drift = [&, b = drift_of(p)](const Eigen::Vector3d& x) -> Eigen::Vector3d {
+      return turn * b(turn.transpose() * x);
+    };
+    const sphere_collocation grid(n, drift, turn * p.covariance * turn.transpose());
+    return grid.mean_and_rounding([&](const Eigen::Vector3d& x) { return f(p.radius * (turn.transpose() * x)); });
+  };
+  const Eigen::Matrix3d askew = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const auto rough = turned_by(askew, 9), fine = turned_by(Eigen::Matrix3d::Identity(), 13);
+  const double uncertainty = std::fabs(fine.value - rough.value) + fine.rounding + lost_to_rounding * size;
+  if (uncertainty <= is_an_opinion * size) all.push_back({fine.value, uncertainty});
+}
+
+inline std::optional<double> projected_mean(const sphere_problem& p, const sphere_function& f, int degree) {
+  const auto density = left_null_vector(backward_operator(p, degree), 2500);
+  if (!density) return std::nullopt;
+  const Eigen::VectorXd c = harmonic_coefficients([&](const Eigen::Vector3d& x) { return f(p.radius * x); }, degree);
+  return c.dot(*density) / std::sqrt(4 * std::numbers::pi);
+}
+
 inline opinions opinions_of_mean(const attacked_scene& s, const sphere_function& f, int degree, bool dear) {
   const auto& p = s.problem;
   const auto i = inertia_of(p);
@@ -130,19 +153,12 @@ inline opinions opinions_of_mean(const attacked_scene& s, const sphere_function&
     const double value = least + gibbs_about_the_other_axis(i, p.radius, beta)[3];
     all.push_back({value, 1e-14 * value});
   } else if (dear && degree <= collocated) {
-    const auto on_a_grid = [&](int n) {
-      return sphere_collocation(n, drift_of(p), p.covariance).mean([&](const Eigen::Vector3d& y) {
-        return f(p.radius * y);
-      });
-    };
-    add_refined(all, on_a_grid, 9, 13, size, lost_to_rounding * size);
+    add_collocated_mean(all, p, f, size);
   }
   if (2 * degree + 4 > highest_second) return all;
-  const auto density = left_null_vector(backward_operator(p, 2 * degree + 4), 2500);
-  if (!density) return all;
-  const Eigen::VectorXd c =
-      harmonic_coefficients([&](const Eigen::Vector3d& x) { return f(p.radius * x); }, 2 * degree + 4);
-  all.push_back({c.dot(*density) / std::sqrt(4 * std::numbers::pi), 1e-12 * c.norm(), false});
+  const auto higher = projected_mean(p, f, 2 * degree + 4), high = projected_mean(p, f, 3 * degree / 2 + 3);
+  if (!higher || !high) return all;
+  all.push_back({*higher, std::fabs(*higher - *high) + 4e-12 * size, false});
   return all;
 }
 

@@ -47,17 +47,24 @@ class sphere_collocation {
   double expectation(const function_on_sphere& f, const Eigen::Vector3d& start, double time) const {
     return weights_at(start).dot(exponential_of(time * a_) * values(f));
   }
-  /// Poisson's equation A u = f - m with u of mean zero.
-  double mean(const function_on_sphere& f) const {
+  struct rounded_mean {
+    double value, rounding;
+  };
+  /// Poisson's equation A u = f - m with u of mean zero. rounding: of A u, as its entries and sums are rounded.
+  rounded_mean mean_and_rounding(const function_on_sphere& f) const {
     Eigen::MatrixXd bordered = Eigen::MatrixXd::Zero(a_.rows() + 1, a_.rows() + 1);
     const Eigen::Index n = a_.rows();
-    bordered.topLeftCorner(n, n) = a_ / a_.norm();
+    const double unit = a_.norm();
+    bordered.topLeftCorner(n, n) = a_ / unit;
     bordered.topRightCorner(n, 1).setOnes();
     bordered.bottomLeftCorner(1, n).setConstant(1 / double(n));
     Eigen::VectorXd right = Eigen::VectorXd::Zero(n + 1);
     right.head(n) = values(f);
-    return solution_of(bordered, right)[n];
+    const Eigen::VectorXd solved = solution_of(bordered, right);
+    const Eigen::VectorXd sizes = bordered.topLeftCorner(n, n).cwiseAbs() * solved.head(n).cwiseAbs();
+    return {solved[n], 1e-16 * sizes.maxCoeff()};
   }
+  double mean(const function_on_sphere& f) const { return mean_and_rounding(f).value; }
   /// The second largest real part of an eigenvalue, with the sign changed.
   double gap() const {
     Eigen::VectorXd rates = eigenvalues_of(a_).real();

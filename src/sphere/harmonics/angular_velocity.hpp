@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 
 #include "sphere/harmonics/harmonics.hpp"
@@ -10,19 +11,28 @@
 
 namespace polhode {
 
-/// A = radius times quadratic, symmetric; b = field.
+/// A = radius times quadratic, symmetric, less a multiple of one; b = field.
 struct angular_velocity {
   Eigen::Matrix3d a;
   Eigen::Vector3d b;
   bool operator==(const angular_velocity&) const = default;
 };
-inline angular_velocity angular_velocity_of(const sphere_problem& p) { return {p.radius * p.quadratic, p.field}; }
+inline double median_of(const Eigen::Vector3d& v) {
+  return std::max(std::min(v[0], v[1]), std::min(std::max(v[0], v[1]), v[2]));
+}
+/// A multiple of one turns nothing, as x cross x = 0, but its rounding would drown the differences of a body next to
+/// spherical: the middle one of the diagonal is taken off.
+inline angular_velocity angular_velocity_of(const sphere_problem& p) {
+  const Eigen::Matrix3d differences = p.quadratic - median_of(p.quadratic.diagonal()) * Eigen::Matrix3d::Identity();
+  return {p.radius * differences, p.field};
+}
 
 /// constant + linear x + x.quadratic x, quadratic symmetric.
 struct polynomial {
   double constant = 0;
   Eigen::RowVector3d linear = Eigen::RowVector3d::Zero();
   Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();
+  bool is_zero() const { return constant == 0 && linear.isZero(0) && quadratic.isZero(0); }
 };
 
 /// Omega_i and (x cross Omega)_i.

@@ -99,5 +99,18 @@ TEST(Expectation, BarsHoldAtEveryDegree) {
     }
 }
 
+// Free motion keeps the figure component, L Pi_2 = -(Q_11 + Q_33) / 2 Pi_2; noise is 1e-15 of the rotation.
+TEST(Expectation, SeesWeakNoiseNextToFastRotation) {
+  const Eigen::Vector3d noise(3.7e-10, 3.7e-10, 1.1e-10);
+  const auto p = body_on_sphere({0.002, 0.6, 0.002}, 0, 160, noise.asDiagonal());
+  const double time = 6000, expected = 160 * start[1] * std::exp(-(noise[0] + noise[2]) / 2 * time);
+  for (const int degree : {8, 20, 32}) {
+    const auto found = expectation(p, observable("pi2"), 160 * start, time, 1e-11, degree);
+    ASSERT_TRUE(found.value) << found.reason;
+    EXPECT_LE(found.uncertainty, 1e-9);
+    EXPECT_NEAR(*found.value, expected, found.uncertainty) << degree;
+  }
+}
+
 }  // namespace
 }  // namespace polhode::test

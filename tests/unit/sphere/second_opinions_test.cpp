@@ -28,6 +28,20 @@ TEST(SphereCollocation, KnownAnswers) {  // docs/model.md, section 3
   EXPECT_NEAR(grid.gap(), 0.237066066867, 5e-8);
 }
 
+TEST(SphereCollocation, SaysWhereItHasLostItsDigitsOrResolvesNothing) {
+  const auto next_to_rounding = body_on_sphere(
+      {2.6, 0.35, 0.41}, 0.02, 0.0012, 1e9 * Eigen::Vector3d(2, -2.3, -1.3) * Eigen::RowVector3d(2, -2.3, -1.3));
+  opinions all;
+  add_collocated_mean(all, next_to_rounding, energy_of(next_to_rounding), 1e-6);
+  EXPECT_TRUE(all.empty() || all[0].uncertainty > 1e-9);
+  // The grid holds an equilibrium of greatest energy; the law is at the least.
+  const auto no_noise = body_on_sphere({0.55, 0.61, 0.61}, 100, 1, Eigen::Vector3d(6, 3, 6).asDiagonal() * 1e-13);
+  const double least = 1 / (2 * 0.61);
+  all.clear();
+  add_collocated_mean(all, no_noise, energy_of(no_noise), least);
+  for (const auto& second : all) EXPECT_LE(std::fabs(second.value - least), second.uncertainty);
+}
+
 TEST(BodyOfRevolution, AgreesWithTheReferences) {
   for (const auto& p : tops) {
     const auto body = revolution(p);

@@ -62,5 +62,60 @@ TEST(StationaryMean, BarsHoldAtEveryDegree) {
   }
 }
 
+// A multiple of the Casimir added to h turns nothing; all factors here are powers of two.
+TEST(StationaryMean, KeepsItsDigitsNextToSpherical) {
+  const double tiny = std::exp2(-30);
+  const Eigen::Vector3d differences(0, 1, -0.5), ones = Eigen::Vector3d::Ones();
+  const sphere_problem far{differences.asDiagonal(), 2, 1, oblique()};
+  const sphere_problem close{(ones + tiny * differences).asDiagonal(), 2, 1, tiny * oblique()};
+  for (const auto name : {"pi1^2", "pi2^2", "pi3^2"}) {
+    const auto expected = stationary_mean(far, observable(name), 1e-12);
+    holds(stationary_mean(close, observable(name), 1e-12), *expected.value, 1e-12);
+  }
+}
+
+/// E[h] as noise about one axis n grows: s = n.x alone is slow, with D the diffusion that the free motion leaves it,
+///   density exp(-theta int h'(s) (1 - s^2) / D ds) = (A_2 + (A_1 - A_2) s^2)^-gamma,   h averaged about n,
+///   D = c^2 (1 - s^2) (A_1 s^2 + A_2 (1 - s^2)),   A_1 = |K n across n|^2 / q,   A_2 = |K across n, less trace|^2 / 8
+///   q.
+double energy_under_strong_noise(const sphere_problem& p, const Eigen::Vector3d& sigma) {
+  const Eigen::Vector3d n = sigma.normalized();
+  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - n * n.transpose(), k = across * p.quadratic * across;
+  const double q = sigma.squaredNorm(), along = n.dot(p.quadratic * n), rest = k.trace() / 2;
+  const double a1 = (across * p.quadratic * n).squaredNorm() / q, a2 = (k - rest * across).squaredNorm() / (8 * q);
+  const double gamma = p.damping * (along - rest) / (2 * (a1 - a2));
+  double weight = 0, square = 0;
+  constexpr int points = 20'000;  // midpoints
+  for (int i = 0; i < points; ++i) {
+    const double s = (i + 0.5) / points, w = std::pow(1 + (a1 / a2 - 1) * s * s, -gamma);
+    weight += w;
+    square += w * s * s;
+  }
+  return p.radius * p.radius / 2 * (rest + (along - rest) * square / weight);
+}
+
+// Damping of 1e-15 of the greatest noise entry: it alone tells the law from a uniform one.
+TEST(StationaryMean, SeesWeakDampingNextToStrongNoise) {
+  struct weakly_damped {
+    std::array<double, 3> inertia;
+    double damping, radius;
+    Eigen::Vector3d sigma;
+  };
+  for (const auto& [inertia, damping, radius, sigma] :
+       {weakly_damped{{2.5, 0.33, 2.5}, 1.2e-6, 0.087, {-160, 78, -227}},
+        weakly_damped{{1.75, 2.5, 1.75 + 1e-9}, 1.3e-4, 0.0037, {1.6, 1.3, -15}},
+        weakly_damped{{2.1, 0.66, 2.1}, 7.6e-5, 0.0044, {5.6, 3.7, -22}}}) {
+    const auto p = body_on_sphere(inertia, damping, radius, sigma * sigma.transpose());
+    const double uniform = radius * radius * p.quadratic.trace() / 6, expected = energy_under_strong_noise(p, sigma);
+    EXPECT_GT(std::fabs(expected - uniform), 5e-3 * uniform);
+    for (const int degree : {24, 36, 48}) {
+      const auto found = stationary_mean(p, *named_observable("energy", p), 1e-11 * uniform, degree);
+      ASSERT_TRUE(found.value) << found.reason;
+      EXPECT_LE(found.uncertainty, 1e-3 * uniform);
+      EXPECT_NEAR(*found.value, expected, found.uncertainty + 1e-6 * uniform) << degree;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace polhode::test
