@@ -96,4 +96,15 @@ template <class S, int most>
   return out;
 }
 
+/// A matrix that is orthogonal but for rounding, to rounding of the next order: a step of Newton's method, R (3 - R^T
+/// R) / 2. What squarings leave would let the Casimirs drift.
+template <class S, int most>
+[[gnu::noinline]] small_matrix<S, most> orthogonal(const small_matrix<S, most>& nearly) {
+  auto excess = small_matrix<S, most>::identity(nearly.n);
+  for (int i = 0; i < nearly.n; ++i)
+    for (int j = 0; j < nearly.n; ++j)
+      for (int k = 0; k < nearly.n; ++k) excess(i, j) = excess(i, j) - nearly(k, i) * nearly(k, j);
+  return nearly + S(0.5) * (nearly * excess);
+}
+
 }  // namespace polhode
