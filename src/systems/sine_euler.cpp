@@ -73,10 +73,10 @@ capabilities offers(const report::scene& s) {
 
 parameter_rule rows_rule() {
   auto rule = number_of("n", "1", "of su(n): the modes k_1 and k_2 go from -(n - 1)/2 to (n - 1)/2");
-  rule.accepts = "3, 5 or 7";
+  rule.accepts = "3 or 5";
   rule.read = [](const number_rows& given, shape s) -> std::optional<number_rows> {
     const double n = given[0][0];
-    return s == shape::number && (n == 3 || n == 5 || n == 7) ? std::optional(given) : std::nullopt;
+    return s == shape::number && (n == 3 || n == 5) ? std::optional(given) : std::nullopt;
   };
   return rule;
 }
@@ -102,7 +102,7 @@ system_entry sine_euler_system();
 system_entry sine_euler_system() {
   return {.name = "sine_euler",
           .title =
-              "Dissipative stochastic ideal fluid on the torus, truncated to n = 3, 5 or 7 modes a side, on su(n)*; "
+              "Dissipative stochastic ideal fluid on the torus, truncated to n = 3 or 5 modes a side, on su(n)*; "
               "n - 1 Casimirs",
           .dimension = 0,
           .unit = "1 / time",

@@ -1,6 +1,6 @@
 // Fourier modes of real functions on the torus, n x n of them, as vectors and as Hermitian matrices.
 //
-// The modes are complex, v_{-k} = conj v_k, and k_1, k_2 go from -(n - 1)/2 to (n - 1)/2 without k = 0; n is odd. A
+// The modes are complex, v_{-k} = conj v_k, and k_1, k_2 go from -(n - 1)/2 to (n - 1)/2 without k = 0; n is 3 or 5. A
 // vector has sqrt(2) Re v_k, sqrt(2) Im v_k for each k with k_1 > 0, or k_1 = 0 and k_2 > 0, in the order of k_1, then
 // of k_2: its square is sum |v_k|^2 over all k. Its matrix is H(v) = sum_k v_k J_k, where J_k has the entries exp(2 pi
 // i k_1 (a + b) / n) at b = a + k_2 mod n: tr H^2 = n |v|^2, J_k J_l = exp(-2 pi i (k x l) / n) J_{k+l}.
@@ -10,21 +10,18 @@
 #include <cmath>
 #include <numbers>
 
-#include <polhode/lie/small_matrix.hpp>
+#include <polhode/lie/complex_matrix.hpp>
 #include <polhode/vec.hpp>
 
 namespace polhode {
 
 struct sine_basis {
-  static constexpr int most_rows = 7, dimension = 1 - most_rows * most_rows;
+  static constexpr int most_rows = 5, dimension = 1 - most_rows * most_rows;
   template <class S>
   using element = vec<S, dimension>;
-  /// A + i B as the real matrix (A, -B; B, A), symmetric of a Hermitian one.
-  template <class S>
-  using matrix = small_matrix<S, 2 * most_rows>;
 
   /// n of a vector of n^2 - 1 components.
-  static constexpr int rows_of(int components) { return components < 24 ? 3 : components < 48 ? 5 : 7; }
+  static constexpr int rows_of(int components) { return components < 24 ? 3 : 5; }
 
   /// f(place of the real part, k_1, k_2) for each mode of a vector.
   template <class F>
@@ -35,100 +32,76 @@ struct sine_basis {
       for (int k2 = k1 == 0 ? 1 : -most; k2 <= most; ++k2, place += 2) f(place, k1, k2);
   }
 
- protected:
   /// k mod n, k from -n to n - 1.
   static int wrapped(int k, int n) { return k < 0 ? k + n : k; }
 
-  /// sin and cos of 2 pi j / n.
+  /// exp(2 pi i j / n).
   struct circle {
     explicit circle(int n) {
       for (int j = 0; 2 * j < n; ++j) {
-        sin[j] = std::sin(2 * std::numbers::pi * j / n);
-        cos[j] = std::cos(2 * std::numbers::pi * j / n);
-        if (j > 0) sin[n - j] = -sin[j], cos[n - j] = cos[j];
+        at[j] = {std::cos(2 * std::numbers::pi * j / n), std::sin(2 * std::numbers::pi * j / n)};
+        if (j > 0) at[n - j] = conjugate(at[j]);
       }
     }
-    double sin[most_rows] = {}, cos[most_rows] = {};
+    complex_number<double> at[most_rows];
   };
   static const circle& circle_of(int n) {
-    static const std::array circles{circle(3), circle(5), circle(7)};
+    static const std::array circles{circle(3), circle(5)};
     return circles[static_cast<std::size_t>(n / 2 - 1)];
   }
-
-  /// All modes, of k_1 mod n and k_2 mod n.
   template <class S>
-  struct modes {
-    explicit modes(const element<S>& v) : real(rows_of(v.size)), imaginary(real.n) {
-      const int n = real.n;
-      for_each_mode(n, [&](int place, int k1, int k2) {
-        const S a = S(1 / std::numbers::sqrt2) * v[place], b = S(1 / std::numbers::sqrt2) * v[place + 1];
-        real(k1, wrapped(k2, n)) = real(wrapped(-k1, n), wrapped(-k2, n)) = a;
-        imaginary(k1, wrapped(k2, n)) = b;
-        imaginary(wrapped(-k1, n), wrapped(-k2, n)) = -b;
-      });
-    }
-    small_matrix<S, most_rows> real, imaginary;
-  };
-
-  /// H(v).
-  template <class S>
-  static matrix<S> hermitian(const element<S>& v) {
-    const modes<S> w(v);
-    const int n = w.real.n;
-    const auto& at = circle_of(n);
-    matrix<S> out(2 * n);
-    for (int a = 0; a < n; ++a)
-      for (int b = a; b < n; ++b) {
-        S real(0.0), imaginary(0.0);
-        const int step = wrapped(a + b - n, n) - n;
-        for (int k1 = 0, angle = 0; k1 < n; ++k1, angle = wrapped(angle + step, n)) {
-          const S cos(at.cos[angle]), sin(at.sin[angle]);
-          real = real + (cos * w.real(k1, b - a) - sin * w.imaginary(k1, b - a));
-          imaginary = imaginary + (cos * w.imaginary(k1, b - a) + sin * w.real(k1, b - a));
-        }
-        set_entry(out, a, b, real, a == b ? S(0.0) : imaginary);
-        if (a != b) set_entry(out, b, a, real, S(-imaginary));
-      }
-    return out;
+  static complex_number<S> lifted(const complex_number<double>& z) {
+    return {S(z.real), S(z.imaginary)};
   }
-  /// i n / 4 pi H(xi).
+
+  /// All modes, of k_1 mod n and k_2 mod n, row by row.
   template <class S>
-  static matrix<S> generator_of(const element<S>& xi) {
-    const auto h = hermitian(S(rows_of(xi.size) / (4 * std::numbers::pi)) * xi);
-    const int n = h.n / 2;
-    matrix<S> out(h.n);
-    for (int a = 0; a < n; ++a)
-      for (int b = 0; b < n; ++b) set_entry(out, a, b, S(-h(n + a, b)), h(a, b));
-    return out;
-  }
-  /// The inverse of `hermitian`; a multiple of 1 is dropped.
-  template <class S>
-  static element<S> modes_of(const matrix<S>& h) {
-    const int n = h.n / 2;
-    const auto& at = circle_of(n);
-    element<S> out(n * n - 1);
+  static std::array<complex_number<S>, most_rows * most_rows> modes(const element<S>& v) {
+    const int n = rows_of(v.size);
+    std::array<complex_number<S>, most_rows * most_rows> out;
+    const auto set = [&](int k1, int k2, const complex_number<S>& x) {
+      out[static_cast<std::size_t>(n * wrapped(k1, n) + wrapped(k2, n))] = x;
+    };
+    set(0, 0, {});
     for_each_mode(n, [&](int place, int k1, int k2) {
-      S real(0.0), imaginary(0.0);
-      for (int a = 0; a < n; ++a) {
-        const int b = wrapped(a + wrapped(k2, n) - n, n), angle = k1 * (a + b) % n;
-        const S cos(at.cos[angle]), sin(at.sin[angle]);
-        real = real + (cos * h(a, b) + sin * h(n + a, b));
-        imaginary = imaginary + (cos * h(n + a, b) - sin * h(a, b));
-      }
-      out[place] = S(std::numbers::sqrt2 / n) * real;
-      out[place + 1] = S(std::numbers::sqrt2 / n) * imaginary;
+      const complex_number<S> x = S(1 / std::numbers::sqrt2) * complex_number<S>{v[place], v[place + 1]};
+      set(k1, k2, x);
+      set(-k1, -k2, conjugate(x));
     });
     return out;
   }
-
- private:
-  /// (A, -B; B, A).
-  template <class S>
-  static void set_entry(matrix<S>& m, int a, int b, const S& real, const S& imaginary) {
-    const int n = m.n / 2;
-    m(a, b) = m(n + a, n + b) = real;
-    m(n + a, b) = imaginary;
-    m(a, n + b) = -imaginary;
+  /// H(v).
+  template <int n, class S>
+  [[gnu::noinline]] static complex_matrix<S, n> hermitian(const element<S>& v) {
+    const auto w = modes(v);
+    const auto& on = circle_of(n);
+    complex_matrix<S, n> out;
+    for (int a = 0; a < n; ++a)
+      for (int b = a; b < n; ++b) {
+        complex_number<S> sum;
+        for (int k1 = 0; k1 < n; ++k1)
+          sum = sum + lifted<S>(on.at[k1 * (a + b) % n]) * w[static_cast<std::size_t>(n * k1 + b - a)];
+        if (a == b) sum.imaginary = S(0.0);
+        out(a, b) = sum;
+        out(b, a) = conjugate(sum);
+      }
+    return out;
+  }
+  /// The inverse of `hermitian`; a multiple of 1 is dropped.
+  template <class S, int n>
+  [[gnu::noinline]] static element<S> modes_of(const complex_matrix<S, n>& h) {
+    const auto& on = circle_of(n);
+    element<S> out(n * n - 1);
+    for_each_mode(n, [&](int place, int k1, int k2) {
+      complex_number<S> sum;
+      for (int a = 0; a < n; ++a) {
+        const int b = (a + k2 + n) % n;
+        sum = sum + conjugate(lifted<S>(on.at[k1 * (a + b) % n])) * h(a, b);
+      }
+      out[place] = S(std::numbers::sqrt2 / n) * sum.real;
+      out[place + 1] = S(std::numbers::sqrt2 / n) * sum.imaginary;
+    });
+    return out;
   }
 };
 

@@ -7,8 +7,10 @@
 #pragma once
 
 #include <polhode/lie/bracket_series.hpp>
+#include <polhode/lie/matrix_functions.hpp>
 #include <polhode/lie/small_matrix.hpp>
 #include <polhode/scalar.hpp>
+#include <polhode/solve.hpp>
 #include <polhode/vec.hpp>
 
 namespace polhode {
@@ -161,7 +163,7 @@ struct son {
   /// R^T M R.
   template <class S>
   static element<S> turned(const matrix<S>& nearly, const element<S>& mu) {
-    const auto r = orthogonal(nearly);
+    const auto r = unitary(nearly);
     const auto half = as_matrix(mu) * r;
     element<S> out(mu.size);
     int place = 0;

@@ -11,9 +11,13 @@
 // Lett. 71 (1993) 3043-3046.
 #pragma once
 
+#include <cstddef>
+#include <numbers>
 #include <utility>
 
+#include <polhode/lie/complex_matrix.hpp>
 #include <polhode/lie/su.hpp>
+#include <polhode/scalar.hpp>
 #include <polhode/systems/constant_noise_sized.hpp>
 #include <polhode/systems/double_bracket.hpp>
 
@@ -24,20 +28,16 @@ struct sine_euler : double_bracket<sine_euler, su> {
   using state = vec<S, su::dimension>;
   static constexpr bool approximate_dissipation = true;
 
-  /// n = 3, 5 or 7, theta >= 0; noise of n^2 - 1 components.
+  /// n = 3 or 5, theta >= 0; noise of n^2 - 1 components.
   sine_euler(int n, double dissipation, constant_noise<su> noise_vectors)
-      : double_bracket(dissipation, std::move(noise_vectors)), rows(n), inverse_square(n * n - 1), line(n * n - 1) {
+      : double_bracket(dissipation, std::move(noise_vectors)), rows(n), inverse_square(n * n - 1) {
     su::for_each_mode(n, [&](int place, int k1, int k2) {
-      for (const int part : {place, place + 1}) {
-        inverse_square[part] = 1.0 / (k1 * k1 + k2 * k2);
-        line[part] = line_of(k1, k2);
-      }
+      inverse_square[place] = inverse_square[place + 1] = 1.0 / (k1 * k1 + k2 * k2);
     });
   }
 
   int rows;
   vec<double, su::dimension> inverse_square;  ///< 1 / |k|^2
-  vec<int, su::dimension> line;               ///< 0 … n: that through 0 on which k lies, mod n
 
   template <class S>
   state<S> omega(const state<S>& mu) const {
@@ -62,31 +62,53 @@ struct sine_euler : double_bracket<sine_euler, su> {
   }
   template <class S>
   [[gnu::noinline]] state<S> first_turn(const state<S>& mu, double t) const {
-    return turn(mu, 0, t);
+    return line_turn(mu, 0, t);
   }
   template <class S>
   [[gnu::noinline]] state<S> last_turn(state<S> mu, double t) const {
-    for (int i = 1; i < rows; ++i) mu = turn(mu, i, t / 2);
-    mu = turn(mu, rows, t);
-    for (int i = rows - 1; i >= 1; --i) mu = turn(mu, i, t / 2);
+    for (int i = 1; i < rows; ++i) mu = line_turn(mu, i, t / 2);
+    mu = line_turn(mu, rows, t);
+    for (int i = rows - 1; i >= 1; --i) mu = line_turn(mu, i, t / 2);
     return mu;
   }
 
- private:
-  /// k = j (1, i) mod n, or k_1 = 0.
-  int line_of(int k1, int k2) const {
-    if (k1 == 0) return rows;
-    int i = 0;
-    while ((k2 - i * k1) % rows != 0) ++i;
-    return i;
-  }
-  /// The part of h of the modes on one line, which stay: the others move by one element of the algebra.
+  /// The flow of the part of h of the modes on one line, k = a d mod n, d = (1, which) or, last, (0, 1). They stay;
+  /// with s = m x d the modes m + j d, j = 0 … n - 1, are convolved with n / 2 pi sin(2 pi a s / n) w_{a d} / |a d|^2,
+  /// and so their Fourier transforms turn at rates of their own. What it adds is computed: rounding takes no side.
   template <class S>
-  state<S> turn(const state<S>& mu, int which, double t) const {
-    auto xi = S(t) * omega(mu);
-    for (int k = 0; k < xi.size; ++k)
-      if (line[k] != which) xi[k] = S(0.0);
-    return su::exp_action(xi, mu);
+  [[gnu::noinline]] state<S> line_turn(const state<S>& mu, int which, double t) const {
+    using number = complex_number<S>;
+    const int n = rows, d1 = which < n ? 1 : 0, d2 = which < n ? which : 1;
+    const auto& on = su::circle_of(n);
+    const auto at = [n](int k1, int k2) { return static_cast<std::size_t>(n * ((k1 + n * n) % n) + (k2 + n * n) % n); };
+    const auto w = su::modes(mu), flow = su::modes(omega(mu));
+    auto added = su::modes(state<S>(mu.size));
+    for (int s = 1; s <= n / 2; ++s) {
+      const int m1 = d1 == 0 ? s : 0, m2 = d1 == 0 ? 0 : -s;
+      for (int q = 0; q < n; ++q) {
+        S rate(0.0);
+        number transform;
+        for (int a = 1; a <= n / 2; ++a)
+          rate = rate + S(n / std::numbers::pi * on.at[a * s % n].imaginary) *
+                            (conjugate(su::lifted<S>(on.at[a * q % n])) * flow[at(a * d1, a * d2)]).imaginary;
+        for (int j = 0; j < n; ++j)
+          transform = transform + conjugate(su::lifted<S>(on.at[j * q % n])) * w[at(m1 + j * d1, m2 + j * d2)];
+        const auto [sin, cos] = sincos(S(S(t / 2) * rate));
+        const number change = S(S(2.0 / n) * sin) * (number{-sin, cos} * transform);
+        for (int j = 0; j < n; ++j) {
+          auto& sum = added[at(m1 + j * d1, m2 + j * d2)];
+          sum = sum + su::lifted<S>(on.at[j * q % n]) * change;
+        }
+      }
+      for (int j = 0; j < n; ++j)
+        added[at(-m1 - j * d1, -m2 - j * d2)] = conjugate(added[at(m1 + j * d1, m2 + j * d2)]);
+    }
+    auto out = mu;
+    su::for_each_mode(n, [&](int place, int k1, int k2) {
+      out[place] = out[place] + S(std::numbers::sqrt2) * added[at(k1, k2)].real;
+      out[place + 1] = out[place + 1] + S(std::numbers::sqrt2) * added[at(k1, k2)].imaginary;
+    });
+    return out;
   }
 };
 
