@@ -87,9 +87,17 @@ struct sine_basis {
       }
     return out;
   }
-  /// The inverse of `hermitian`; a multiple of 1 is dropped.
+  /// The inverse of `hermitian`; a multiple of 1 is dropped. It inverts what is computed with rounded roots of unity:
+  /// one that did so but for their rounding would err by the same at every step, and let the Casimirs drift.
   template <class S, int n>
-  [[gnu::noinline]] static element<S> modes_of(const complex_matrix<S, n>& h) {
+  static element<S> modes_of(const complex_matrix<S, n>& h) {
+    const auto nearly = rounded_modes_of(h);
+    return nearly + rounded_modes_of(h - hermitian<n>(nearly));
+  }
+
+ private:
+  template <class S, int n>
+  [[gnu::noinline]] static element<S> rounded_modes_of(const complex_matrix<S, n>& h) {
     const auto& on = circle_of(n);
     element<S> out(n * n - 1);
     for_each_mode(n, [&](int place, int k1, int k2) {

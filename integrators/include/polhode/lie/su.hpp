@@ -22,6 +22,12 @@
 namespace polhode {
 
 struct su : sine_basis {
+  /// f(n) with the n of so many components known to the compiler.
+  template <class F>
+  static auto at_size(int components, F f) {
+    return rows_of(components) == 3 ? f(std::integral_constant<int, 3>{}) : f(std::integral_constant<int, 5>{});
+  }
+
   template <class S>
   [[gnu::noinline]] static element<S> bracket(const element<S>& xi, const element<S>& eta) {
     const int n = rows_of(xi.size);
@@ -98,11 +104,6 @@ struct su : sine_basis {
   }
 
  private:
-  /// f(n) with the n of so many components known to the compiler.
-  template <class F>
-  static auto at_size(int components, F f) {
-    return rows_of(components) == 3 ? f(std::integral_constant<int, 3>{}) : f(std::integral_constant<int, 5>{});
-  }
   /// i n / 4 pi H(xi).
   template <int n, class S>
   static complex_matrix<S, n> generator_of(const element<S>& xi) {

@@ -77,10 +77,15 @@ struct sine_euler : double_bracket<sine_euler, su> {
   /// and so their Fourier transforms turn at rates of their own. What it adds is computed: rounding takes no side.
   template <class S>
   [[gnu::noinline]] state<S> line_turn(const state<S>& mu, int which, double t) const {
+    return su::at_size(mu.size, [&](auto n) { return turned<n>(mu, which, t); });
+  }
+
+  template <int n, class S>
+  state<S> turned(const state<S>& mu, int which, double t) const {
     using number = complex_number<S>;
-    const int n = rows, d1 = which < n ? 1 : 0, d2 = which < n ? which : 1;
+    const int d1 = which < n ? 1 : 0, d2 = which < n ? which : 1;
     const auto& on = su::circle_of(n);
-    const auto at = [n](int k1, int k2) { return static_cast<std::size_t>(n * ((k1 + n * n) % n) + (k2 + n * n) % n); };
+    const auto at = [](int k1, int k2) { return static_cast<std::size_t>(n * ((k1 + n * n) % n) + (k2 + n * n) % n); };
     const auto w = su::modes(mu), flow = su::modes(omega(mu));
     auto added = su::modes(state<S>(mu.size));
     for (int s = 1; s <= n / 2; ++s) {
