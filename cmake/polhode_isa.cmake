@@ -14,7 +14,8 @@ list(REMOVE_ITEM POLHODE_SYSTEM_SOURCES systems/systems.cpp)
 list(APPEND POLHODE_ISA_SOURCES ${POLHODE_SYSTEM_SOURCES})
 set(POLHODE_ISA_CALLERS
   transfer/basis_sums.cpp algebra/dense_algebra.cpp ensemble/observing/direction_bins.cpp transfer/frame_sums.cpp platform/isa.cpp
-  ensemble/noise/normal_block.cpp ensemble/tangent_controls.cpp ensemble/yardstick.cpp systems/rigid_body/rigid_body.cpp ${POLHODE_SYSTEM_SOURCES})
+  ensemble/noise/normal_block.cpp ensemble/tangent_controls.cpp ensemble/yardstick.cpp systems/rigid_body/rigid_body.cpp systems/vortices/vortices.cpp
+  ${POLHODE_SYSTEM_SOURCES})
 set(POLHODE_AES_SOURCES ensemble/noise/isa/normal_block_ars.cpp)  # with AES besides, which no level implies
 set(POLHODE_UNCONTRACTED  # the same bits on every instruction set
   ensemble/observing/isa/direction_bins.cpp ensemble/noise/isa/normal_block.cpp ${POLHODE_AES_SOURCES})

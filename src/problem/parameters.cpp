@@ -98,6 +98,16 @@ parameter_rule positive_vector_of(std::string name, std::size_t size, std::strin
   return rule;
 }
 
+parameter_rule nonzero_vector_of(std::string name, std::size_t size, std::string unit, std::string meaning) {
+  auto rule = vector_of(std::move(name), size, std::move(unit), std::move(meaning));
+  rule.accepts += ", not all zero";
+  rule.read = [any = rule.read](const rows& given, shape s) -> std::optional<rows> {
+    const auto vector = any(given, s);
+    return vector && std::ranges::any_of(vector->front(), [](double x) { return x != 0; }) ? vector : std::nullopt;
+  };
+  return rule;
+}
+
 parameter_rule symmetric_matrix(std::string name, std::size_t size, std::string unit, std::string meaning) {
   return {.name = std::move(name),
           .shape = shape::vectors,
@@ -124,6 +134,13 @@ parameter_rule noise_vectors(std::size_t size, std::string unit) {
           .accepts = fmt::format("a finite number, {} of them, or a list of vectors of {}", n, n),
           .meaning = "noise vectors: a number s means s e_i, numbers s_i mean s_i e_i, [] none",
           .read = [size](const rows& given, shape s) { return noise(given, s, size); }};
+}
+
+parameter_rule refined_by(std::function<parameter_rule(const report::scene&)> refined, parameter_rule general,
+                          std::string accepts) {
+  general.accepts = std::move(accepts);
+  general.refined = std::move(refined);
+  return general;
 }
 
 }  // namespace polhode

@@ -36,11 +36,17 @@ parameter_rule number_from_zero(std::string name, std::string unit, std::string 
 /// So many numbers; all of them above zero.
 parameter_rule vector_of(std::string name, std::size_t size, std::string unit, std::string meaning);
 parameter_rule positive_vector_of(std::string name, std::size_t size, std::string unit, std::string meaning);
+/// So many numbers, not all of them zero.
+parameter_rule nonzero_vector_of(std::string name, std::size_t size, std::string unit, std::string meaning);
 /// A symmetric matrix, or its diagonal.
 parameter_rule symmetric_matrix(std::string name, std::size_t size, std::string unit, std::string meaning);
 /// One of some words, the first of which says what holds without it.
 parameter_rule one_of(std::string name, std::vector<std::string> words, std::string meaning);
 /// The key `sigma`: a number s for s e_i, so many numbers s_i for s_i e_i, or any list of vectors; zeros are dropped.
 parameter_rule noise_vectors(std::size_t size, std::string unit);
+
+/// A rule that `refined` decides on a scene; `accepts`, in words, where there is none.
+parameter_rule refined_by(std::function<parameter_rule(const report::scene&)> refined, parameter_rule general,
+                          std::string accepts);
 
 }  // namespace polhode

@@ -80,23 +80,14 @@ parameter_rule moments_for(std::size_t rows) {
 }
 
 parameter_rule states_for(std::size_t rows) {
-  const auto size = components_of(rows);
-  auto rule = vector_of("momentum", size, "inertia / time", "initial M_12, M_13, …, M_23, …");
-  rule.accepts += ", not all zero";
-  rule.read = [size](const number_rows& given, shape s) -> std::optional<number_rows> {
-    const bool fits = s == shape::vector && given[0].size() == size && length(given[0]) > 0;
-    return fits ? std::optional(given) : std::nullopt;
-  };
-  return rule;
+  return nonzero_vector_of("momentum", components_of(rows), "inertia / time", "initial M_12, M_13, …, M_23, …");
 }
 
 /// A rule whose size follows from n; what it accepts, in a table that has no n.
 template <class For>
 parameter_rule by_rows(For rule_for, std::string accepts) {
-  parameter_rule rule = rule_for(3);
-  rule.accepts = std::move(accepts);
-  rule.refined = [rule_for](const report::scene& s) { return rule_for(rows_of(s)); };
-  return rule;
+  return refined_by([rule_for](const report::scene& s) { return rule_for(rows_of(s)); }, rule_for(3),
+                    std::move(accepts));
 }
 
 parameter_rule noise_for(std::size_t rows) { return noise_vectors(components_of(rows), "1 / time^(1/2)"); }

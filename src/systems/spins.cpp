@@ -1,5 +1,7 @@
-// Coupled spins: their table, what they offer, and their meeting with the schemes.
+// Coupled spins: their table, what they offer, and their meeting with the schemes; and that of the vortices, which are
+// spins of another energy and cost nothing more to compile here.
 #include <polhode/systems/spins.hpp>
+#include <polhode/systems/vortices.hpp>
 
 #include <fmt/format.h>
 
@@ -15,6 +17,7 @@
 #include "sphere/closed_forms/chain_gibbs.hpp"
 #include "systems/system_source.hpp"
 #include "systems/systems.hpp"
+#include "systems/vortices/circulations.hpp"
 
 namespace polhode {
 namespace {
@@ -31,11 +34,16 @@ Eigen::MatrixXd matrix_of(const report::number_rows& rows) {
   return {matrix_of(s.vectors("quadratic")), three(s.vector("field")), matrix_of(s.vectors("exchange")),
           dissipation_of(s), spins::from_vectors(noise_vectors_of(s), static_cast<int>(s.momentum.size()))};
 }
+[[maybe_unused]] spins make_vortices(const report::scene& s) {
+  return vortices(circulations_of(s), dissipation_of(s),
+                  spins::from_vectors(noise_vectors_of(s), static_cast<int>(s.momentum.size())));
+}
 
 }  // namespace
 }  // namespace polhode
 
 POLHODE_MEETS_SCHEMES(spins, polhode::make_spins);
+POLHODE_MEETS_SCHEMES(vortices, polhode::make_vortices);
 
 #if POLHODE_COMPILED_ONCE
 namespace polhode {
@@ -126,17 +134,14 @@ parameter_rule exchange_for(std::size_t count, bool open) {
 }
 
 parameter_rule exchange_rule() {
-  auto rule = exchange_for(1, false);
-  rule.accepts = "a finite number, or a symmetric count x count matrix of finite numbers";
-  rule.refined = [](const report::scene& s) { return exchange_for(count_of(s), s.number("open") != 0); };
-  return rule;
+  return refined_by([](const report::scene& s) { return exchange_for(count_of(s), s.number("open") != 0); },
+                    exchange_for(1, false), "a finite number, or a symmetric count x count matrix of finite numbers");
 }
 
 parameter_rule noise_rule() {
-  auto rule = noise_vectors(3, "1 / time^(1/2)");
-  rule.accepts = "a finite number, 3 count of them, or a list of vectors of 3 count";
-  rule.refined = [](const report::scene& s) { return noise_vectors(3 * count_of(s), "1 / time^(1/2)"); };
-  return rule;
+  const auto noise_of = [](std::size_t count) { return noise_vectors(3 * count, "1 / time^(1/2)"); };
+  return refined_by([=](const report::scene& s) { return noise_of(count_of(s)); }, noise_of(1),
+                    "a finite number, 3 count of them, or a list of vectors of 3 count");
 }
 
 /// One spin for all, or each of them; none of length zero.
@@ -160,10 +165,8 @@ parameter_rule states_for(std::size_t count) {
 }
 
 parameter_rule states_rule() {
-  auto rule = states_for(1);
-  rule.accepts = "three finite numbers, or 3 count of them, no spin zero";
-  rule.refined = [](const report::scene& s) { return states_for(count_of(s)); };
-  return rule;
+  return refined_by([](const report::scene& s) { return states_for(count_of(s)); }, states_for(1),
+                    "three finite numbers, or 3 count of them, no spin zero");
 }
 
 template <class Value>

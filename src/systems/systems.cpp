@@ -1,15 +1,14 @@
 #include "systems/systems.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <memory>
 
 namespace polhode {
 
 /// All of them: name_system() is in systems/name.cpp or systems/name/.
-#define POLHODE_SYSTEMS(apply) \
-  apply(rigid_body) apply(spin) apply(so4_body) apply(heavy_top) apply(spins) apply(maxwell_bloch) apply(son_body)
+#define POLHODE_SYSTEMS(apply)                                                                                     \
+  apply(rigid_body) apply(spin) apply(so4_body) apply(heavy_top) apply(spins) apply(maxwell_bloch) apply(son_body) \
+      apply(vortices) apply(sine_euler)
 
 #define POLHODE_DECLARED(name) system_entry name##_system();
 POLHODE_SYSTEMS(POLHODE_DECLARED)
@@ -21,18 +20,8 @@ const std::vector<system_entry>& systems() {
 }
 
 parameter_rule momentum_rule(const system_entry& of) {
-  if (of.momentum) return *of.momentum;
-  const std::size_t size = of.dimension;
-  return {.name = "momentum",
-          .shape = report::shape::vector,
-          .unit = std::string(of.unit),
-          .accepts = fmt::format("{} finite numbers, not all zero", in_words(size)),
-          .meaning = "initial momentum",
-          .read = [size](const report::number_rows& given, report::shape s) -> std::optional<report::number_rows> {
-            const bool is_state = s == report::shape::vector && given[0].size() == size &&
-                                  std::ranges::any_of(given[0], [](double x) { return x != 0; });
-            return is_state ? std::optional(given) : std::nullopt;
-          }};
+  return of.momentum ? *of.momentum
+                     : nonzero_vector_of("momentum", of.dimension, std::string(of.unit), "initial momentum");
 }
 
 const system_entry* find_system(std::string_view name) {

@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include <polhode/systems/maxwell_bloch.hpp>
+#include <polhode/systems/sine_euler.hpp>
 #include <polhode/systems/son_body.hpp>
 #include <polhode/systems/spin.hpp>
 #include <polhode/systems/spins.hpp>
 #include <polhode/systems/varying_spin.hpp>
+#include <polhode/systems/vortices.hpp>
 
 #include "references/odeint.hpp"
 #include "support/heavy_top.hpp"
@@ -208,7 +210,7 @@ void expect_flows_of_second_order(const System& s, int components) {
     return out;
   };
   state mu(components);
-  for (int k = 0; k < components; ++k) mu[k] = normals<16>({5, noise_kind::initial_state, 0, 0})[k];
+  for (int k = 0; k < components; ++k) mu[k] = normals<24>({5, noise_kind::initial_state, 0, 0})[k];
   const auto order = [&](const auto& flow, const auto& drift) {
     const auto error = [&](double t) {
       const auto apart = flow(mu, t) - by_solver(drift, mu, t);
@@ -236,6 +238,15 @@ TEST(Flows, OfBodiesInMoreDimensionsAreOfSecondOrder) {
     expect_flows_of_second_order(
         son_body({lambda.begin(), lambda.begin() + n}, 0.3, son_body::isotropic(0, components)), components);
   }
+}
+
+TEST(Flows, OfVorticesAreOfSecondOrder) {
+  expect_flows_of_second_order(vortices({1.2, -0.8, 1.5}, 0.3, spins::isotropic(0, 9)), 9);
+}
+
+TEST(Flows, OfTheFluidOnTheTorusAreOfSecondOrder) {
+  for (const int n : {3, 5})
+    expect_flows_of_second_order(sine_euler(n, 0.3, sine_euler::isotropic(0, n * n - 1)), n * n - 1);
 }
 
 }  // namespace

@@ -1,11 +1,14 @@
 // What every Lie algebra of lie/ must do, against matrices. A new one adds its name and a state.
 #include <gtest/gtest.h>
 
+#include <complex>
+
 #include <polhode/lie/se2.hpp>
 #include <polhode/lie/se3.hpp>
 #include <polhode/lie/so3_power.hpp>
 #include <polhode/lie/so4.hpp>
 #include <polhode/lie/son.hpp>
+#include <polhode/lie/su.hpp>
 
 #include "support/dense.hpp"
 #include "support/schemes.hpp"
@@ -18,7 +21,7 @@ struct on {
   using algebra = Algebra;
   using element = vec<double, Algebra::dimension>;
   static constexpr int n = components;
-  static constexpr bool by_matrices = std::is_same_v<Algebra, son>;
+  static constexpr bool by_matrices = std::is_same_v<Algebra, son> || std::is_same_v<Algebra, su>;
   static constexpr double dexp_inv_reach = by_matrices ? 0.6 : 5;  ///< a series, or a closed form
 
   static element of(const vec<double, n>& numbers) {
@@ -42,6 +45,13 @@ struct on {
     }
     return m;
   }
+  /// What a change of each Casimir is measured by.
+  static auto casimir_sizes(const element& mu) {
+    if constexpr (requires { Algebra::casimir_sizes(mu); })
+      return Algebra::casimir_sizes(mu);
+    else
+      return Algebra::casimirs(mu);
+  }
   static double distance(const element& a, const Eigen::VectorXd& b) { return (numbers(a) - b).norm(); }
   static double distance(const element& a, const element& b) { return distance(a, numbers(b)); }
 };
@@ -49,7 +59,7 @@ struct on {
 template <class On>
 struct LieAlgebra : testing::Test {};
 using every_algebra = testing::Types<on<so3>, on<so4>, on<so3_power<16>, 9>, on<se2>, on<se3>, on<son, 3>, on<son, 6>,
-                                     on<son, 10>, on<son, 15>>;
+                                     on<son, 10>, on<son, 15>, on<su, 8>, on<su, 24>>;
 TYPED_TEST_SUITE(LieAlgebra, every_algebra);
 
 constexpr double sizes[] = {0.0, 1e-300, 1e-12, 1e-6, 1e-3, 0.199, 0.201, 1.0, 3.0, 10.0};
@@ -80,13 +90,14 @@ TYPED_TEST(LieAlgebra, CayleyActionIsTheCayleyTransform) {
 TYPED_TEST(LieAlgebra, ActionsKeepTheCasimirs) {
   using on = TypeParam;
   using algebra = typename on::algebra;
-  const auto casimirs = algebra::casimirs(on::state());
+  const auto casimirs = algebra::casimirs(on::state()), size_of = on::casimir_sizes(on::state());
   for (const double size : sizes)
     for (std::uint64_t i = 0; i < 10; ++i)
       for (const auto& next : {algebra::exp_action(on::some(i, size), on::state()),
                                algebra::cayley_action(on::some(i, size), on::state())})
         for (int k = 0; k < casimirs.size; ++k)
-          EXPECT_NEAR(algebra::casimirs(next)[k] / casimirs[k], 1, 1e-15 * std::max(4.0, size)) << size;
+          EXPECT_LE(std::fabs(algebra::casimirs(next)[k] - casimirs[k]), 1e-15 * std::max(4.0, size) * size_of[k])
+              << size;
 }
 
 TYPED_TEST(LieAlgebra, BracketIsTheCommutatorOfCoadjointOperatorsInItsOrder) {
@@ -138,11 +149,11 @@ TYPED_TEST(LieAlgebra, DexpInvIsItsSeries) {
 TYPED_TEST(LieAlgebra, ProjectionPutsAStateBackOntoItsOrbit) {
   using on = TypeParam;
   using algebra = typename on::algebra;
-  const auto orbit = algebra::casimirs(on::state());
+  const auto orbit = algebra::casimirs(on::state()), size_of = on::casimir_sizes(on::state());
   for (const double far : {1e-12, 0.01, 0.5}) {
     if (on::by_matrices && far > 0.1) continue;
     const auto back = algebra::orbit_projection(on::state() + on::some(7, far), on::state());
-    for (int k = 0; k < orbit.size; ++k) EXPECT_NEAR(algebra::casimirs(back)[k] / orbit[k], 1, 4e-15) << far;
+    for (int k = 0; k < orbit.size; ++k) EXPECT_NEAR(algebra::casimirs(back)[k], orbit[k], 4e-15 * size_of[k]) << far;
     EXPECT_LE(on::distance(back, on::state()), 3 * far + 1e-15);
   }
   EXPECT_LE(on::distance(algebra::orbit_projection(on::state(), on::state()), on::state()), 5e-16);
@@ -179,6 +190,57 @@ TEST(Son, OfThreeRowsIsSo3) {
     EXPECT_LE(three::distance(son::bracket(hat(xi), hat(mu)), hat(so3::bracket(xi, mu))), 1e-15 * std::max(1.0, size));
   }
   EXPECT_NEAR(son::casimirs(hat(mu))[0], so3::casimirs(mu)[0], 1e-15);
+}
+
+/// sum_k v_k J_k by products of Sylvester's clock and shift, J_k = e^{k_1 k_2 / 2} clock^k_1 shift^k_2, e = exp(4 pi
+/// i/n).
+template <int components>
+Eigen::MatrixXcd by_clock_and_shift(const vec<double, su::dimension>& v) {
+  using namespace std::complex_literals;
+  const int n = su::rows_of(components);
+  Eigen::MatrixXcd clock = Eigen::MatrixXcd::Zero(n, n), shift = clock, out = clock;
+  for (int a = 0; a < n; ++a) {
+    clock(a, a) = std::exp(4i * M_PI * double(a) / double(n));
+    shift(a, (a + 1) % n) = 1;
+  }
+  int place = 0;
+  for (int k1 = 0; k1 <= n / 2; ++k1)
+    for (int k2 = -(n / 2); k2 <= n / 2; ++k2) {
+      if (k1 == 0 && k2 <= 0) continue;
+      Eigen::MatrixXcd j = std::exp(2i * M_PI * double(k1 * k2) / double(n)) * Eigen::MatrixXcd::Identity(n, n);
+      for (int i = 0; i < k1; ++i) j *= clock;
+      for (int i = 0; i < (k2 + n) % n; ++i) j *= shift;
+      const auto mode = (v[place] + 1i * v[place + 1]) / std::sqrt(2.0);
+      out += mode * j + std::conj(mode) * j.adjoint();
+      place += 2;
+    }
+  return out;
+}
+
+template <int components>
+void expect_conjugation() {
+  using on = on<su, components>;
+  const double n = su::rows_of(components);
+  const auto matrix = by_clock_and_shift<components>;
+  const auto h = matrix(on::state());
+  const auto casimirs = su::casimirs(on::state()), size_of = su::casimir_sizes(on::state());
+  EXPECT_NEAR(casimirs[0], std::sqrt((h * h).trace().real() / n), 1e-14);
+  Eigen::MatrixXcd power = h * h;
+  for (int j = 3; j <= n; ++j) {
+    power *= h;
+    EXPECT_NEAR(casimirs[j - 2], power.trace().real() / n, 1e-14 * size_of[j - 2]) << j;
+  }
+  const Eigen::MatrixXcd one = Eigen::MatrixXcd::Identity(h.rows(), h.cols());
+  for (const double size : sizes) {
+    const auto xi = on::some(1, size);
+    const Eigen::MatrixXcd x = std::complex(0.0, n / (8 * M_PI)) * matrix(xi), u = (one - x).inverse() * (one + x);
+    EXPECT_LE((matrix(su::cayley_action(xi, on::state())) - u.adjoint() * h * u).norm(), 1e-13) << size;
+  }
+}
+
+TEST(Su, ActsByConjugationOfComplexMatrices) {
+  expect_conjugation<8>();
+  expect_conjugation<24>();
 }
 
 /// A lane's own number of squarings.

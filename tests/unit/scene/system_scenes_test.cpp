@@ -62,6 +62,17 @@ struct system_scenes : scene_files {
             {"horizon", "2.0"},
             {"momentum", "[0.6, 0.48, 0.64]"}};
   }
+  /// At (0, 0, 1) and (0.6, 0, 0.8), of strengths 2 and -1.
+  static keys two_vortices() {
+    return {{"system", "'vortices'"}, {"strengths", "[2, -1]"},
+            {"theta", "0.5"},         {"sigma", "0.5"},
+            {"horizon", "2.0"},       {"momentum", "[0, 0, -2, 0.6, 0, 0.8]"}};
+  }
+  static keys fluid() {
+    return {{"system", "'sine_euler'"}, {"n", "3"},
+            {"theta", "0.5"},           {"sigma", "0.5"},
+            {"horizon", "2.0"},         {"momentum", "[1, 2, 3, 4, 5, 6, 7, 8]"}};
+  }
   void refuse(keys given, const std::string& key, const std::string& value,
               const std::vector<std::string>& said = {"accepted: "}) {
     SCOPED_TRACE(key + " = " + value);
@@ -225,6 +236,49 @@ TEST_F(system_scenes, the_gibbs_law_of_maxwell_and_bloch_is_that_of_a_pendulum) 
   EXPECT_NEAR(mean("x2^2"), square / total, 1e-12);
   EXPECT_NEAR(mean("x1^2"), 1 / beta, 1e-15);
   EXPECT_NEAR(mean("energy"), 0.5 / beta + inversion / total, 1e-12);
+}
+
+TEST_F(system_scenes, faults_of_vortices_are_refused) {
+  for (const auto* bad : {"[2, 0]", "[]", "2.0", "[[2], [-1]]", "[1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1]"})
+    refuse(two_vortices(), "strengths", bad, {"strengths = ", "1 to 16 finite numbers, none of them 0"});
+  refuse(two_vortices(), "strengths", "[2, -1, 1]", {"momentum = ", "9 finite numbers, |mu_i| = |Gamma_i|"});
+  for (const auto* bad : {"[0, 0, -2]", "[0, 0, -2, 0.6, 0, 0.9]", "[0, 0, -2, 0, 0, 0]", "[0, 0, -2, 0, 0, 1]"})
+    refuse(two_vortices(), "momentum", bad, {"momentum = ", "six finite numbers", "no two vortices in one place"});
+  refuse(two_vortices(), "sigma", "[1, 2, 3]", {"sigma = ", "six of them"});
+  refuse(two_vortices(), "exchange", "1.0", {"exchange = ", "unknown key"});
+}
+
+// Of two, u = x_1.x_2 has the density (1 - u)^a, a = 2 theta Gamma_1 Gamma_2 / 4 pi sigma^2: E[h] by a sum over u.
+TEST_F(system_scenes, the_gibbs_law_of_two_vortices_is_a_power) {
+  auto given = two_vortices();
+  given["strengths"] = "[2, 1]";
+  given["momentum"] = "[0, 0, -2, -0.6, 0, -0.8]";
+  given["theta"] = "3.0";
+  const auto mean = [&] { return polhode::reference(load_scene(write(text(given))), {"gibbs", "energy", {}, 0}).value; };
+  const double a = 2 * 3.0 * 2 / (4 * M_PI * 0.25);
+  double total = 0, sum = 0;
+  constexpr int n = 20000;
+  for (int i = 0; i < n; ++i) {
+    const double gap = 2 * (i + 0.5) / n, mass = std::pow(gap, a);
+    total += mass;
+    sum -= mass * 2 / (4 * M_PI) * std::log(gap);
+  }
+  EXPECT_NEAR(mean(), sum / total, 1e-8);
+  given["strengths"] = "[2, -1]";  // a < -1
+  given["momentum"] = "[0, 0, -2, 0.6, 0, 0.8]";
+  EXPECT_THROW(mean(), polhode::input_error);
+  given["theta"] = "0.5";  // a = -2/pi: it can be normalised
+  EXPECT_NEAR(mean(), 2 / (4 * M_PI) * (std::log(2) - 1 / (1 - 2 / M_PI)), 1e-14);
+  given["sigma"] = "[1, 1, 1, 0, 0, 0]";
+  EXPECT_THROW(mean(), polhode::input_error);
+}
+
+TEST_F(system_scenes, faults_of_a_fluid_are_refused) {
+  for (const auto* bad : {"4", "1", "7", "3.5", "[3]", "true"}) refuse(fluid(), "n", bad, {"n = ", "3 or 5"});
+  refuse(fluid(), "n", "5", {"momentum = ", "24 finite numbers, not all zero"});
+  refuse(fluid(), "momentum", "[0, 0, 0, 0, 0, 0, 0, 0]", {"momentum = ", "8 finite numbers, not all zero"});
+  refuse(fluid(), "sigma", "[1, 2, 3]", {"sigma = ", "8 of them"});
+  refuse(fluid(), "inertia", "[1, 2, 3]", {"inertia = ", "unknown key"});
 }
 
 TEST_F(system_scenes, gibbs_laws_off_the_sphere_are_known) {

@@ -6,8 +6,11 @@
 // Of n = 3 this is lie/so3.hpp with M = mu^, the matrix of mu x: M_12 = -mu_3, M_13 = mu_2, M_23 = -mu_1.
 #pragma once
 
+#include <polhode/lie/bracket_series.hpp>
+#include <polhode/lie/matrix_functions.hpp>
 #include <polhode/lie/small_matrix.hpp>
 #include <polhode/scalar.hpp>
+#include <polhode/solve.hpp>
 #include <polhode/vec.hpp>
 
 namespace polhode {
@@ -84,20 +87,10 @@ struct son {
     return above_diagonal(S(-1.0) * (x * as_matrix(mu) * x));
   }
 
-  /// The series sum_k B_k/k! ad_u^k v to k = 14, right to rounding for |u| < 1/2.
+  /// Right to rounding for |u| < 1/2.
   template <class S>
   [[gnu::noinline]] static element<S> dexp_inv(const element<S>& u, const element<S>& v) {
-    constexpr double b[] = {1.0 / 12,           -1.0 / 720,     1.0 / 30240,
-                            -1.0 / 1209600,     1.0 / 47900160, -691.0 / 1307674368000.0,
-                            1.0 / 74724249600.0};
-    auto term = bracket(u, v);
-    auto sum = v - S(0.5) * term;
-    for (const double coefficient : b) {
-      term = bracket(u, term);
-      sum = sum + S(coefficient) * term;
-      term = bracket(u, term);
-    }
-    return sum;
+    return dexp_inv_by_series<son>(u, v);
   }
 
   /// |mu| = (tr M^T M / 2)^(1/2), then tr (M^T M)^k / 2, k = 2 … n/2: they fix the eigenvalues of M.
@@ -174,15 +167,10 @@ struct son {
     return out;
   }
 
-  /// R^T M R, R made orthogonal to rounding by a step of Newton's method, R (3 - R^T R) / 2: what squarings leave would
-  /// let the Casimirs drift.
+  /// R^T M R.
   template <class S>
   static element<S> turned(const matrix<S>& nearly, const element<S>& mu) {
-    auto excess = matrix<S>::identity(nearly.n);
-    for (int i = 0; i < nearly.n; ++i)
-      for (int j = 0; j < nearly.n; ++j)
-        for (int k = 0; k < nearly.n; ++k) excess(i, j) = excess(i, j) - nearly(k, i) * nearly(k, j);
-    const auto r = nearly + S(0.5) * (nearly * excess);
+    const auto r = unitary(nearly);
     const auto half = as_matrix(mu) * r;
     element<S> out(mu.size);
     int place = 0;

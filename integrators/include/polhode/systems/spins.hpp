@@ -3,18 +3,21 @@
 //   dS_i = S_i x (Omega_i + theta S_i x Omega_i) dt + sum_k S_i x sigma_ki o dW^k                       (Stratonovich),
 //   h = sum_i (S_i.quadratic S_i / 2 + field.S_i) + sum_{i<j} J_ij S_i.S_j,   Omega_i = dh/dS_i
 //
-// The Casimirs are the lengths |S_i|. Signs as in spin.hpp: h is the energy, the effective field is -Omega_i.
+// The Casimirs are the lengths |S_i|. Signs as in spin.hpp: h is the energy, the effective field is -Omega_i. In place
+// of J_ij u a pair may have any energy f_ij(u), u = S_i.S_j, that pair_energy.hpp knows: so vortices are spins too.
 // Source: Brown, Phys. Rev. 130 (1963) 1677-1686; Arnaudon, De Castro, Holm, arXiv:1601.02249 (coadjoint orbits).
 #pragma once
 
 #include <Eigen/Dense>
 #include <array>
+#include <ranges>
 #include <utility>
 #include <vector>
 
 #include <polhode/lie/so3_power.hpp>
 #include <polhode/systems/constant_noise_sized.hpp>
 #include <polhode/systems/double_bracket.hpp>
+#include <polhode/systems/pair_energy.hpp>
 #include <polhode/systems/spin.hpp>
 
 namespace polhode {
@@ -36,25 +39,34 @@ struct spins : double_bracket<spins, so3_power<most_spins>> {
         has_site_(!quadratic.isZero(0) || field != std::array<double, 3>{}) {
     for (int i = 0; i < exchange.rows(); ++i)
       for (int j = i + 1; j < exchange.rows(); ++j)
-        if (exchange(i, j) != 0) bonds_.push_back({i, j, exchange(i, j)});
+        if (exchange(i, j) != 0) pairs_.push_back({i, j, exchange(i, j)});
   }
+  /// Nothing but pairs.
+  spins(std::vector<pair_energy> pairs, double dissipation, constant_noise<group> noise_vectors)
+      : double_bracket(dissipation, std::move(noise_vectors)),
+        site_(Eigen::Matrix3d::Zero(), {}, 0, constant_noise<so3>()),
+        has_site_(false),
+        pairs_(std::move(pairs)) {}
 
   template <class S>
   [[gnu::noinline]] state<S> omega(const state<S>& mu) const {
     state<S> out(mu.size);
     for (int i = 0; i < mu.size / 3; ++i) group::set_part(out, i, site_.omega(group::part(mu, i)));
-    for (const auto& [i, j, strength] : bonds_)
+    for (const auto& pair : pairs_) {
+      const int a = 3 * pair.i, b = 3 * pair.j;
+      const S slope = pair.slope(product(pair, mu));
       for (int k = 0; k < 3; ++k) {
-        out[3 * i + k] = out[3 * i + k] + S(strength) * mu[3 * j + k];
-        out[3 * j + k] = out[3 * j + k] + S(strength) * mu[3 * i + k];
+        out[a + k] = out[a + k] + slope * mu[b + k];
+        out[b + k] = out[b + k] + slope * mu[a + k];
       }
+    }
     return out;
   }
   template <class S>
   S energy(const state<S>& mu) const {
     S sum(0.0);
     for (int i = 0; i < mu.size / 3; ++i) sum = sum + site_.energy(group::part(mu, i));
-    for (const auto& [i, j, strength] : bonds_) sum = sum + S(strength) * dot(group::part(mu, i), group::part(mu, j));
+    for (const auto& pair : pairs_) sum = sum + pair.value(product(pair, mu));
     return sum;
   }
 
@@ -75,40 +87,39 @@ struct spins : double_bracket<spins, so3_power<most_spins>> {
   [[gnu::noinline]] state<S> first_turn(const state<S>& mu, double t) const {
     return at_each_site(mu, [&](const vec<S, 3>& x) { return site_.first_turn(x, t); });
   }
-  /// Half of the rest of it, the bonds, and the other half.
+  /// Half of the rest of it, the pairs, and the other half.
   template <class S>
   [[gnu::noinline]] state<S> last_turn(const state<S>& mu, double t) const {
     const auto rest = [&](const vec<S, 3>& x) { return site_.last_turn(x, t / 2); };
     auto next = at_each_site(mu, rest);
-    for (auto b = bonds_.begin(); b != bonds_.end(); ++b) turn(next, *b, t / 2);
-    for (auto b = bonds_.rbegin(); b != bonds_.rend(); ++b) turn(next, *b, t / 2);
+    for (const auto& pair : pairs_) turn(next, pair, t / 2);
+    for (const auto& pair : pairs_ | std::views::reverse) turn(next, pair, t / 2);
     return at_each_site(next, rest);
   }
 
  private:
-  struct bond {
-    int i, j;
-    double strength;
-  };
-
+  template <class S>
+  static S product(const pair_energy& pair, const state<S>& mu) {
+    return dot(group::part(mu, pair.i), group::part(mu, pair.j));
+  }
   template <class S, class Flow>
   state<S> at_each_site(state<S> mu, Flow flow) const {
     if (!has_site_) return mu;
     for (int i = 0; i < mu.size / 3; ++i) group::set_part(mu, i, flow(group::part(mu, i)));
     return mu;
   }
-  /// One bond alone, exact: the sum of both spins stays, and both turn about it.
+  /// One pair alone, exact: S_i.S_j and the sum of both stay, and both turn about it.
   template <class S>
-  static void turn(state<S>& mu, const bond& of, double t) {
-    const auto a = group::part(mu, of.i), b = group::part(mu, of.j);
-    const auto axis = S(t * of.strength) * (a + b);
-    group::set_part(mu, of.i, so3::exp_action(axis, a));
-    group::set_part(mu, of.j, so3::exp_action(axis, b));
+  static void turn(state<S>& mu, const pair_energy& pair, double t) {
+    const auto a = group::part(mu, pair.i), b = group::part(mu, pair.j);
+    const auto axis = S(S(t) * pair.slope(product(pair, mu))) * (a + b);
+    group::set_part(mu, pair.i, so3::exp_action(axis, a));
+    group::set_part(mu, pair.j, so3::exp_action(axis, b));
   }
 
   spin site_;
   bool has_site_;
-  std::vector<bond> bonds_;
+  std::vector<pair_energy> pairs_;
 };
 
 }  // namespace polhode

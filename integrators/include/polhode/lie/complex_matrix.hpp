@@ -1,0 +1,89 @@
+// Complex n x n matrices over any scalar, n known to the compiler.
+#pragma once
+
+#include <array>
+
+#include <polhode/scalar.hpp>
+
+namespace polhode {
+
+template <class S>
+struct complex_number {
+  S real{0.0}, imaginary{0.0};
+
+  friend complex_number operator+(const complex_number& a, const complex_number& b) {
+    return {a.real + b.real, a.imaginary + b.imaginary};
+  }
+  friend complex_number operator-(const complex_number& a, const complex_number& b) {
+    return {a.real - b.real, a.imaginary - b.imaginary};
+  }
+  friend complex_number operator*(const complex_number& a, const complex_number& b) {
+    return {a.real * b.real - a.imaginary * b.imaginary, a.real * b.imaginary + a.imaginary * b.real};
+  }
+  friend complex_number operator*(const S& s, const complex_number& a) { return {s * a.real, s * a.imaginary}; }
+};
+
+template <class S>
+complex_number<S> conjugate(const complex_number<S>& a) {
+  return {a.real, -a.imaginary};
+}
+template <class S>
+complex_number<S> reciprocal(const complex_number<S>& a) {
+  return (S(1.0) / (a.real * a.real + a.imaginary * a.imaginary)) * conjugate(a);
+}
+template <class Mask, class S>
+complex_number<S> select(const Mask& condition, const complex_number<S>& yes, const complex_number<S>& no) {
+  return {select(condition, yes.real, no.real), select(condition, yes.imaginary, no.imaginary)};
+}
+
+/// Row by row.
+template <class S, int N>
+struct complex_matrix {
+  using scalar = S;
+  using entry = complex_number<S>;
+  static constexpr int n = N;
+  static complex_matrix identity(int) {
+    complex_matrix out;
+    for (int i = 0; i < n; ++i) out(i, i).real = S(1.0);
+    return out;
+  }
+
+  std::array<entry, N * N> entries{};
+  entry& operator()(int i, int j) { return entries[static_cast<std::size_t>(N * i + j)]; }
+  const entry& operator()(int i, int j) const { return entries[static_cast<std::size_t>(N * i + j)]; }
+
+  /// The sum of the squares of the entries' sizes.
+  S square() const { return real_product(*this, *this); }
+  /// The real part of tr A* B.
+  friend S real_product(const complex_matrix& a, const complex_matrix& b) {
+    S sum(0.0);
+    for (std::size_t k = 0; k < N * N; ++k)
+      sum = sum + (a.entries[k].real * b.entries[k].real + a.entries[k].imaginary * b.entries[k].imaginary);
+    return sum;
+  }
+
+  friend complex_matrix operator+(complex_matrix a, const complex_matrix& b) {
+    for (std::size_t k = 0; k < N * N; ++k) a.entries[k] = a.entries[k] + b.entries[k];
+    return a;
+  }
+  friend complex_matrix operator-(complex_matrix a, const complex_matrix& b) {
+    for (std::size_t k = 0; k < N * N; ++k) a.entries[k] = a.entries[k] - b.entries[k];
+    return a;
+  }
+  friend complex_matrix operator*(const S& s, complex_matrix a) {
+    for (auto& x : a.entries) x = s * x;
+    return a;
+  }
+  [[gnu::noinline]] friend complex_matrix operator*(const complex_matrix& a, const complex_matrix& b) {
+    complex_matrix out;
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j < N; ++j) {
+        entry sum = a(i, 0) * b(0, j);
+        for (int k = 1; k < N; ++k) sum = sum + a(i, k) * b(k, j);
+        out(i, j) = sum;
+      }
+    return out;
+  }
+};
+
+}  // namespace polhode

@@ -1,0 +1,86 @@
+// Exponentials and Cayley transforms of small square matrices, real (small_matrix.hpp) or complex (complex_matrix.hpp).
+#pragma once
+
+#include <polhode/scalar.hpp>
+
+namespace polhode {
+
+/// Of a real entry; complex_matrix.hpp has those of a complex one.
+template <class S>
+S reciprocal(const S& x) {
+  return S(1.0) / x;
+}
+template <class S>
+const S& conjugate(const S& x) {
+  return x;
+}
+
+/// exp(x), by a Taylor polynomial of degree 12 of x / 2^s and s squarings; s is a lane's own.
+template <class matrix>
+[[gnu::noinline]] matrix exponential_of(matrix x) {
+  using S = typename matrix::scalar;
+  constexpr int most_halvings = 60;
+  constexpr double largest = 1.0 / 16;  // of |x / 2^s|^2: the next term is below rounding
+  S square = x.square(), scale(1.0), halvings(0.0);
+  for (int i = 0; i < most_halvings && any(S(0.0), square > S(largest)); ++i) {
+    const auto large = square > S(largest);
+    scale = select(large, S(S(0.5) * scale), scale);
+    halvings = select(large, S(halvings + S(1.0)), halvings);
+    square = select(large, S(S(0.25) * square), square);
+  }
+  x = scale * x;
+  // sum of x^k / k!, four terms at a time.
+  const matrix one = matrix::identity(x.n), x2 = x * x, x3 = x2 * x, x4 = x2 * x2;
+  const auto block = [&](double a, double b, double c, double d) {
+    return S(a) * one + S(b) * x + S(c) * x2 + S(d) * x3;
+  };
+  matrix out = block(1.0 / 40320, 1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800) + S(1.0 / 479001600) * x4;
+  out = block(1.0 / 24, 1.0 / 120, 1.0 / 720, 1.0 / 5040) + x4 * out;
+  out = block(1, 1, 0.5, 1.0 / 6) + x4 * out;
+  for (int i = 0; i < most_halvings && any(S(0.0), halvings > S(0.5)); ++i) {
+    const auto pending = halvings > S(0.5);
+    const matrix squared = out * out;
+    for (int row = 0; row < x.n; ++row)
+      for (int k = 0; k < x.n; ++k) out(row, k) = select(pending, squared(row, k), out(row, k));
+    halvings = halvings - S(1.0);
+  }
+  return out;
+}
+
+/// (1 - x/2)^-1 (1 + x/2), by elimination without pivots, which a positive symmetric part of 1 - x/2 allows.
+template <class matrix>
+[[gnu::noinline]] matrix cayley_of(const matrix& x) {
+  using S = typename matrix::scalar;
+  using entry = typename matrix::entry;
+  matrix a = matrix::identity(x.n) + S(-0.5) * x, out = matrix::identity(x.n) + S(0.5) * x;
+  for (int k = 0; k < x.n; ++k) {
+    const entry pivot = reciprocal(a(k, k));
+    for (int j = 0; j < x.n; ++j) {
+      a(k, j) = pivot * a(k, j);
+      out(k, j) = pivot * out(k, j);
+    }
+    for (int i = 0; i < x.n; ++i) {
+      if (i == k) continue;
+      const entry factor = a(i, k);
+      for (int j = 0; j < x.n; ++j) {
+        a(i, j) = a(i, j) - factor * a(k, j);
+        out(i, j) = out(i, j) - factor * out(k, j);
+      }
+    }
+  }
+  return out;
+}
+
+/// A matrix that is unitary but for rounding, to rounding of the next order: a step of Newton's method, U (3 - U* U)
+/// / 2. What squarings leave would let the Casimirs drift.
+template <class matrix>
+[[gnu::noinline]] matrix unitary(const matrix& nearly) {
+  using S = typename matrix::scalar;
+  auto excess = matrix::identity(nearly.n);
+  for (int i = 0; i < nearly.n; ++i)
+    for (int j = 0; j < nearly.n; ++j)
+      for (int k = 0; k < nearly.n; ++k) excess(i, j) = excess(i, j) - conjugate(nearly(k, i)) * nearly(k, j);
+  return nearly + S(0.5) * (nearly * excess);
+}
+
+}  // namespace polhode

@@ -1,0 +1,180 @@
+// su(n), n = 3 or 5, in the Fourier basis of the sine algebra, and its dual (Fairlie, Zachos, Phys. Lett. B 224
+// (1989) 101-107). n is known at run time, by the size n^2 - 1 of a vector.
+//
+//   [xi, eta]_m = n / 2 pi sum_{k + l = m mod n} sin(2 pi (k x l) / n) xi_k eta_l,   k x l = k_1 l_2 - k_2 l_1
+//   coad(xi, mu) = ad*_xi mu = [mu, xi],     exp_action(xi, mu) = exp(-X) M exp(X)
+//
+// X = i n / 4 pi H(xi) and [X, Y] = X Y - Y X; modes and the Hermitian matrix H of a vector are in lie/sine_basis.hpp.
+// As n grows the bracket becomes that of Poisson, of functions on the torus.
+#pragma once
+
+#include <numbers>
+#include <type_traits>
+
+#include <polhode/lie/bracket_series.hpp>
+#include <polhode/lie/complex_matrix.hpp>
+#include <polhode/lie/matrix_functions.hpp>
+#include <polhode/lie/sine_basis.hpp>
+#include <polhode/scalar.hpp>
+#include <polhode/solve.hpp>
+#include <polhode/vec.hpp>
+
+namespace polhode {
+
+struct su : sine_basis {
+  /// f(n) with the n of so many components known to the compiler.
+  template <class F>
+  static auto at_size(int components, F f) {
+    return rows_of(components) == 3 ? f(std::integral_constant<int, 3>{}) : f(std::integral_constant<int, 5>{});
+  }
+
+  template <class S>
+  [[gnu::noinline]] static element<S> bracket(const element<S>& xi, const element<S>& eta) {
+    const int n = rows_of(xi.size);
+    const auto& on = circle_of(n);
+    const auto x = modes(xi), y = modes(eta);
+    element<S> out(xi.size);
+    const S unit(n / (2 * std::numbers::pi) * std::numbers::sqrt2);
+    for_each_mode(n, [&](int place, int m1, int m2) {
+      m2 = wrapped(m2, n);
+      complex_number<S> sum;
+      for (int k1 = 0, first = 0; k1 < n; ++k1, first = wrapped(first + m2 - n, n))
+        for (int k2 = 0, angle = first; k2 < n; ++k2, angle = wrapped(angle - m1, n)) {  // k x m mod n
+          if (angle == 0) continue;
+          const auto k = static_cast<std::size_t>(n * k1 + k2);
+          const auto l = static_cast<std::size_t>(n * wrapped(m1 - k1, n) + wrapped(m2 - k2, n));
+          sum = sum + (S(on.at[angle].imaginary) * x[k]) * y[l];
+        }
+      out[place] = unit * sum.real;
+      out[place + 1] = unit * sum.imaginary;
+    });
+    return out;
+  }
+  template <class S>
+  static element<S> coad(const element<S>& xi, const element<S>& mu) {
+    return bracket(mu, xi);
+  }
+  template <class S>
+  [[gnu::noinline]] static element<S> exp_action(const element<S>& xi, const element<S>& mu) {
+    return at_size(xi.size, [&](auto n) { return turned(exponential_of(generator_of<n>(xi)), mu); });
+  }
+  /// By the unitary matrix (1 - X/2)^-1 (1 + X/2); the Cayley transform of the coadjoint operator would keep |mu|
+  /// alone.
+  template <class S>
+  [[gnu::noinline]] static element<S> cayley_action(const element<S>& xi, const element<S>& mu) {
+    return at_size(xi.size, [&](auto n) { return turned(cayley_of(generator_of<n>(xi)), mu); });
+  }
+  /// Right to rounding for |u| < 1/2.
+  template <class S>
+  [[gnu::noinline]] static element<S> dexp_inv(const element<S>& u, const element<S>& v) {
+    return dexp_inv_by_series<su>(u, v);
+  }
+
+  /// |mu|, then tr H^j / n, j = 3 … n, of H = sum mu_k J_k: they fix its eigenvalues.
+  template <class S>
+  static vec<S, 1 - most_rows> casimirs(const element<S>& mu) {
+    const int n = rows_of(mu.size);
+    const auto traces = traces_of(mu, n);
+    vec<S, 1 - most_rows> out(n - 1);
+    for (int j = 2; j <= n; ++j) out[j - 2] = traces[j];
+    out[0] = square_root(out[0]);
+    return out;
+  }
+  /// What a change of each is measured by: itself, or where j is odd, and it may be zero, the mean of its neighbours.
+  template <class S>
+  static vec<S, 1 - most_rows> casimir_sizes(const element<S>& mu) {
+    const int n = rows_of(mu.size);
+    const auto traces = traces_of(mu, n + 1);
+    vec<S, 1 - most_rows> out(n - 1);
+    for (int j = 2; j <= n; ++j) out[j - 2] = j % 2 == 0 ? traces[j] : square_root(S(traces[j - 1] * traces[j + 1]));
+    out[0] = square_root(out[0]);
+    return out;
+  }
+
+  /// A point of the orbit of `onto` next to mu: H + sum_k c_k H^k, k = 0 … n-1, its c_k by Newton's method. Where
+  /// eigenvalues coincide |mu| alone is put right.
+  template <class S>
+  [[gnu::noinline]] static element<S> orbit_projection(const element<S>& mu, const element<S>& onto) {
+    const S size = square_root(dot(onto, onto)), unit = S(1.0) / size;
+    const auto asked = traces_of(unit * onto, rows_of(mu.size));
+    return at_size(mu.size, [&](auto n) {
+      const auto first = hermitian<n>(unit * mu);
+      return mu + size * modes_of(with_traces(first, asked) - first);
+    });
+  }
+
+ private:
+  /// i n / 4 pi H(xi).
+  template <int n, class S>
+  static complex_matrix<S, n> generator_of(const element<S>& xi) {
+    auto x = hermitian<n>(S(n / (4 * std::numbers::pi)) * xi);
+    for (auto& entry : x.entries) entry = {-entry.imaginary, entry.real};
+    return x;
+  }
+  /// U^-1 H U, as what it adds to H: between modes and matrices every step would be rounded to the same side.
+  template <class S, int n>
+  static element<S> turned(const complex_matrix<S, n>& nearly, const element<S>& mu) {
+    const auto u = unitary(nearly), h = hermitian<n>(mu);
+    auto inverse = u;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) inverse(i, j) = conjugate(u(j, i));
+    return mu + modes_of(inverse * (h * u) - h);
+  }
+
+  template <class S>
+  using traces = vec<S, 1 - 2 * most_rows>;
+  /// tr H^j / n, j = 0 … last.
+  template <class S, int n>
+  static traces<S> power_traces(const complex_matrix<S, n>& h, int last) {
+    traces<S> out(last + 1);
+    out[0] = S(1.0);
+    auto power = h;
+    for (int j = 2; j <= last; j += 2) {
+      out[j] = S(1.0 / n) * power.square();
+      if (j == last) break;
+      const auto next = power * h;
+      out[j + 1] = S(1.0 / n) * real_product(power, next);
+      power = next;
+    }
+    return out;
+  }
+  template <class S>
+  [[gnu::noinline]] static traces<S> traces_of(const element<S>& mu, int last) {
+    return at_size(mu.size, [&](auto n) { return power_traces(hermitian<n>(mu), last); });
+  }
+  /// The polynomial of h that has the traces that are asked for.
+  template <class S, int n>
+  static complex_matrix<S, n> with_traces(complex_matrix<S, n> h, const traces<S>& asked) {
+    constexpr int corrections = 5;
+    const auto one = complex_matrix<S, n>::identity(n);
+    for (int i = 0; i < corrections; ++i) {
+      const auto c = correction(power_traces(h, 2 * n - 2), asked, n);
+      auto sum = c[n - 1] * h + c[n - 2] * one;
+      for (int k = n - 3; k >= 0; --k) sum = sum * h + c[k] * one;
+      h = h + sum;
+    }
+    return h;
+  }
+  /// Of the c_k: tr H^j / n = q_j is asked to be a_j, and changes by j sum_k q_(j-1+k) c_k, j = 1 … n.
+  template <class S>
+  static vec<S, -most_rows> correction(const traces<S>& q, const traces<S>& asked, int n) {
+    using numbers = vec<S, -most_rows>;
+    auto slopes = zeros<polhode::matrix<S, -most_rows>>(n);
+    numbers missing(n), scaling(n);
+    for (int j = 0; j < n; ++j) {
+      slopes[j] = numbers(n);
+      for (int k = 0; k < n; ++k) slopes[j][k] = q[j + k];
+      missing[j] = S(1.0 / (j + 1)) * (asked[j + 1] - q[j + 1]);
+    }
+    scaling[1] = missing[1] / q[2];
+    const auto c = times(inverse(slopes), missing);
+    S most(0.0);
+    for (int k = 0; k < n; ++k) most = most + magnitude(c[k]);
+    const auto regular = most < S(10.0);  // not where it is no number
+    numbers out(n);
+    for (int k = 0; k < n; ++k) out[k] = select(regular, c[k], scaling[k]);
+    return out;
+  }
+};
+
+}  // namespace polhode
