@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -61,8 +60,7 @@ int run(const arguments& given) {
     print(report::to_json(found));
   else if (!given.quiet)
     print(to_text(found, terminal_width(STDOUT_FILENO)));
-  const auto differs = [](const report::reproduction& r) { return r.verdict() == report::agreement::differs; };
-  return std::ranges::any_of(found, differs) ? 1 : 0;
+  return exit_code(found);
 }
 
 }  // namespace

@@ -132,11 +132,8 @@ void add_the_exponents(const scene& s, report::reproduction& out) {
                                           within(found.value, found.uncertainty), found.method));
   out.numbers.push_back(compared_at_most("sum of both exponents: negative, so it is no area", 0,
                                          within(*found.sum, found.uncertainty), "exact, from the Gibbs law"));
-  auto dimension = compared_at_most("dimension of the attractor (Kaplan, Yorke): a curve, folded", 2,
-                                    within(*found.dimension, 0), "1 + lambda_1 / |lambda_2|; between 1 and 2");
-  dimension.least = 1;
-  if (*found.dimension < 1) dimension.verdict = report::agreement::differs;
-  out.numbers.push_back(std::move(dimension));
+  out.numbers.push_back(compared_between("dimension of the attractor (Kaplan, Yorke): a curve, folded", 1, 2,
+                                         within(*found.dimension, 0), "1 + lambda_1 / |lambda_2|"));
   const auto damped = reference(with_dissipation(s, 1), {"lyapunov", {}, {}, 0});
   out.numbers.push_back(compared_at_most("first exponent at theta = 1: noise too weak beside the dissipation", 0,
                                          within(damped.value, damped.uncertainty),
@@ -147,7 +144,7 @@ void add_the_exponents(const scene& s, report::reproduction& out) {
 void add_the_print(const subject& s, report::reproduction& out) {
   const double loss = s.model->dissipation_rate(s.scene.momentum);
   out.numbers.push_back(explained_by(
-      compared("dh/dt without noise at Pi = (0.6, 0.48, 0.64), by eq. (3.4) as printed", loss, 1e-12, within(-loss, 0),
+      compared("dh/dt without noise at Pi = (0.6, 0.48, 0.64), by eq. (3.4) as printed", loss, 1e-6, within(-loss, 0),
                ""),
       "the print has the sign that makes h grow; the paper's own energy law dh/dt = -theta |Pi x Omega|^2 and its "
       "Gibbs law ask for the other one, which is taken here (docs/model.md)"));

@@ -46,6 +46,15 @@ reproduced_number compared_at_least(std::string quantity, double least, const in
   return judged(std::move(n), ours, std::move(why));
 }
 
+reproduced_number compared_between(std::string quantity, double least, double most, const interval_estimate& ours,
+                                   std::string why) {
+  reproduced_number n;
+  n.quantity = std::move(quantity);
+  n.least = least;
+  n.most = most;
+  return judged(std::move(n), ours, std::move(why));
+}
+
 reproduced_number explained_by(reproduced_number n, const std::string& reason) {
   if (n.verdict != agreement::differs) return n;
   n.verdict = agreement::explained;

@@ -20,6 +20,10 @@ report::reproduced_number compared_at_most(std::string quantity, double most, co
 report::reproduced_number compared_at_least(std::string quantity, double least, const interval_estimate& ours,
                                             std::string why);
 
+/// Or two.
+report::reproduced_number compared_between(std::string quantity, double least, double most,
+                                           const interval_estimate& ours, std::string why);
+
 /// A difference that is expected: the reason is put before the rest, and only where there is one.
 report::reproduced_number explained_by(report::reproduced_number, const std::string& reason);
 

@@ -98,4 +98,9 @@ std::string to_text(std::span<const report::reproduction> all, std::size_t width
   return out;
 }
 
+int exit_code(std::span<const report::reproduction> all) {
+  const auto differs = [](const report::reproduction& r) { return r.verdict() == report::agreement::differs; };
+  return std::ranges::any_of(all, differs) ? 1 : 0;
+}
+
 }  // namespace polhode::cli

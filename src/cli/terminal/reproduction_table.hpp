@@ -12,4 +12,7 @@ namespace polhode::cli {
 /// A table a case, and below it why a number differs.
 std::string to_text(std::span<const report::reproduction>, std::size_t width);
 
+/// 1 if a number should agree and does not, else 0.
+int exit_code(std::span<const report::reproduction>);
+
 }  // namespace polhode::cli
