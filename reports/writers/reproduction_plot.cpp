@@ -10,7 +10,7 @@
 namespace polhode::report {
 namespace {
 
-constexpr double width = 440, height = 270, left = 58, right = 14, top = 12, bottom = 42;
+constexpr double width = 440, height = 270, left = 74, right = 14, top = 12, bottom = 42;
 
 /// From numbers to places, along one axis.
 struct axis {
@@ -32,16 +32,27 @@ axis axis_over(const std::vector<double>& values, bool logarithmic, double from,
   return a;
 }
 
-/// Of a step 1, 2 or 5 times a power of ten; where an axis is logarithmic, of exponents.
+/// Powers of ten, each `every`-th of them; over few of them 2 and 5 times these as well.
+std::vector<double> logarithmic_ticks(const axis& a) {
+  const double every = std::max(1.0, std::ceil((a.high - a.low) / 5));
+  std::vector<double> out;
+  for (double power = std::floor(a.low); power <= a.high; power += every)
+    for (const double times : {1.0, 2.0, 5.0}) {
+      const double t = times * std::pow(10, power), at = a.value_of(t);
+      if (at >= a.low && at <= a.high && (times == 1 || a.high - a.low < 2)) out.push_back(t);
+    }
+  return out;
+}
+
+/// Of a step 1, 2 or 5 times a power of ten.
 std::vector<double> ticks_of(const axis& a) {
+  if (a.logarithmic) return logarithmic_ticks(a);
   const double rough = (a.high - a.low) / 4, power = std::pow(10, std::floor(std::log10(rough)));
   double step = 10 * power;
   for (const double s : {5.0, 2.0, 1.0})
     if (s * power >= rough) step = s * power;
-  if (a.logarithmic) step = std::max(step, a.high - a.low > 2 ? 1.0 : 0.5);
   std::vector<double> out;
-  for (double t = std::ceil(a.low / step) * step; t <= a.high + 1e-9 * step; t += step)
-    out.push_back(a.logarithmic ? std::pow(10, t) : t);
+  for (double t = std::ceil(a.low / step) * step; t <= a.high + 1e-9 * step; t += step) out.push_back(t);
   return out;
 }
 
@@ -80,6 +91,7 @@ std::string to_svg(const reproduced_curve& c) {
              y = axis_over(ys, c.logarithmic, height - bottom, top);
   std::string line, circles;
   for (const auto& p : c.points) {
+    if (!drawable(c, p.x)) continue;
     if (p.published && drawable(c, *p.published))
       line += fmt::format("{}{:.1f} {:.1f}", line.empty() ? "M" : "L", x.at(p.x), y.at(*p.published));
     if (p.ours && drawable(c, *p.ours))

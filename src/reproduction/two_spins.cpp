@@ -87,7 +87,7 @@ double mean_of(const chain& c) { return std::accumulate(c.begin(), c.end(), 0.0)
 
 struct found_energy {
   interval_estimate mean, distance;
-  double effective = 0;  ///< independent samples that a chain is worth
+  double effective = 0;  ///< independent samples that a chain is worth, at most its own
 };
 
 found_energy found_in(const std::vector<chain>& chains) {
@@ -104,7 +104,7 @@ found_energy found_in(const std::vector<chain>& chains) {
   out.distance = {mean_interval(distances).value, low, high};
   double scatter = 0;
   for (const double m : means) scatter += std::pow(m - out.mean.value, 2) / static_cast<double>(means.size() - 1);
-  out.effective = variance / scatter;
+  out.effective = std::min(variance / scatter, static_cast<double>(chains.front().size()));
   return out;
 }
 

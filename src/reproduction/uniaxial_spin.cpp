@@ -106,8 +106,8 @@ report::reproduction uniaxial_spin(const reproduce_options&) {
       "= 0.1\ntemperature = 1.0\nmomentum = [0.6, 0.0, 0.8]\nhorizon = 1.0\n",
       chi);
   out.notes = {
-      "Energies are in units of k_B T, times in |m| / (gamma k_B T) times the moment of a spin: 1 here is 5.45e-12 s "
-      "there, and their step of 1e-15 s is 1.8e-4.",
+      "Energies are in units of k_B T, times in mu_s / (gamma k_B T) = 5.45e-12 s: their step of 1e-15 s is 1.8e-4 "
+      "here.",
       "Published are the formula and a plot of log P in bins of 0.1, no table: a bin agrees where it lies within what "
       "their 27,000 spins scatter by.",
       "With k_B = 1.380649e-23 J/K, chi is 4.867276891850 and E[m_z^2] is 0.757367637896.",

@@ -11,6 +11,9 @@ FILES = ['reproductions.html', 'reproductions.json', 'reproductions.md']
 
 
 class Reproduce(Case):
+    def content_of(self, path):
+        with open(path, encoding='utf-8') as f: return f.read()
+
     def test_bad_input_is_one_line(self):
         for args, names in ((('two_spin',), ['two_spin', "'two_spins'", 'uniaxial_spin', 'paper']), (('',), ['CASE', 'two_spins']), (('papr', 'two_spins'), ["'paper'"]),
                             ((*FAST, '--effort', 'fast'), ['--effort']), (('paper', '--effort', 'fast'), ['fast', 'quick']), ((*FAST, '--format', 'xml'), ['xml', 'json']),
@@ -53,8 +56,8 @@ class Reproduce(Case):
             folder = os.path.join(self.folder.name, 'deep/pages')
             self.assertEqual(sorted(os.listdir(folder)), FILES)
             self.assertEqual(os.listdir(os.path.dirname(folder)), ['pages'])
-        read = lambda name: open(os.path.join(folder, name), encoding='utf-8').read()
-        page, text, case = read(FILES[0]), read(FILES[2]), json.loads(read(FILES[1]))['cases'][0]
+        page, document, text = map(self.content_of, (os.path.join(folder, name) for name in FILES))
+        case = json.loads(document)['cases'][0]
         self.assertFalse(re.search(r'<script|https?://|<link|src=', page))
         for number in case['numbers']: self.assertIn(number['quantity'].split(':')[0].split(',')[0], page)
         self.assertEqual(page.count('<svg'), len(case['curves']))

@@ -19,9 +19,9 @@ reproduced_number sample() {
   n.published = 0.589;
   n.least = 0.5885;
   n.most = 0.5895;
-  n.ours = 0.5105;
-  n.low = 0.5095;
-  n.high = 0.5115;
+  n.ours = 0.5104;
+  n.low = 0.5094;
+  n.high = 0.5114;
   n.verdict = agreement::explained;
   n.why = "x < y";
   return n;
@@ -40,11 +40,13 @@ reproduction whole() {
 
 TEST(ReproductionWriters, NumbersHaveTheDigitsOfTheirIntervals) {
   auto n = sample();
-  EXPECT_EQ(shown_published(n), "0.5890 ± 5e-4");
+  EXPECT_EQ(shown_published(n), "0.5890 ± 0.0005");
   EXPECT_EQ(shown_ours(n), "0.510 ± 0.001");
   EXPECT_EQ(shown_difference(n), "by 0.079");
   n.high = 0.6;
-  EXPECT_EQ(shown_ours(n), "0.5105 [0.5095, 0.6]");
+  EXPECT_EQ(shown_ours(n), "0.5104 [0.5094, 0.6]");
+  n.high = n.low = n.ours;
+  EXPECT_EQ(shown_ours(n), "0.510400");  // a hundredth of the tolerance
   n.published.reset();
   n.least.reset();
   EXPECT_EQ(shown_published(n), "at most 0.5895");
@@ -60,7 +62,7 @@ TEST(ReproductionWriters, TextOfOthersStaysText) {
   EXPECT_NE(page.find("differs, explained"), page.npos);
   const auto text = to_markdown(std::vector{whole()});
   EXPECT_EQ(text.find("<b>"), text.npos);
-  EXPECT_NE(text.find("| 0.5890 ± 5e-4 | 0.510 ± 0.001 | differs, explained by 0.079 |"), text.npos);
+  EXPECT_NE(text.find("| 0.5890 ± 0.0005 | 0.510 ± 0.001 | differs, explained by 0.079 |"), text.npos);
 }
 
 TEST(ReproductionWriters, JsonHoldsNoNumberThatIsNone) {

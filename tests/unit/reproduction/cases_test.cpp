@@ -1,7 +1,9 @@
 // The cases at reduced size against numbers that are known otherwise.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <random>
 #include <set>
 
 #include "reports/model/errors.hpp"
@@ -92,15 +94,35 @@ TEST(MagpyRuns, TurnsAsTheMidpointRuleDoes) {
     EXPECT_NEAR(found[l], 2 * std::fabs(std::sin((angle(dt[l]) - angle(dt[l + 1])) / 2)), 1e-11);
 }
 
-// A cut at 0.94 standard deviations is felt, and one at 3.4 hardly.
+/// Sum over the steps of the cut increments of channels 2 and 3, from the standard normals of a seed.
+std::array<double, 2> sum_of_cut(std::uint64_t seed, int steps, int fine, double dt) {
+  std::mt19937_64 bits(seed);
+  std::normal_distribution<double> normal;
+  const double most = std::sqrt(-2 * std::log(dt));
+  std::array<double, 2> sum{};
+  for (int i = 0; i < steps; ++i) {
+    std::array<double, 3> z{};
+    for (int k = 0; k < 3 * fine; ++k) z[static_cast<std::size_t>(k % 3)] += normal(bits) / std::sqrt(double(fine));
+    for (std::size_t k = 0; k < 2; ++k) sum[k] += std::sqrt(dt) * std::max(-most, std::min(most, z[k + 1]));
+  }
+  return sum;
+}
+
+// Next to no noise and nothing else: m = e_1 moves by strength times the increments across it.
 TEST(MagpyRuns, CutsIncrementsByTheirStep) {
   magpy_task task;
+  task.field = task.alpha = 0;
+  task.strength = 1e-7;
   task.levels = 2;
-  const double free = magpy_differences(task, magpy_method::midpoint, 20, 1)[0];
-  EXPECT_GT(magpy_differences(task, magpy_method::midpoint_cut, 20, 1)[0], 10 * free);
-  task.coarsest = 19'200;  // dt = 1/300
-  const double fine = magpy_differences(task, magpy_method::midpoint, 2, 1)[0];
-  EXPECT_LT(magpy_differences(task, magpy_method::midpoint_cut, 2, 1)[0], 30 * fine);
+  double expected = 0;
+  for (const std::uint64_t seed : {0, 13, 52, 117, 208}) {
+    const auto coarse = sum_of_cut(seed, 100, 2, 0.64), fine = sum_of_cut(seed, 200, 1, 0.32);
+    expected += std::hypot(coarse[0] - fine[0], coarse[1] - fine[1]) / 5;
+  }
+  EXPECT_GT(expected, 0.5);
+  EXPECT_NEAR(magpy_differences(task, magpy_method::midpoint_cut, 5, 1)[0], task.strength * expected,
+              1e-5 * task.strength * expected);
+  EXPECT_LT(magpy_differences(task, magpy_method::midpoint, 5, 1)[0], 1e-5 * task.strength);
 }
 
 // Of ten runs the seeds are 0 twice and eight others.
