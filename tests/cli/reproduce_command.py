@@ -41,6 +41,10 @@ class Reproduce(Case):
         out = self.run_it('reproduce', 'uniaxial_spin', *FAST, 'uniaxial_spin', '--format', 'json')[1]
         self.assertEqual([c['name'] for c in json.loads(out)['cases']], ['uniaxial_spin', 'sds_on_s2'])
 
+    def test_the_number_of_threads_changes_nothing(self):
+        args = ('reproduce', 'two_spins', '--effort', 'quick', '--format', 'json', '--threads')
+        self.assertEqual(self.run_it(*args, '1')[1], self.run_it(*args, '2')[1])
+
     def test_text_fits(self):
         for columns in (40, 80):
             rc, out, err = self.run_it('reproduce', *FAST, COLUMNS=columns)
