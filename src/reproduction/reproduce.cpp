@@ -13,6 +13,8 @@ const std::vector<reproduction_case>& reproduction_cases() {
       {"two_spins", "Energy of two coupled spins (Sunny.jl)", two_spins},
       {"magpy_convergence", "Strong orders of Heun and of the implicit midpoint rule (magpy)", magpy_convergence},
       {"sds_on_s2", "Weak geometric schemes on the sphere (Gogoi, Panda, Hazra, Pakrashi)", sds_on_s2},
+      {"lie_poisson_midpoint", "Orders of an implicit midpoint rule (Ephrati, Jansson, Lang, Luesink)",
+       lie_poisson_midpoint},
       {"paper", "Random attractor of the rigid body (Arnaudon, De Castro, Holm)", attractor_of_the_paper}};
   return all;
 }

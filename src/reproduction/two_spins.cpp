@@ -159,7 +159,7 @@ report::reproduction two_spins(const reproduce_options& o) {
   out.numbers.push_back(compared("mean energy, exact", exact_mean(), 1e-9, within(exact.value, exact.uncertainty),
                                  "published: the law, whose mean is kT - coth(1/kT); ours: " + exact.method));
   const std::vector<std::string> schemes{"heun_projected", "lie_heun"};
-  const auto all = runs_of(bind_scene(s), schemes, by_effort(o.effort, 250, published_samples, published_samples), o);
+  const auto all = runs_of(bind_scene(s), schemes, by_effort(o.effort, 125, published_samples, published_samples), o);
   for (std::size_t k = 0; k < schemes.size(); ++k) compare_scheme(schemes[k], all[k], out);
   return out;
 }

@@ -36,7 +36,7 @@ void expect_verdicts(const report::reproduction& r, const std::set<std::string>&
 
 TEST(Reproduce, NamesAreTakenOnceAndUnknownOnesRefused) {
   EXPECT_EQ(chosen_reproductions({}).size(), reproduction_cases().size());
-  EXPECT_EQ(chosen_reproductions({"paper", "two_spins", "paper"}), (std::vector<std::size_t>{4, 1}));
+  EXPECT_EQ(chosen_reproductions({"paper", "two_spins", "paper"}), (std::vector<std::size_t>{5, 1}));
   EXPECT_THROW(chosen_reproductions({"two_spin"}), input_error);
   EXPECT_THROW(chosen_reproductions({""}), input_error);
 }
@@ -65,6 +65,8 @@ TEST(Reproduce, SchemesOnTheSphere) {
   const auto r = quick("sds_on_s2");
   expect_verdicts(r, {"figures 3, 4"});
 }
+
+TEST(Reproduce, LiePoissonMidpoint) { expect_verdicts(quick("lie_poisson_midpoint"), {}); }
 
 TEST(Reproduce, ThePaper) {
   const auto r = quick("paper");
