@@ -11,6 +11,7 @@
 #include "cli/terminal/terminal.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/writers/json.hpp"
+#include "reproduction/reproduce.hpp"
 #include "run/verify.hpp"
 #include "scene/builtin.hpp"
 #include "scene/nearest.hpp"
@@ -130,6 +131,15 @@ listing list_of_observables(const std::string& system) {
   return out;
 }
 
+listing reproductions() {
+  listing out;
+  for (const auto& c : reproduction_cases()) {
+    out.text.push_back({std::string{c.name}, std::string{c.title}});
+    out.objects.push_back({{"name", c.name}, {"title", c.title}});
+  }
+  return out;
+}
+
 struct arguments {
   std::string what, format = "text", system;
 };
@@ -145,7 +155,8 @@ const std::vector<subject>& subjects() {
       {"scenes", [](const arguments&) { return scenes(); }},
       {"observables",
        [](const arguments& a) { return list_of_observables(a.system.empty() ? "rigid_body" : a.system); }},
-      {"systems", [](const arguments&) { return list_of_systems(); }}};
+      {"systems", [](const arguments&) { return list_of_systems(); }},
+      {"reproductions", [](const arguments&) { return reproductions(); }}};
   return all;
 }
 
@@ -166,7 +177,7 @@ int run(const arguments& given) {
 command add_list(CLI::App& app) {
   const auto given = std::make_shared<arguments>();
   auto& parser = add_command(app, "list", "Name what there is, schemes with their claims");
-  add_option(parser, "WHAT", given->what, "schemes, experiments, scenes, observables, systems", "");
+  add_option(parser, "WHAT", given->what, "schemes, experiments, scenes, observables, systems, reproductions", "");
   add_option(parser, "--system", given->system, "of observables: whose [rigid_body]", "NAME");
   add_option(parser, "--format", given->format, "text, json [text]", "F");
   return {&parser, [given] { return run(*given); }};

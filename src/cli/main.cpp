@@ -16,8 +16,8 @@ constexpr int bad_input = 2, cannot_run = 4;
 int guarded(int argc, char** argv) noexcept {
   try {
     return run_command(argc, argv, [](CLI::App& app) {
-      return std::vector<command>{add_verify(app), add_simulate(app), add_reference(app),
-                                  add_select(app), add_compare(app),  add_list(app)};
+      return std::vector<command>{add_verify(app),  add_simulate(app),  add_reference(app), add_select(app),
+                                  add_compare(app), add_reproduce(app), add_list(app)};
     });
   } catch (const input_error& fault) {
     print_error(fault.what());

@@ -71,7 +71,7 @@ class Streams(Case):
         self.assertEqual(self.run_it('verify', self.scene(), *FAST, '--quiet', '--fresh')[1:], ('', ''))
 
     def test_lists(self):
-        for what in ('schemes', 'experiments', 'scenes', 'observables', 'systems'):
+        for what in ('schemes', 'experiments', 'scenes', 'observables', 'systems', 'reproductions'):
             rc, out, err = self.run_it('list', what, '--format', 'json')
             entries = json.loads(out)
             self.assertEqual((rc, err), (0, '')); self.assertTrue(entries and all(e['name'] for e in entries), what)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/terminal/layout.hpp"
+#include "cli/terminal/reproduction_table.hpp"
 #include "reports/model/text.hpp"
 
 namespace {
@@ -77,6 +78,34 @@ TEST(summary, counts_every_verdict_once) {
 TEST(summary, names_few_of_many) {
   const auto text = cli::summary(results_with(std::vector(40, verdict_kind::refuted)), 80);
   EXPECT_NE(text.find("and 28 more: see the report"), text.npos) << text;
+}
+
+report::reproduction reproduction_with(report::agreement verdict) {
+  report::reproduction r{
+      .name = "case", .title = "a title", .source = "a source", .scene = "", .notes = {}, .numbers = {}};
+  report::reproduced_number n;
+  n.quantity = "a quantity whose name is rather long";
+  n.published = 1;
+  n.ours = 2;
+  n.verdict = verdict;
+  n.why = "a reason in some words";
+  r.numbers = {n};
+  return r;
+}
+
+TEST(reproductions, end_with_one_only_where_a_number_should_agree) {
+  using enum report::agreement;
+  EXPECT_EQ(cli::exit_code(std::vector{reproduction_with(agrees), reproduction_with(explained)}), 0);
+  EXPECT_EQ(cli::exit_code(std::vector{reproduction_with(differs), reproduction_with(agrees)}), 1);
+}
+
+TEST(reproductions, fit_and_give_reasons_for_what_differs) {
+  for (const std::size_t width : {40U, 80U, 120U})
+    for (const auto verdict : report::agreements) {
+      const auto text = cli::to_text(std::vector{reproduction_with(verdict)}, width);
+      for (const auto& line : lines_of(text)) EXPECT_LE(display_width(line), width) << line;
+      EXPECT_EQ(text.find("reason") != text.npos, verdict != report::agreement::agrees) << text;
+    }
 }
 
 TEST(layout, names_stand_beside_or_above) {

@@ -16,8 +16,9 @@ namespace polhode::cli {
 namespace {
 
 constexpr auto exit_codes =
-    "Exit codes: 0 all claims hold, 1 a claim is refuted, or something got worse, 2 bad input,\n"
-    "            3 nothing refuted but something inconclusive, 4 could not write or run";
+    "Exit codes: 0 all claims hold, 1 a claim is refuted, something got worse, or a published number\n"
+    "            that should agree does not, 2 bad input, 3 nothing refuted but something inconclusive,\n"
+    "            4 could not write or run";
 
 std::string version() {
   const auto build = build_provenance();

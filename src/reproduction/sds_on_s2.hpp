@@ -1,0 +1,11 @@
+// What Gogoi, Panda, Hazra and Pakrashi publish, a figure each.
+#pragma once
+
+#include "reproduction/reproduce.hpp"
+
+namespace polhode {
+
+/// Figure 5: orders of weak schemes. Adds numbers, curves and notes.
+void add_figure_5(const reproduce_options&, report::reproduction&);
+
+}  // namespace polhode
