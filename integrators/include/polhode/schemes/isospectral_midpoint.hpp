@@ -14,7 +14,7 @@
 
 namespace polhode {
 
-/// An algebra of matrices that is its own dual, with s(xi, mu) = -X M X.
+/// An algebra of matrices that is its own dual and closed under s(xi, mu) = -X M X; su(n) is not, for its trace.
 template <class G>
 concept isospectral_algebra = requires(const vec<double, G::dimension>& v) {
   { G::sandwich(v, v) } -> std::same_as<vec<double, G::dimension>>;
@@ -32,7 +32,7 @@ struct isospectral_midpoint {
                                     .action = group_action::cayley,
                                     .implicit = true,
                                     .poisson = true};
-  static constexpr std::string_view needs = "an algebra of matrices that is its own dual";
+  static constexpr std::string_view needs = "an algebra of matrices that is its own dual and closed under X M X";
 
   template <lie_poisson_system System, class S>
   requires isospectral_algebra<typename System::algebra>
