@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "experiments/common/noise_verdict.hpp"
 #include "experiments/common/path_limit.hpp"
 #include "experiments/common/recorder.hpp"
 #include "experiments/common/sequential.hpp"
+#include "experiments/laws/transfer_report.hpp"
+#include "experiments/weak/twin_chain.hpp"
 #include "problem/vectors.hpp"
 
 namespace polhode {
@@ -25,13 +28,13 @@ struct sample {
 
 class coupled_levels {
  public:
-  coupled_levels(const context& c, const std::vector<scheme_entry>& schemes, const std::vector<sphere_function>& f,
+  coupled_levels(const context& c, const std::vector<scheme_entry>& schemes, const std::vector<observable>& f,
                  int paths)
       : context_(c),
         schemes_(schemes),
         grid_(asymptotic_levels(c.subject, resolution)),
         driven_(driven_kernels_of(c.subject, grid_, cells)),
-        functions_(f),
+        observables_(f),
         noise_{std::vector<double>(static_cast<std::size_t>(paths))},
         log_(*c.subject.model, paths / block_lanes, {{"", 0}, {"finest steps", cells}}) {
     const int levels = static_cast<int>(grid_.steps.size());
@@ -65,9 +68,11 @@ class coupled_levels {
     driven_block truth(context_, grid_, cells, {context_.generator, noise_quality::fast}, driven_);
     const std::vector<std::vector<double>> start(grid_.steps.size(), replicated(context_.subject.scene.momentum));
     std::vector<std::vector<std::vector<double>>> states(open.size(), start);
+    twin_chain chain(context_.subject, grid_, cells, driven_);
     truth.start(static_cast<std::uint64_t>(first));
     for (int chunk = 0; chunk < grid_.steps.front(); ++chunk) {
       truth.advance(chunk);
+      chain.advance(truth);
       log_.add(block, truth.fine(), driven_.truth->dt());
       log_.add(block, truth.increments(start.size() - 1), driven_.twins.back()->dt(), 1);
       for (std::size_t i = 0; i < open.size(); ++i)
@@ -76,37 +81,39 @@ class coupled_levels {
     }
     const auto responses = truth.responses();
     polhode::keep(responses, driven_.directions, first, noise_);
-    for (std::size_t i = 0; i < open.size(); ++i) {
+    for (std::size_t i = 0; i < open.size(); ++i)
       polhode::keep(states[i], truth, responses, schemes_[static_cast<std::size_t>(open[i])].needs_areas, first,
                     of(open[i]).paths);
-      keep(states[i], truth, first, of(open[i]).differences);
-    }
+    for (std::size_t f = 0; f < observables_.size(); ++f)
+      for (int lane = 0; lane < block_lanes; ++lane) {
+        const auto excess = chain.excess(observables_[f].value, truth, lane);
+        for (std::size_t i = 0; i < open.size(); ++i) keep(states[i], truth, excess, {f, open[i], first, lane});
+      }
   }
 
  private:
-  /// The truth on the fine path and its twin at the finest dt, both of weak order one: extrapolated, so that the cells
-  /// are not seen.
-  void keep(const std::vector<std::vector<double>>& states, const driven_block& truth, int first_path,
-            std::vector<squared_errors>& out) const {
-    const std::size_t finest = states.size() - 1;
-    for (int lane = 0; lane < block_lanes; ++lane)
-      for (std::size_t f = 0; f < functions_.size(); ++f) {
-        const double fine = value(f, truth.truth(), lane), coarse = value(f, truth.twin(finest), lane);
-        const double exact = (cells * fine - coarse) / (cells - 1);
-        for (std::size_t l = 0; l < states.size(); ++l)
-          out[f].at(first_path + lane, static_cast<int>(l)) = value(f, states[l], lane) - exact;
-      }
-  }
-  double value(std::size_t f, const std::vector<double>& states, int lane) const {
-    const auto at = lane_of(states, lane, 3);
-    return functions_[f](Eigen::Vector3d(at.data()));
+  struct place {
+    std::size_t observable;
+    int scheme, first_path, lane;
+  };
+  /// Against the driven equation that knows of the path what the scheme is told, and then its mean against the true
+  /// one.
+  void keep(const std::vector<std::vector<double>>& states, const driven_block& truth,
+            const std::vector<double>& excess, place at) {
+    const bool areas = schemes_[static_cast<std::size_t>(at.scheme)].needs_areas;
+    const auto value = [&](const std::vector<double>& all) {
+      return observables_[at.observable].value(lane_of(all, at.lane, context_.subject.model->dimension()));
+    };
+    for (std::size_t l = 0; l < states.size(); ++l)
+      of(at.scheme).differences[at.observable].at(at.first_path + at.lane, static_cast<int>(l)) =
+          value(states[l]) - value(areas ? truth.truth() : truth.twin(l)) + (areas ? excess.back() : excess[l]);
   }
 
   const context& context_;
   const std::vector<scheme_entry>& schemes_;
   level_grid grid_;
   driven_kernels driven_;
-  const std::vector<sphere_function>& functions_;
+  const std::vector<observable>& observables_;
   noise_effect noise_;
   noise_log log_;
   std::vector<std::vector<std::unique_ptr<kernel>>> kernels_;  // [scheme][level]
@@ -127,12 +134,33 @@ report::series_id report_levels(const std::string& observable, std::span<const d
   return record.series(size, found);
 }
 
+/// The slowest of the observables whose slope is known well enough to decide.
+report::verdict judge_slopes(const std::vector<observable>& all, double expected,
+                             const std::vector<std::optional<order_fit>>& fits) {
+  order_question q;
+  std::vector<std::optional<order_fit>> known;
+  std::size_t seen = 0;
+  for (std::size_t f = 0; f < fits.size(); ++f) {
+    seen += fits[f].has_value();
+    if (!fits[f] || half_width(*fits[f]) > order_margin) continue;
+    q.columns.push_back({"difference", all[f].name});
+    known.push_back(fits[f]);
+  }
+  if (known.empty())
+    return {.expected = expected,
+            .reason = fmt::format("of {} observables {} have four levels clear of the sampling error, and the slope of "
+                                  "none is known to {:g}",
+                                  fits.size(), seen, order_margin)};
+  return judge_columns(q, expected, known);
+}
+
 }  // namespace
 
-void report_sampled_orders(const context& c, const std::vector<scheme_entry>& schemes, const order_question& q,
-                           const std::vector<sphere_function>& functions, report::results& out) {
+void report_sampled_orders(const context& c, const std::vector<scheme_entry>& schemes,
+                           const std::vector<observable>& observables,
+                           const std::function<double(const scheme_entry&)>& expected, report::results& out) {
   const sampling_plan plan{1024, by_effort(c.effort, 4096, 16384, 65536)};
-  coupled_levels levels(c, schemes, functions, blocks_of(plan.most) * block_lanes);
+  coupled_levels levels(c, schemes, observables, blocks_of(plan.most) * block_lanes);
   const auto dt = levels.grid().dt();
   std::vector<std::vector<std::optional<order_fit>>> fits(schemes.size());
   std::vector<path_limit> limits(schemes.size());
@@ -154,20 +182,20 @@ void report_sampled_orders(const context& c, const std::vector<scheme_entry>& sc
   const auto how = fmt::format("; sampled against paths of the driven equation, at time {:.4g} of {:.4g}",
                                levels.grid().horizon, c.subject.scene.horizon);
   for (std::size_t k = 0; k < schemes.size(); ++k) {
-    recorder record(q.experiment, schemes[k].info.name, out);
+    recorder record("weak", schemes[k].info.name, out);
     std::vector<report::series_id> differences;
-    for (std::size_t f = 0; f < functions.size(); ++f)
-      differences.push_back(report_levels(q.columns[f].observable, dt, levels.of(static_cast<int>(k)).differences[f],
-                                          fits[k][f], record));
+    for (std::size_t f = 0; f < observables.size(); ++f)
+      differences.push_back(
+          report_levels(observables[f].name, dt, levels.of(static_cast<int>(k)).differences[f], fits[k][f], record));
     record.value({"cost", "", "path-steps", "sampled"}, at_dt(dt.back()), levels.path_steps() * sizes[k].used);
-    auto order = judge_columns(q, q.expected(schemes[k]), fits[k]);
+    auto order = judge_slopes(observables, expected(schemes[k]), fits[k]);
     order.reason += how + ", " + sizes[k].text();
-    record.verdict(q.claim, std::move(order), differences);
+    record.verdict(weak_order_claim, std::move(order), differences);
     auto limit = judge_limit(limits[k], levels.directions(), size);
     limit.reason += how + ", " + sizes[k].text();
     record.verdict("limit of the law is that of the Stratonovich solution", std::move(limit));
   }
-  levels.log().report(q.experiment, out);
+  levels.log().report("weak", out);
 }
 
 }  // namespace polhode
