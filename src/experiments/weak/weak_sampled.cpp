@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "experiments/common/noise_verdict.hpp"
 #include "experiments/common/path_limit.hpp"
 #include "experiments/common/recorder.hpp"
 #include "experiments/common/sequential.hpp"
-#include "experiments/laws/transfer_report.hpp"
+#include "experiments/weak/common_error.hpp"
 #include "experiments/weak/twin_chain.hpp"
 #include "problem/vectors.hpp"
 
@@ -35,6 +34,7 @@ class coupled_levels {
         grid_(asymptotic_levels(c.subject, resolution)),
         driven_(driven_kernels_of(c.subject, grid_, cells)),
         observables_(f),
+        squares_(f.size(), std::vector<double>(static_cast<std::size_t>(paths))),
         noise_{std::vector<double>(static_cast<std::size_t>(paths))},
         log_(*c.subject.model, paths / block_lanes, {{"", 0}, {"finest steps", cells}}) {
     const int levels = static_cast<int>(grid_.steps.size());
@@ -56,6 +56,20 @@ class coupled_levels {
     return sum;
   }
   sample& of(int scheme) { return found_[static_cast<std::size_t>(scheme)]; }
+
+  /// Of the first paths: the differences of each observable and, last, of all together.
+  std::vector<squared_errors> errors(int scheme, int so_far) {
+    auto out = of(scheme).differences;
+    std::vector<double> sizes;
+    for (auto& d : out) d.paths = so_far;
+    for (const auto& f : squares_) {
+      double sum = 0;
+      for (int p = 0; p < so_far; ++p) sum += f[static_cast<std::size_t>(p)] / so_far;
+      sizes.push_back(std::sqrt(sum));
+    }
+    out.push_back(along_their_errors(out, sizes, resolved));
+    return out;
+  }
 
   path_limit limit(int scheme, int so_far) {
     auto& p = of(scheme).paths;
@@ -86,6 +100,8 @@ class coupled_levels {
                     of(open[i]).paths);
     for (std::size_t f = 0; f < observables_.size(); ++f)
       for (int lane = 0; lane < block_lanes; ++lane) {
+        const double end = observables_[f].value(lane_of(truth.truth(), lane, context_.subject.model->dimension()));
+        squares_[f][static_cast<std::size_t>(first + lane)] = end * end;
         const auto excess = chain.excess(observables_[f].value, truth, lane);
         for (std::size_t i = 0; i < open.size(); ++i) keep(states[i], truth, excess, {f, open[i], first, lane});
       }
@@ -114,6 +130,7 @@ class coupled_levels {
   level_grid grid_;
   driven_kernels driven_;
   const std::vector<observable>& observables_;
+  std::vector<std::vector<double>> squares_;  ///< f(X)^2, [observable][path]
   noise_effect noise_;
   noise_log log_;
   std::vector<std::vector<std::unique_ptr<kernel>>> kernels_;  // [scheme][level]
@@ -134,24 +151,19 @@ report::series_id report_levels(const std::string& observable, std::span<const d
   return record.series(size, found);
 }
 
-/// The slowest of the observables whose slope is known well enough to decide.
-report::verdict judge_slopes(const std::vector<observable>& all, double expected,
-                             const std::vector<std::optional<order_fit>>& fits) {
-  order_question q;
-  std::vector<std::optional<order_fit>> known;
-  std::size_t seen = 0;
-  for (std::size_t f = 0; f < fits.size(); ++f) {
-    seen += fits[f].has_value();
-    if (!fits[f] || half_width(*fits[f]) > order_margin) continue;
-    q.columns.push_back({"difference", all[f].name});
-    known.push_back(fits[f]);
-  }
-  if (known.empty())
-    return {.expected = expected,
-            .reason = fmt::format("of {} observables {} have four levels clear of the sampling error, and the slope of "
-                                  "none is known to {:g}",
-                                  fits.size(), seen, order_margin)};
-  return judge_columns(q, expected, known);
+/// Observables and, last, all of them together.
+constexpr const char* together = "all, in their sizes";
+
+report::verdict judge_slope(double expected, const std::optional<order_fit>& fit) {
+  if (!fit)
+    return {.expected = expected, .reason = "fewer than four levels whose error is clear of the sampling error"};
+  if (half_width(*fit) <= order_margin) return judge_order(expected, fit, true);
+  return {.expected = expected,
+          .estimate = fit->order,
+          .low = fit->low,
+          .high = fit->high,
+          .reason = fmt::format("order {:.3f} [{:.3f}, {:.3f}]: wider than the margin of {:g}", fit->order, fit->low,
+                                fit->high, order_margin)};
 }
 
 }  // namespace
@@ -170,27 +182,25 @@ void report_sampled_orders(const context& c, const std::vector<scheme_entry>& sc
       [&](int scheme, int so_far) {
         auto& found = fits[static_cast<std::size_t>(scheme)];
         found.clear();
-        for (auto& d : levels.of(scheme).differences) {
-          d.paths = so_far;
+        for (const auto& d : levels.errors(scheme, so_far))
           found.push_back(fit_order_of_clear_means(dt, d, resolved, c.seed));
-        }
         const auto& limit = limits[static_cast<std::size_t>(scheme)] = levels.limit(scheme, so_far);
-        return tight(limit) &&
-               std::ranges::all_of(found, [](const auto& f) { return f && half_width(*f) <= tight_order; });
+        return tight(limit) && found.back() && half_width(*found.back()) <= tight_order;
       });
   const double size = length(c.subject.scene.momentum);
   const auto how = fmt::format("; sampled against paths of the driven equation, at time {:.4g} of {:.4g}",
                                levels.grid().horizon, c.subject.scene.horizon);
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     recorder record("weak", schemes[k].info.name, out);
-    std::vector<report::series_id> differences;
-    for (std::size_t f = 0; f < observables.size(); ++f)
-      differences.push_back(
-          report_levels(observables[f].name, dt, levels.of(static_cast<int>(k)).differences[f], fits[k][f], record));
+    const auto errors = levels.errors(static_cast<int>(k), sizes[k].used);
+    std::vector<report::series_id> written;
+    for (std::size_t f = 0; f < errors.size(); ++f)
+      written.push_back(
+          report_levels(f < observables.size() ? observables[f].name : together, dt, errors[f], fits[k][f], record));
     record.value({"cost", "", "path-steps", "sampled"}, at_dt(dt.back()), levels.path_steps() * sizes[k].used);
-    auto order = judge_slopes(observables, expected(schemes[k]), fits[k]);
-    order.reason += how + ", " + sizes[k].text();
-    record.verdict(weak_order_claim, std::move(order), differences);
+    auto order = judge_slope(expected(schemes[k]), fits[k].back());
+    order.reason += fmt::format(" (of all {} observables together)", observables.size()) + how + ", " + sizes[k].text();
+    record.verdict(weak_order_claim, std::move(order), written);
     auto limit = judge_limit(limits[k], levels.directions(), size);
     limit.reason += how + ", " + sizes[k].text();
     record.verdict("limit of the law is that of the Stratonovich solution", std::move(limit));
