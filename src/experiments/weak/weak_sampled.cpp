@@ -9,6 +9,7 @@
 #include "experiments/common/recorder.hpp"
 #include "experiments/common/sequential.hpp"
 #include "experiments/weak/common_error.hpp"
+#include "experiments/weak/path_controls.hpp"
 #include "experiments/weak/twin_chain.hpp"
 #include "problem/vectors.hpp"
 
@@ -35,6 +36,7 @@ class coupled_levels {
         driven_(driven_kernels_of(c.subject, grid_, cells)),
         observables_(f),
         squares_(f.size(), std::vector<double>(static_cast<std::size_t>(paths))),
+        controls_(c.subject.model->layout(), grid_.steps.front(), grid_.horizon, paths),
         noise_{std::vector<double>(static_cast<std::size_t>(paths))},
         log_(*c.subject.model, paths / block_lanes, {{"", 0}, {"finest steps", cells}}) {
     const int levels = static_cast<int>(grid_.steps.size());
@@ -67,6 +69,7 @@ class coupled_levels {
       for (int p = 0; p < so_far; ++p) sum += f[static_cast<std::size_t>(p)] / so_far;
       sizes.push_back(std::sqrt(sum));
     }
+    out = controls_.taken_out_of(out);
     out.push_back(along_their_errors(out, sizes, resolved));
     return out;
   }
@@ -87,6 +90,7 @@ class coupled_levels {
     for (int chunk = 0; chunk < grid_.steps.front(); ++chunk) {
       truth.advance(chunk);
       chain.advance(truth);
+      controls_.keep(first, chunk, truth.increments(0));
       log_.add(block, truth.fine(), driven_.truth->dt());
       log_.add(block, truth.increments(start.size() - 1), driven_.twins.back()->dt(), 1);
       for (std::size_t i = 0; i < open.size(); ++i)
@@ -131,6 +135,7 @@ class coupled_levels {
   driven_kernels driven_;
   const std::vector<observable>& observables_;
   std::vector<std::vector<double>> squares_;  ///< f(X)^2, [observable][path]
+  path_controls controls_;
   noise_effect noise_;
   noise_log log_;
   std::vector<std::vector<std::unique_ptr<kernel>>> kernels_;  // [scheme][level]
