@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "experiments/common/noise_verdict.hpp"
@@ -142,22 +143,31 @@ class coupled_levels {
   std::vector<sample> found_;
 };
 
-report::series_id report_levels(const std::string& observable, std::span<const double> dt, const squared_errors& d,
-                                const std::optional<order_fit>& found, recorder& record) {
-  curve size{{"difference", observable, "", "sampled"}},
-      variance{{"variance of the difference", observable, "", "sampled"}};
-  for (int l = 0; l < d.levels; ++l) {
-    const auto m = level_mean(d, l);
-    const double mean = std::fabs(m.mean), step = dt[static_cast<std::size_t>(l)];
-    size.add(step, mean, std::max(0.0, mean - 1.96 * m.error), mean + 1.96 * m.error);
-    variance.add(step, m.error * m.error * d.paths);
-  }
-  record.series(variance);
-  return record.series(size, found);
-}
+/// Of one scheme: errors and fits of the observables and, last, of all of them together.
+struct scheme_finding {
+  std::vector<squared_errors> errors = {};
+  std::vector<std::optional<order_fit>> fits = {};
+  path_limit limit = {};
+};
 
-/// Observables and, last, all of them together.
-constexpr const char* together = "all, in their sizes";
+std::vector<report::series_id> report_levels(const std::vector<observable>& observables, std::span<const double> dt,
+                                             const scheme_finding& found, recorder& record) {
+  std::vector<report::series_id> written;
+  for (std::size_t f = 0; f < found.errors.size(); ++f) {
+    const auto& d = found.errors[f];
+    const auto name = f < observables.size() ? observables[f].name : "all, in their sizes";
+    curve size{{"difference", name, "", "sampled"}}, variance{{"variance of the difference", name, "", "sampled"}};
+    for (int l = 0; l < d.levels; ++l) {
+      const auto m = level_mean(d, l);
+      const double mean = std::fabs(m.mean), step = dt[static_cast<std::size_t>(l)];
+      size.add(step, mean, std::max(0.0, mean - 1.96 * m.error), mean + 1.96 * m.error);
+      variance.add(step, m.error * m.error * d.paths);
+    }
+    record.series(variance);
+    written.push_back(record.series(size, found.fits[f]));
+  }
+  return written;
+}
 
 report::verdict judge_slope(double expected, const std::optional<order_fit>& fit) {
   if (!fit)
@@ -176,38 +186,35 @@ report::verdict judge_slope(double expected, const std::optional<order_fit>& fit
 void report_sampled_orders(const context& c, const std::vector<scheme_entry>& schemes,
                            const std::vector<observable>& observables,
                            const std::function<double(const scheme_entry&)>& expected, report::results& out) {
-  const sampling_plan plan{1024, by_effort(c.effort, 4096, 16384, 65536)};
+  const sampling_plan plan{1024, by_effort(c.effort, 8192, 16384, 32768)};
   coupled_levels levels(c, schemes, observables, blocks_of(plan.most) * block_lanes);
   const auto dt = levels.grid().dt();
-  std::vector<std::vector<std::optional<order_fit>>> fits(schemes.size());
-  std::vector<path_limit> limits(schemes.size());
+  std::vector<scheme_finding> found(schemes.size());
   const auto sizes = sample_until_tight(
       c, plan, static_cast<int>(schemes.size()),
       [&](int block, std::span<const int> open) { levels.run_block(block, open); },
       [&](int scheme, int so_far) {
-        auto& found = fits[static_cast<std::size_t>(scheme)];
-        found.clear();
-        for (const auto& d : levels.errors(scheme, so_far))
-          found.push_back(fit_order_of_clear_means(dt, d, resolved, c.seed));
-        const auto& limit = limits[static_cast<std::size_t>(scheme)] = levels.limit(scheme, so_far);
-        return tight(limit) && found.back() && half_width(*found.back()) <= tight_order;
+        auto& f = found[static_cast<std::size_t>(scheme)];
+        f = {levels.errors(scheme, so_far), {}, levels.limit(scheme, so_far)};
+        const auto together = fit_order_of_clear_means(dt, f.errors.back(), resolved, c.seed);
+        return tight(f.limit) && together && half_width(*together) <= tight_order;
       });
+  parallel_for(c.threads, static_cast<int>(schemes.size()), [&](int k) {
+    auto& f = found[static_cast<std::size_t>(k)];
+    for (const auto& d : f.errors) f.fits.push_back(fit_order_of_clear_means(dt, d, resolved, c.seed));
+  });
   const double size = length(c.subject.scene.momentum);
-  const auto how = fmt::format("; sampled against paths of the driven equation, at time {:.4g} of {:.4g}",
-                               levels.grid().horizon, c.subject.scene.horizon);
   for (std::size_t k = 0; k < schemes.size(); ++k) {
+    const auto how = fmt::format("; sampled against paths of the driven equation, at time {:.4g} of {:.4g}, {}",
+                                 levels.grid().horizon, c.subject.scene.horizon, sizes[k].text());
     recorder record("weak", schemes[k].info.name, out);
-    const auto errors = levels.errors(static_cast<int>(k), sizes[k].used);
-    std::vector<report::series_id> written;
-    for (std::size_t f = 0; f < errors.size(); ++f)
-      written.push_back(
-          report_levels(f < observables.size() ? observables[f].name : together, dt, errors[f], fits[k][f], record));
+    const auto written = report_levels(observables, dt, found[k], record);
     record.value({"cost", "", "path-steps", "sampled"}, at_dt(dt.back()), levels.path_steps() * sizes[k].used);
-    auto order = judge_slope(expected(schemes[k]), fits[k].back());
-    order.reason += fmt::format(" (of all {} observables together)", observables.size()) + how + ", " + sizes[k].text();
+    auto order = judge_slope(expected(schemes[k]), found[k].fits.back());
+    order.reason += fmt::format(" (of all {} observables together)", observables.size()) + how;
     record.verdict(weak_order_claim, std::move(order), written);
-    auto limit = judge_limit(limits[k], levels.directions(), size);
-    limit.reason += how + ", " + sizes[k].text();
+    auto limit = judge_limit(found[k].limit, levels.directions(), size);
+    limit.reason += how;
     record.verdict("limit of the law is that of the Stratonovich solution", std::move(limit));
   }
   levels.log().report("weak", out);
