@@ -50,6 +50,8 @@ struct capabilities {
   std::function<gibbs_law()> gibbs = {};  ///< of an isotropically driven system, in closed form
   /// Of the Gibbs law, by the name of an observable; nothing for a name that it does not know.
   std::function<std::optional<reference_value>(std::string_view)> gibbs_mean = {};
+  std::string no_gibbs_mean = {};            ///< why isotropic noise leaves no law here, or none in closed form
+  std::vector<std::string> components = {};  ///< names of all of them; none: mu_1, mu_2, …
 };
 
 }  // namespace polhode

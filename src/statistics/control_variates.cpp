@@ -10,23 +10,27 @@
 namespace polhode {
 namespace {
 
-/// Least squares of y on the controls and a constant, which is not returned.
-Eigen::VectorXd coefficients(const Eigen::VectorXd& y, const Eigen::MatrixXd& controls) {
-  Eigen::MatrixXd design(y.size(), controls.cols() + 1);
-  design << controls, Eigen::VectorXd::Ones(y.size());
+/// Least squares of each column of y on the controls and a constant, which is not returned.
+Eigen::MatrixXd coefficients(const Eigen::MatrixXd& y, const Eigen::MatrixXd& controls) {
+  Eigen::MatrixXd design(y.rows(), controls.cols() + 1);
+  design << controls, Eigen::VectorXd::Ones(y.rows());
   const Eigen::MatrixXd normal = design.transpose() * design;
-  const Eigen::VectorXd right = design.transpose() * y;
-  return (pseudo_inverse(normal) * right).head(controls.cols());
+  const Eigen::MatrixXd right = design.transpose() * y;
+  return (pseudo_inverse(normal) * right).topRows(controls.cols());
 }
 
 }  // namespace
 
-Eigen::VectorXd controlled(const Eigen::VectorXd& y, const Eigen::MatrixXd& controls) {
-  const Eigen::Index first = y.size() / 2, second = y.size() - first;
-  Eigen::VectorXd out = y;
-  out.head(first) -= controls.topRows(first) * coefficients(y.tail(second), controls.bottomRows(second));
-  out.tail(second) -= controls.bottomRows(second) * coefficients(y.head(first), controls.topRows(first));
+Eigen::MatrixXd all_controlled(const Eigen::MatrixXd& y, const Eigen::MatrixXd& controls) {
+  const Eigen::Index first = y.rows() / 2, second = y.rows() - first;
+  Eigen::MatrixXd out = y;
+  out.topRows(first) -= controls.topRows(first) * coefficients(y.bottomRows(second), controls.bottomRows(second));
+  out.bottomRows(second) -= controls.bottomRows(second) * coefficients(y.topRows(first), controls.topRows(first));
   return out;
+}
+
+Eigen::VectorXd controlled(const Eigen::VectorXd& y, const Eigen::MatrixXd& controls) {
+  return all_controlled(y, controls);
 }
 
 control_means means_of_controls(const Eigen::MatrixXd& controls) {

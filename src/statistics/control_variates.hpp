@@ -12,6 +12,7 @@ namespace polhode {
 
 /// y - Y b, path by path; paths x controls. Controls that are not there (zero columns) and dependent ones are harmless.
 /// Anything not finite spreads to all paths of the other half.
+Eigen::MatrixXd all_controlled(const Eigen::MatrixXd& y, const Eigen::MatrixXd& controls);  ///< each column of y
 Eigen::VectorXd controlled(const Eigen::VectorXd& y, const Eigen::MatrixXd& controls);
 
 /// The means of the controls against their standard errors, as normal deviates of Student's law; controls that are not

@@ -79,6 +79,8 @@ capabilities offers(const report::scene& s) {
   const double strength = isotropic_strength(s);
   if (strength > 0 && dissipation_of(s) > 0)
     out.gibbs_mean = [law = gibbs_of(s, strength)](std::string_view observable) { return law.mean(observable); };
+  out.no_gibbs_mean = "without dissipation nothing holds |Pi| on an orbit that is not compact";
+  out.components = {"pi1", "pi2", "pi3", "gamma1", "gamma2", "gamma3"};
   out.in_cpp = in_cpp(s);
   return out;
 }

@@ -85,6 +85,8 @@ capabilities offers(const report::scene& s) {
   if (strength > 0 && dissipation_of(s) > 0)
     out.gibbs_mean = [radius = radius_of(s), beta = 2 * dissipation_of(s) / (strength * strength)](
                          std::string_view name) { return gibbs_mean(radius, beta, name); };
+  out.no_gibbs_mean = "without dissipation nothing holds x_1 on an orbit that is not compact";
+  out.components = {"x1", "x2", "x3"};
   out.in_cpp = in_cpp(s);
   return out;
 }

@@ -90,6 +90,7 @@ capabilities offers(const report::scene& s) {
 std::vector<observable_entry> observables() {
   std::vector<observable_entry> out{{"energy", "h"}};
   for (int k = 1; k <= 6; ++k) out.push_back({fmt::format("mu_{}", k), fmt::format("component {}", k)});
+  for (int k = 1; k <= 6; ++k) out.push_back({fmt::format("mu_{}^2", k), fmt::format("mu_{}^2", k)});
   return out;
 }
 

@@ -52,6 +52,7 @@ rate_bounds rates_of(const report::scene& s) {
 capabilities offers(const report::scene& s) {
   capabilities out{.rates = rates_of(s)};
   out.in_unit = [=](int power) { return with_momentum_unit(s, power); };
+  out.no_gibbs_mean = "no closed form of the law's means is known here";
   return out;
 }
 

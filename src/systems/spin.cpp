@@ -121,6 +121,7 @@ capabilities offers(const report::scene& s) {
                  "next to no anisotropy", with_anisotropy(s, next_to_none)};
   out.in_unit = [=](int power) { return in_unit(s, power); };
   if (!has_state_noise(s)) out.in_cpp = in_cpp(s);
+  out.components = {"pi1", "pi2", "pi3"};
   return out;
 }
 

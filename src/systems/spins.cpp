@@ -92,6 +92,9 @@ capabilities offers(const report::scene& s) {
     law.sites.push_back({quadratic, Eigen::Vector3d(s.vector("field").data()), length});
   if (strength > 0 && law.solvable())
     out.gibbs_mean = [law](std::string_view observable) { return law.mean(observable); };
+  out.no_gibbs_mean = "bonds that form neither chains nor rings: no closed form of the law's means";
+  for (std::size_t i = 1; i <= count_of(s); ++i)
+    for (int k = 1; k <= 3; ++k) out.components.push_back(fmt::format("s{}_{}", i, k));
   return out;
 }
 

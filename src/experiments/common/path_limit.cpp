@@ -35,9 +35,12 @@ verdict_kind worse(verdict_kind a, verdict_kind b) {
   return a == verdict_kind::holds ? b : a;
 }
 
+/// A scheme that is its twin but for rounding scatters by nothing else.
+constexpr double rounding = 1e-12;
+
 verdict_kind judge_strength(const multiplier& m, double margin) {
   if (!std::isfinite(m.error.value)) return verdict_kind::inconclusive;
-  if (std::fabs(m.error.value) > m.sure) return verdict_kind::refuted;
+  if (std::fabs(m.error.value) > std::max(m.sure, rounding)) return verdict_kind::refuted;
   return judge(0, m.error.low, m.error.high, margin) == verdict_kind::holds ? verdict_kind::holds
                                                                             : verdict_kind::inconclusive;
 }

@@ -1,11 +1,13 @@
 // Does a long run visit the sphere as the Gibbs law exp(-2 theta h / sigma^2) says?
 //
-// Twice: sampled at one small dt (gibbs_sampled.hpp), and exactly over dt (stationary_bias.hpp).
+// On a sphere twice: sampled at one small dt (gibbs_sampled.hpp), and exactly over dt (stationary_bias.hpp). Elsewhere
+// sampled against the means that a system knows (gibbs_on_orbits.hpp).
 #include <fmt/format.h>
 
 #include "experiments/common/experiment.hpp"
 #include "experiments/common/progress_counter.hpp"
 #include "experiments/gibbs/gibbs_moments.hpp"
+#include "experiments/gibbs/gibbs_on_orbits.hpp"
 #include "experiments/gibbs/gibbs_sampled.hpp"
 #include "experiments/laws/stationary_bias.hpp"
 
@@ -15,8 +17,7 @@ namespace {
 std::optional<std::string> skip_reason(const subject& s) {
   if (s.model->noise() == noise_class::none)
     return "no noise: the law concentrates on the axis of least energy (experiment energy)";
-  if (!s.sphere()) return no_exact_law;
-  if (s.sphere()->is_spherical()) return "h is constant on the sphere";
+  if (s.sphere() && s.sphere()->is_spherical()) return "h is constant on the sphere";
   return std::nullopt;
 }
 
@@ -25,7 +26,9 @@ void run(const context& c, report::results& out) {
     if (!scheme.info.casimir.exact)
       out.skipped.push_back(
           {"gibbs", std::string(scheme.info.name),
-           "leaves the sphere (experiment casimir), so it has no stationary law there and claims none"});
+           fmt::format("leaves the {} (experiment casimir), so it has no stationary law there and claims none",
+                       c.subject.sphere() ? "sphere" : "orbit")});
+  if (!c.subject.sphere()) return report_sampled_means(c, out);
   report_sampled_law(part_of(c, 0, 0.5), out);
   report_stationary_bias(part_of(c, 0.5, 1), out);
 }
@@ -35,8 +38,9 @@ void run(const context& c, report::results& out) {
 experiment gibbs_experiment() {
   return {
       {"gibbs",
-       "Does a long run visit the sphere as the Gibbs law exp(-2 theta h / sigma^2) says?",
-       {"Independent paths from a uniform start; means over four times of each path after it has forgotten its "
+       "Does a long run visit its orbit as the Gibbs law exp(-2 theta h / sigma^2) says?",
+       {"On a sphere: independent paths from a uniform start; means over four times of each path after it has "
+        "forgotten its "
         "start, so "
         "that the interval over paths accounts for autocorrelation.",
         fmt::format(
@@ -44,6 +48,16 @@ experiment gibbs_experiment() {
             "standard deviations of the exact one; the law of h if the Kolmogorov-Smirnov distance is below {:g} "
             "with 95 % confidence (Dvoretzky-Kiefer-Wolfowitz).",
             moment_margin, ks_bound),
+        fmt::format(
+            "On other systems: paths half from the scene's momentum and half from all over the orbit. A pilot run of "
+            "the driven equation tells the longest integrated autocorrelation time of the energy, the components (the "
+            "first {}) and their squares, and that both kinds of start have the same means. After ten of these times a "
+            "path is averaged over twenty; the interval is over paths. Exact means are those that the system knows of "
+            "its "
+            "Gibbs law, and the margin is the same, by the standard deviation in the pilot run. The law of h as a "
+            "whole "
+            "is not compared.",
+            6),
         "Without dissipation the law is uniform for any noise that reaches every direction.",
         "Bias of the mean of every observable and distance of the densities (L2) over dt: the law that the scheme's "
         "transfer operator leaves as it is, nothing sampled (experiment weak). True law: the Gibbs density, or for "

@@ -15,18 +15,18 @@ namespace {
 constexpr double uniform_deviation = 0.298;  // of Pi_k^2 / c^2 on the uniform sphere: sqrt(4/45)
 constexpr double tight_share = 1.0 / 3;      // of a margin: the half-width at which sampling stops
 
-report::verdict judge_moment(const gibbs_moment& what, const interval_estimate& m) {
-  if (!std::isfinite(m.value)) return {.expected = what.exact, .reason = "paths were lost: not finite"};
-  return {.expected = what.exact,
+}  // namespace
+
+report::verdict judge_mean(double exact, double margin, const interval_estimate& m) {
+  if (!std::isfinite(m.value)) return {.expected = exact, .reason = "paths were lost: not finite"};
+  return {.expected = exact,
           .estimate = m.value,
           .low = m.low,
           .high = m.high,
-          .kind = judge(what.exact, m.low, m.high, what.margin),
+          .kind = judge(exact, m.low, m.high, margin),
           .reason = fmt::format("[{:.6f}, {:.6f}] against {:.6f} +- {:.2g} (a tenth of a standard deviation)", m.low,
-                                m.high, what.exact, what.margin)};
+                                m.high, exact, margin)};
 }
-
-}  // namespace
 
 void observe(const model& m, std::span<const double> states, int block, path_means& out) {
   for (int lane = 0; lane < block_lanes; ++lane) {
@@ -71,7 +71,7 @@ void report_finding(const std::vector<gibbs_moment>& moments, double dt, const g
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const auto& what = moments[i];
     const auto written = record.value({"mean", what.observable, "", "sampled"}, at_dt(dt), f.means[i]);
-    record.verdict("mean of " + what.observable, judge_moment(what, f.means[i]), {written});
+    record.verdict("mean of " + what.observable, judge_mean(what.exact, what.margin, f.means[i]), {written});
   }
   const auto written = record.value({"ks_distance", "energy", "", "sampled"}, at_dt(dt), f.ks);
   record.verdict("law of the energy",

@@ -16,6 +16,9 @@ inline constexpr int observations = 4;        ///< of every path
 inline constexpr double moment_margin = 0.1;  ///< of the standard deviation of the observable: how far a mean may lie
 inline constexpr double ks_bound = 0.05;      ///< Kolmogorov-Smirnov distance allowed
 
+/// Of a mean and its interval against the exact one.
+report::verdict judge_mean(double exact, double margin, const interval_estimate&);
+
 /// What is kept of every path: means over its observations, and the last energy.
 struct path_means {
   std::vector<double> energy, square1, square3, energy2, last_energy;

@@ -8,6 +8,7 @@
 #include "experiments/common/undecided.hpp"
 #include "experiments/laws/extrapolation.hpp"
 #include "experiments/laws/law_errors.hpp"
+#include "experiments/weak/weak_sampled.hpp"
 
 namespace polhode {
 namespace {
@@ -44,7 +45,7 @@ std::vector<scheme_entry> weak_tables::report(const subject& s, report::results&
 
 order_question weak_tables::question(const subject& s) const {
   return {"weak",
-          "weak order",
+          weak_order_claim,
           known_.columns,
           [noise = s.model->noise()](const scheme_entry& e) { return weak_order_on(e.info, noise); },
           [this, &s](const scheme_entry& e, double dt, std::int64_t steps) {

@@ -70,6 +70,7 @@ capabilities offers(const report::scene& s) {
                "near-equal inertias", with_ratio(s, 1 + 1e-8)};
   out.in_unit = [=](int power) { return in_momentum_unit(s, power); };
   if (!has_state_noise(s)) out.in_cpp = in_cpp(s);
+  out.components = {"pi1", "pi2", "pi3"};
   out.gibbs = [=] { return gibbs_law(inertia, c, 2 * theta / q(0, 0)); };
   return out;
 }

@@ -1,0 +1,200 @@
+#include "experiments/gibbs/gibbs_on_orbits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <optional>
+
+#include "ensemble/noise/paths.hpp"
+#include "experiments/common/judge.hpp"
+#include "experiments/common/levels.hpp"
+#include "experiments/common/noise_verdict.hpp"
+#include "experiments/common/sequential.hpp"
+#include "experiments/common/undecided.hpp"
+#include "experiments/gibbs/gibbs_moments.hpp"
+#include "experiments/gibbs/relaxation.hpp"
+#include "problem/observables.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::size_t most_components = 6;
+constexpr double forgetting = 10, averaging = 20;  // autocorrelation times
+constexpr int looks = 256;                         // at a path while it is averaged
+constexpr double tight_share = 1.0 / 3;            // of a margin: the half-width at which sampling stops
+
+/// What is averaged, and what it is held against.
+struct known_mean {
+  double exact, deviation;
+  double margin() const { return moment_margin * deviation; }
+};
+
+struct design {
+  double dt = 0;
+  std::int64_t burn = 0, spacing = 0;  ///< in steps
+  std::vector<observable> observables = {};
+  std::vector<known_mean> means = {};
+  double steps() const { return static_cast<double>(burn + looks * spacing); }
+};
+
+/// Of what the system knows the mean, and of what scatters at all.
+design design_for(const subject& s, double dt, const std::vector<observable>& all, const relaxation& found) {
+  const auto steps = [&](double times) { return static_cast<std::int64_t>(std::ceil(times * found.time / dt)); };
+  design out{.dt = dt, .burn = steps(forgetting), .spacing = steps(averaging / looks)};
+  for (std::size_t f = 0; f < all.size(); ++f) {
+    const auto law = s.offers->gibbs_mean(all[f].name);
+    const known_mean mean{law && law->value ? *law->value : NAN, found.deviation[f]};
+    const double size = std::fabs(mean.exact) + mean.deviation;
+    if (!std::isfinite(mean.exact) || mean.deviation <= 1e-9 * size || law->uncertainty > 0.01 * mean.margin())
+      continue;
+    out.observables.push_back(all[f]);
+    out.means.push_back(mean);
+  }
+  return out;
+}
+
+/// Time averages of one scheme: [observable][path].
+using averages = std::vector<std::vector<double>>;
+
+void run_block(const context& c, const design& d, std::span<const scheme_entry> schemes,
+               std::span<const std::unique_ptr<kernel>> kernels, std::span<const int> open, int block,
+               std::vector<averages>& out, noise_log& log) {
+  constexpr std::int64_t chunk = 200;
+  const std::vector<std::size_t> indices(open.begin(), open.end());
+  const bool areas = std::ranges::any_of(indices, [&](std::size_t k) { return schemes[k].needs_areas; });
+  increment_buffer noise(*c.subject.model, chunk, areas, {c.generator, noise_quality::fast});
+  const auto first_path = static_cast<std::uint64_t>(block * block_lanes);
+  auto [start, step] = spread_start(c, d.dt, first_path, &log, block);
+  std::vector<std::vector<double>> states(kernels.size(), start);
+  const auto advance = [&](std::int64_t steps) {
+    for (std::int64_t left = steps; left > 0; left -= chunk) {
+      const int n = static_cast<int>(std::min(left, chunk));
+      const auto view = noise.fill(c.seed, first_path, step, n, d.dt);
+      log.add(block, view, d.dt);
+      for (const auto k : indices) kernels[k]->advance(states[k], view);
+      step += static_cast<std::uint64_t>(n);
+    }
+  };
+  advance(d.burn);
+  for (int i = 0; i < looks; ++i) {
+    advance(d.spacing);
+    for (const auto k : indices)
+      for (int lane = 0; lane < block_lanes; ++lane) {
+        const auto mu = lane_of(states[k], lane, c.subject.model->dimension());
+        for (std::size_t f = 0; f < d.observables.size(); ++f)
+          out[k][f][first_path + static_cast<std::size_t>(lane)] += d.observables[f].value(mu) / looks;
+      }
+  }
+}
+
+std::vector<interval_estimate> means_of(const averages& a, int paths) {
+  std::vector<interval_estimate> out;
+  for (const auto& f : a) out.push_back(mean_interval(std::span(f).first(static_cast<std::size_t>(paths))));
+  return out;
+}
+
+bool tight(const design& d, const std::vector<interval_estimate>& found) {
+  for (std::size_t f = 0; f < found.size(); ++f)
+    if (!(half_width(found[f]) <= tight_share * d.means[f].margin())) return false;
+  return true;
+}
+
+/// Observables of one claim: of the energy, of components, of squares.
+std::string claim_on(const std::string& observable) {
+  return observable == "energy"       ? "mean of energy"
+         : observable.ends_with("^2") ? "means of squares of components"
+                                      : "means of components";
+}
+
+/// A claim holds if it holds of each of its means; the mean that decides is named.
+void report_means(const design& d, const std::vector<interval_estimate>& found, recorder& record) {
+  struct finding {
+    report::verdict worst;
+    double distance = -1;  ///< of the interval's far end, in margins
+    std::vector<report::series_id> evidence = {};
+    int count = 0;
+  };
+  std::map<std::string, finding> claims;
+  for (std::size_t f = 0; f < found.size(); ++f) {
+    const auto& name = d.observables[f].name;
+    const auto& [exact, deviation] = d.means[f];
+    const double effective = std::pow(1.96 * deviation / half_width(found[f]), 2);
+    record.value({"effective sample size", name, "", "sampled"}, at_dt(d.dt), effective);
+    auto& claim = claims[claim_on(name)];
+    claim.evidence.push_back(record.value({"mean", name, "", "sampled"}, at_dt(d.dt), found[f]));
+    ++claim.count;
+    // An interval that lies beyond its margin counts for more than a wide one, one that is not finite for most.
+    const double beyond = std::max(found[f].low - exact, exact - found[f].high) / d.means[f].margin(),
+                 reach = std::max(found[f].high - exact, exact - found[f].low) / d.means[f].margin(),
+                 distance = !std::isfinite(reach) ? HUGE_VAL
+                            : beyond > 1          ? 1e9 + beyond
+                                                  : reach;
+    if (distance <= claim.distance) continue;
+    claim.distance = distance;
+    claim.worst = judge_mean(exact, d.means[f].margin(), found[f]);
+    claim.worst.reason = fmt::format("{}: {}; worth {:.2g} independent samples", name, claim.worst.reason, effective);
+  }
+  for (auto& [claim, f] : claims) {
+    if (f.count > 1) f.worst.reason += fmt::format("; the farthest of {}", f.count);
+    record.verdict(claim, std::move(f.worst), f.evidence);
+  }
+}
+
+void report_samples(const context& c, const std::vector<scheme_entry>& schemes, const design& d,
+                    const sampling_plan& paths, report::results& out) {
+  std::vector<std::unique_ptr<kernel>> kernels;
+  for (const auto& scheme : schemes) kernels.push_back(scheme.make(d.dt));
+  const auto most = static_cast<std::size_t>(blocks_of(paths.most) * block_lanes);
+  std::vector<averages> samples(kernels.size(), averages(d.observables.size(), std::vector<double>(most)));
+  noise_log log(*c.subject.model, blocks_of(paths.most));
+  std::vector<std::vector<interval_estimate>> found(kernels.size());
+  const auto sizes = sample_until_tight(
+      c, paths, static_cast<int>(kernels.size()),
+      [&](int block, std::span<const int> open) { run_block(c, d, schemes, kernels, open, block, samples, log); },
+      [&](int scheme, int so_far) {
+        const auto k = static_cast<std::size_t>(scheme);
+        found[k] = means_of(samples[k], so_far);
+        return tight(d, found[k]);
+      });
+  for (std::size_t k = 0; k < schemes.size(); ++k) {
+    recorder record("gibbs", schemes[k].info.name, out);
+    report_means(d, found[k], record);
+    record.remark(sizes[k].text());
+  }
+  log.report("gibbs", out);
+}
+
+std::optional<std::string> no_law(const subject& s) {
+  if (s.model->noise() != noise_class::isotropic) return "the noise is not isotropic: no Gibbs law is claimed for it";
+  if (s.offers->gibbs_mean) return std::nullopt;
+  return s.offers->no_gibbs_mean.empty() ? "the system knows no means of a Gibbs law" : s.offers->no_gibbs_mean;
+}
+
+}  // namespace
+
+void report_sampled_means(const context& c, report::results& out) {
+  if (const auto reason = no_law(c.subject)) {
+    out.skipped.push_back({"gibbs", "", "sampled law: " + *reason});
+    return;
+  }
+  std::vector<scheme_entry> schemes;
+  std::ranges::copy_if(c.subject.schemes, std::back_inserter(schemes),
+                       [](const scheme_entry& e) { return e.info.casimir.exact; });
+  const auto affordable = [](effort e) { return by_effort(e, 1e5, 4e5, 2e6); };
+  const sampling_plan paths{128, by_effort(c.effort, 512, 2048, 8192)};
+  const double dt = 0.04 / fastest_rate(c.subject);
+  const auto all = observables_of(c.subject, most_components);
+  const auto start =
+      relaxation_of(c, all, dt, affordable(c.effort), static_cast<std::uint64_t>(blocks_of(paths.most) * block_lanes));
+  if (!start.reason.empty())
+    return leave_open(schemes, "gibbs", "mean of energy", "the start is not forgotten: " + start.reason, out);
+  const auto d = design_for(c.subject, dt, all, start);
+  const dear_claim law{"gibbs",        "mean of energy", "forgetting the start and averaging",
+                       "steps a path", d.steps(),        affordable};
+  if (affords(c, schemes, law, out)) report_samples(c, schemes, d, paths, out);
+}
+
+}  // namespace polhode
