@@ -34,13 +34,14 @@ Eigen::VectorXd volume_defects_at(const context& c, const orbit_frame& f, const 
 }  // namespace
 
 scheme_paths::scheme_paths(const context& c, const orbit_frame& f, const std::vector<scheme_entry>& schemes,
-                           const observed_rates& of_equation)
+                           const observed_rates& of_equation, int vectors, const flow_of_scheme& flow)
     : context_(c),
       frame_(f),
       schemes_(schemes),
       of_equation_(of_equation),
-      found_(schemes.size(), observed_rates(f.paths, f.vectors())) {
-  for (const auto& scheme : schemes) flows_.push_back(derivative_flow(scheme.tangent(f.dt)));
+      vectors_(vectors),
+      found_(schemes.size(), observed_rates(f.paths, vectors)) {
+  for (const auto& scheme : schemes) flows_.push_back(flow(scheme));
 }
 
 void scheme_paths::sample(double tight) {
@@ -56,7 +57,7 @@ void scheme_paths::sample(double tight) {
 }
 
 Eigen::MatrixXd scheme_paths::differences(std::size_t scheme, int paths) const {
-  return found_[scheme].rates.topRows(paths) - of_equation_.rates.topRows(paths);
+  return found_[scheme].rates.topRows(paths) - of_equation_.rates.topLeftCorner(paths, vectors_);
 }
 
 void scheme_paths::run(int block, std::span<const int> open) {
@@ -65,7 +66,7 @@ void scheme_paths::run(int block, std::span<const int> open) {
   for (const int k : open) {
     areas = areas || schemes_[static_cast<std::size_t>(k)].needs_areas;
     blocks.emplace_back(frame_.geometry, frame_.start, context_.seed, static_cast<std::uint64_t>(block) * block_lanes,
-                        frame_.vectors());
+                        vectors_);
   }
   auto noise = noise_for(context_, areas);
   for (std::int64_t i = 0; i < of_equation_.forgetting + of_equation_.observed; ++i) {

@@ -1,15 +1,21 @@
 // Schemes with their tangents through the paths of the equation.
 #pragma once
 
+#include <functional>
+
 #include "experiments/lyapunov/orbit_reference.hpp"
 
 namespace polhode {
 
+/// A scheme with so many tangents.
+using flow_of_scheme = std::function<std::unique_ptr<tangent_flow>(const scheme_entry&)>;
+
 /// All schemes through the same blocks of noise as the equation, each as far as its own intervals ask.
 class scheme_paths {
  public:
-  /// of_equation: at the same dt; it says how long paths are.
-  scheme_paths(const context&, const orbit_frame&, const std::vector<scheme_entry>&, const observed_rates& of_equation);
+  /// of_equation: at the same dt; it says how long paths are. Of a scheme the first `vectors` exponents.
+  scheme_paths(const context&, const orbit_frame&, const std::vector<scheme_entry>&, const observed_rates& of_equation,
+               int vectors, const flow_of_scheme&);
 
   /// tight: the half-width at which paths are enough.
   void sample(double tight);
@@ -26,6 +32,7 @@ class scheme_paths {
   const orbit_frame& frame_;
   const std::vector<scheme_entry>& schemes_;
   const observed_rates& of_equation_;
+  int vectors_;
   std::vector<std::unique_ptr<tangent_flow>> flows_;  // [scheme]
   std::vector<observed_rates> found_;                 // the same
   std::vector<sample_size> sizes_;
