@@ -40,12 +40,18 @@ struct simulation {
   double dt = 0;
   std::int64_t steps = 0, bodies = 0;
   std::string noise, start, normals;
-  std::uint64_t numbers_drawn = 0;  ///< increments and areas of the noise
+  std::vector<std::string> components;  ///< their names; of three components none are needed
+  int pictured = 0;                     ///< the first of the three whose direction the snapshots count
+  std::uint64_t numbers_drawn = 0;      ///< increments and areas of the noise
   double path_steps = 0, ns_per_path_step = 0;
   std::vector<std::string> remarks;
   std::vector<double> states;  ///< [component][body] at the end
   ensemble_state final;
   std::vector<ensemble_snapshot> snapshots;
+
+  std::string component(std::size_t k) const {
+    return components.empty() ? "pi" + std::to_string(k + 1) : components[k];
+  }
 };
 
 }  // namespace polhode::report

@@ -105,8 +105,12 @@ void draw_titles(raster& out, const simulation& s, const ensemble_snapshot& show
   out.text(map_left, 14, first, 3, ink);
   out.text(map_left, 46, second.substr(0, 90), 2, grey);
   out.text(map_left, 66, third, 2, grey);
-  out.text(upper_left + disc / 2 - raster::text_width("pi3 > 0", 2) / 2, disc_top + disc + 14, "pi3 > 0", 2, ink);
-  out.text(lower_left + disc / 2 - raster::text_width("pi3 < 0", 2) / 2, disc_top + disc + 14, "pi3 < 0", 2, ink);
+  const auto below = [&](int left, const std::string& text) {
+    out.text(left + disc / 2 - raster::text_width(text, 2) / 2, disc_top + disc + 14, text, 2, ink);
+  };
+  const auto up = s.component(static_cast<std::size_t>(s.pictured) + 2);
+  below(upper_left, up + " > 0");
+  below(lower_left, up + " < 0");
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ void do_all(const jobs& all, int threads) {
 std::string final_csv(const simulation& s) {
   const auto dimension = s.final.components.size(), bodies = static_cast<std::size_t>(s.bodies);
   std::string out;
-  for (std::size_t k = 0; k < dimension; ++k) out += fmt::format("{}pi{}", k == 0 ? "" : ",", k + 1);
+  for (std::size_t k = 0; k < dimension; ++k) out += (k == 0 ? "" : ",") + s.component(k);
   for (std::size_t i = 0; i < bodies; ++i)
     for (std::size_t k = 0; k < dimension; ++k) out += (k == 0 ? "\n" : ",") + shortest(s.states[k * bodies + i]);
   return out + '\n';

@@ -1,7 +1,5 @@
 #include "reports/writers/simulation_json.hpp"
 
-#include <fmt/format.h>
-
 #include "reports/writers/json_values.hpp"
 
 namespace polhode::report {
@@ -9,9 +7,9 @@ namespace {
 
 json to_value(const mean_and_deviation& m) { return {{"mean", number(m.mean)}, {"deviation", number(m.deviation)}}; }
 
-json to_value(const ensemble_state& s) {
+json to_value(const simulation& of, const ensemble_state& s) {
   json out{{"time", number(s.time)}, {"step", s.step}, {"lost", s.lost}, {"energy", to_value(s.energy)}};
-  for (std::size_t k = 0; k < s.components.size(); ++k) out[fmt::format("pi{}", k + 1)] = to_value(s.components[k]);
+  for (std::size_t k = 0; k < s.components.size(); ++k) out[of.component(k)] = to_value(s.components[k]);
   out["casimir_change"] = number(s.casimir_change);
   return out;
 }
@@ -39,9 +37,9 @@ std::string to_json(const simulation& s) {
   out["cpu_seconds"] = number(s.provenance.cpu_seconds);
   out["casimir_change"] = number(s.final.casimir_change);
   out["remarks"] = s.remarks;
-  out["final"] = to_value(s.final);
+  out["final"] = to_value(s, s.final);
   out["snapshots"] = json::array();
-  for (const auto& snapshot : s.snapshots) out["snapshots"].push_back(to_value(snapshot.state));
+  for (const auto& snapshot : s.snapshots) out["snapshots"].push_back(to_value(s, snapshot.state));
   return out.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
 }
 

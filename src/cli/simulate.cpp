@@ -77,7 +77,7 @@ std::string text_of(const report::simulation& s, const std::filesystem::path& ou
                   s.scene.system, s.scheme.name, s.dt, s.steps, s.bodies, s.noise, s.start, s.provenance.seed);
   text += fmt::format("{:>10} {:>8} {:>10} {:>9}", "time", "lost", "energy", "+-");
   for (std::size_t k = 0; k < s.final.components.size(); ++k)
-    text += fmt::format(" {:>10} {:>9}", fmt::format("pi{}", k + 1), "+-");
+    text += fmt::format(" {:>10} {:>9}", s.component(k), "+-");
   text += '\n';
   for (const auto& snapshot : s.snapshots)
     if (snapshot.state.step < s.steps) text += row(snapshot.state);
@@ -141,7 +141,7 @@ command add_simulate(CLI::App& app) {
   add_option(parser, "--snapshots", given->snapshots, "Times to count and picture", "T1,T2");
   add_option(parser, "--colour-map", given->colour_map, "viridis, magma, cividis [viridis]", "NAME");
   add_option(parser, "--histogram", given->histogram, "Of a snapshot: npy, csv [npy]", "K");
-  add_option(parser, "--start", given->start, "uniform, momentum [by the noise]", "K");
+  add_option(parser, "--start", given->start, "uniform, momentum, orbit [by the noise]", "K");
   add_common(parser, *given);
   return {&parser, [given] { return run(*given); }};
 }

@@ -11,6 +11,7 @@
 #include "ensemble/noise/shared_increments.hpp"
 #include "ensemble/observing/direction_bins.hpp"
 #include "ensemble/observing/sphere_bins.hpp"
+#include "ensemble/orbit_start.hpp"
 #include "ensemble/uniform_start.hpp"
 
 namespace polhode {
@@ -29,22 +30,13 @@ double shared_bytes(const model& m, const simulation_plan& p) {
   return shared_increments::bytes(m, p.steps, p.with_areas) + static_cast<double>(p.steps) * sizeof(shared_step);
 }
 
-void start(const simulation_plan& p, std::int64_t block, std::vector<double>& states) {
-  if (p.start == ensemble_start::momentum) {
-    states = replicated(p.momentum);
-    return;
-  }
-  double radius = 0;
-  for (const double x : p.momentum) radius = std::hypot(radius, x);
-  start_uniformly(p.seed, static_cast<std::uint64_t>(block * block_lanes), radius, states);
-}
-
 /// Everything that the pieces share.
 class ensemble_run {
  public:
   ensemble_run(const model& m, const kernel& k, const simulation_plan& p, const std::function<void(double)>& progress)
       : model_(m), kernel_(k), plan_(p), progress_(progress), counting_(p.snapshots.size()) {
     noiseless_ = p.noise == ensemble_noise::none || m.layout().silent();
+    if (p.start == ensemble_start::orbit) orbit_.emplace(m, p.momentum);
     if (!noiseless_ && p.noise == ensemble_noise::common) {
       const shared_increments drawn(m, p.seed, p.steps, k.dt(), p.with_areas, p.threads, p.source, p.path);
       const auto all = drawn.view(0, static_cast<int>(p.steps));
@@ -74,7 +66,7 @@ class ensemble_run {
     auto& moments = moments_[static_cast<std::size_t>(piece)];
     const std::int64_t first = piece * blocks_a_piece(plan_);
     for (auto block = first; block < std::min(first + blocks_a_piece(plan_), blocks_of(plan_)); ++block) {
-      start(plan_, block, states);
+      start(block, states);
       std::int64_t step = 0;
       for (std::size_t i = 0; i <= plan_.snapshots.size(); ++i) {
         const bool last = i == plan_.snapshots.size();
@@ -109,6 +101,18 @@ class ensemble_run {
     return static_cast<int>(std::min<std::int64_t>(block_lanes, plan_.bodies - block * block_lanes));
   }
 
+  void start(std::int64_t block, std::vector<double>& states) const {
+    const auto first_body = static_cast<std::uint64_t>(block * block_lanes);
+    if (orbit_) return orbit_->fill(plan_.seed, first_body, states);
+    if (plan_.start == ensemble_start::momentum) {
+      states = replicated(plan_.momentum);
+      return;
+    }
+    double radius = 0;
+    for (const double x : plan_.momentum) radius = std::hypot(radius, x);
+    start_uniformly(plan_.seed, first_body, radius, states);
+  }
+
   void advance(std::vector<double>& states, std::int64_t block, std::int64_t step, std::int64_t steps,
                increment_buffer& noise) const {
     const auto part = [&](std::int64_t from, std::int64_t n) { return piece{from == 0, from + n == plan_.steps}; };
@@ -125,7 +129,7 @@ class ensemble_run {
   /// Counts commute, so one histogram for all threads does, a block at a time.
   void count(std::span<const double> states, int lanes, std::size_t snapshot) {
     direction_bins bins;
-    find_bins(states.data(), bins);
+    find_bins(states.data() + plan_.pictured * block_lanes, bins);
     auto& out = out_.snapshots[snapshot];
     const std::lock_guard lock(counting_[snapshot]);
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane) {
@@ -155,6 +159,7 @@ class ensemble_run {
   double done_ = 0;
   bool noiseless_ = false;
   std::optional<shared_steps> common_;
+  std::optional<orbit_start> orbit_;
   std::vector<std::vector<ensemble_moments>> moments_;  // [piece][stop]
   std::vector<std::mutex> counting_;                    // [snapshot]
   std::mutex telling_;

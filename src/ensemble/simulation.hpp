@@ -14,12 +14,14 @@
 namespace polhode {
 
 enum class ensemble_noise { common, independent, none };
-enum class ensemble_start { uniform, momentum };
+/// uniform: on the sphere of the momentum; orbit: all over its coadjoint orbit (orbit_start.hpp); momentum: all there.
+enum class ensemble_start { uniform, momentum, orbit };
 
 struct simulation_plan {
   ensemble_noise noise = ensemble_noise::none;
   ensemble_start start = ensemble_start::momentum;
-  std::vector<double> momentum;  ///< where all start, or a point of the sphere on which they do
+  std::vector<double> momentum;  ///< where all start, or a point of the sphere or orbit on which they do
+  int pictured = 0;              ///< the first of the three components whose direction snapshots count
   std::int64_t steps = 0, bodies = 0;
   std::vector<std::int64_t> snapshots;  ///< step numbers, strictly increasing, in [1, steps]
   bool with_areas = false;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "ensemble/coadjoint_matrices.hpp"
 #include "ensemble/observing/sphere_bins.hpp"
 #include "ensemble/simulation.hpp"
 #include "platform/isa.hpp"
@@ -16,12 +17,13 @@
 #include "run/machine_options.hpp"
 #include "run/provenance.hpp"
 #include "scene/nearest.hpp"
+#include "systems/systems.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr double most_steps = 1e9, memory_share = 0.8;
-const std::vector<std::string> noises{"common", "independent", "none"}, starts{"uniform", "momentum"},
+const std::vector<std::string> noises{"common", "independent", "none"}, starts{"uniform", "momentum", "orbit"},
     qualities{"fast", "precise"};
 
 const scheme_entry& chosen_scheme(const subject& s, const std::string& name) {
@@ -82,8 +84,11 @@ prepared_run prepare(const scene& s, const simulate_options& o) {
   auto& p = r.plan;
   r.scheme = &chosen_scheme(r.subject, o.scheme);
   p.noise = static_cast<ensemble_noise>(choose("--noise", o.noise, noises));
-  const bool alike = p.noise == ensemble_noise::independent;
-  p.start = static_cast<ensemble_start>(choose("--start", o.start.empty() ? starts[alike] : o.start, starts));
+  const bool sphere = r.subject.sphere().has_value();
+  const auto usual = p.noise == ensemble_noise::independent ? ensemble_start::momentum
+                     : sphere                               ? ensemble_start::uniform
+                                                            : ensemble_start::orbit;
+  p.start = o.start.empty() ? usual : static_cast<ensemble_start>(choose("--start", o.start, starts));
   p.momentum = s.momentum;
   p.steps = checked_steps(s, o.dt);
   if (o.bodies < 1) refuse("--bodies", fmt::format("{}", o.bodies), "accepted: a positive integer");
@@ -94,11 +99,28 @@ prepared_run prepare(const scene& s, const simulate_options& o) {
   p.source = {generator_named(o.generator),
               choose("--normals", o.normals, qualities) == 0 ? noise_quality::fast : noise_quality::precise};
   p.threads = o.threads;
-  const bool sphere = r.subject.sphere().has_value();
-  if (!sphere && p.start == ensemble_start::uniform) refuse("--start", "uniform", "accepted for this system: momentum");
-  if (!sphere && !p.snapshots.empty()) refuse("--snapshots", "", "accepted for systems on a sphere only");
+  if (!sphere && p.start == ensemble_start::uniform)
+    refuse("--start", "uniform", "accepted for this system: orbit, momentum");
+  const auto kept = kept_vector(*r.subject.model);
+  if (!kept && !p.snapshots.empty())
+    refuse("--snapshots", fmt::format("{}", o.snapshots.front()),
+           "accepted for systems that keep the length of three components, whose direction is counted");
+  p.pictured = kept.value_or(0);
   check_memory(p, *r.subject.model);
   return r;
+}
+
+/// Observables that are components, where the system lists all of them; empty for a system on a sphere.
+std::vector<std::string> component_names(const scene& s, const subject& of) {
+  if (of.sphere()) return {};
+  std::vector<std::string> out;
+  for (const auto& o : find_system(s.system)->observables)
+    if (o.name != "energy" && o.name.find('^') == std::string::npos) out.emplace_back(o.name);
+  const auto dimension = static_cast<std::size_t>(of.model->dimension());
+  if (out.size() == dimension) return out;
+  out.clear();
+  for (std::size_t k = 1; k <= dimension; ++k) out.push_back(fmt::format("mu_{}", k));
+  return out;
 }
 
 report::ensemble_state described(const ensemble_moments& m, std::int64_t step, double dt) {
@@ -147,6 +169,8 @@ report::simulation frame_of(const scene& s, const simulate_options& o, const pre
   out.steps = p.steps;
   out.bodies = p.bodies;
   out.noise = noises[static_cast<std::size_t>(p.noise)];
+  out.components = component_names(s, r.subject);
+  out.pictured = p.pictured;
   out.start = starts[static_cast<std::size_t>(p.start)];
   out.path_steps = static_cast<double>(p.bodies) * static_cast<double>(p.steps);
   out.remarks = remarks_on(s, r);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/attractor/attractor_orbit.hpp"
 #include "experiments/common/levels.hpp"
 #include "experiments/common/progress_counter.hpp"
 #include "experiments/laws/true_law.hpp"
@@ -19,7 +20,7 @@ namespace {
 constexpr double exponent_accuracy = 1e-6, gap_accuracy = 1e-4;
 
 std::optional<std::string> skip_reason(const subject& s) {
-  if (!s.sphere()) return no_exact_law;
+  if (!s.sphere()) return no_orbit_attractor(s);
   if (s.model->noise() == noise_class::none) return "no noise: the attractor is the set of equilibria";
   if (s.sphere()->is_spherical()) return "a spherical body turns rigidly: what is uniform stays so";
   if (dissipation_of(s.scene) == 0) return "no dissipation: area is kept, so what is uniform stays so";
@@ -64,6 +65,7 @@ void report_shape(const context& c, const attractor_frame& f, noise_log& log, re
 }
 
 void run(const context& c, report::results& out) {
+  if (!c.subject.sphere()) return report_orbit_attractor(c, out);
   for (const auto& scheme : c.subject.schemes)
     if (!scheme.info.casimir.exact)
       out.skipped.push_back({"attractor", std::string(scheme.info.name),
@@ -106,8 +108,9 @@ double affordable(effort e, double path_steps_at_quick) { return path_steps_at_q
 experiment attractor_experiment() {
   return {
       {"attractor",
-       "What becomes of bodies all over the sphere under one common noise?",
-       {"Averages: per noise path the harmonics (to degree 2) of the random measure of 64 bodies from a uniform start, "
+       "What becomes of bodies all over their orbit under one common noise?",
+       {"On a sphere. Averages: per noise path the harmonics (to degree 2) of the random measure of 64 bodies from a "
+        "uniform start, "
         "after one body has forgotten it to 1e-4, and eleven more times, each a third of that later. Over N paths the "
         "square of the mean's distance from the true law is "
         "b^2 + V/N, b the exact bias of the scheme's own law (transfer operator): with b^2 taken off the slope must be "
@@ -124,6 +127,12 @@ experiment attractor_experiment() {
         "D_2 <= D_1 <= D_0, and D_1 is Kaplan and Yorke's. Finite samples miss boxes, the more the smaller: D_0 comes "
         "out too low, D_1 slightly (first order corrected), D_2 not; boxes whose sizes are not small against the "
         "sphere see its curvature and the whole attractor.",
+        "Elsewhere, on a coadjoint orbit: bodies start at random coadjoint images of the scene's momentum (uniform on "
+        "a "
+        "product of spheres). Neighbours 1e-6 apart, set back to that every eight steps, must meet or part at the rate "
+        "lambda_1 of the equation, sampled as in the experiment lyapunov, on the same paths; bodies must stay on the "
+        "orbit. Pictures: the direction of a vector of constant length, as of the vertical of a top or of the first "
+        "spin, at half, one, two and four times that in which the volume of a set shrinks by e.",
         "Normals: fast ones. Areas from the weak surrogate, as in the transfer operator. Noise: the moments and "
         "correlations of all paths drawn, part by part, against their law; of one scheme, as all have the same."}},
       4,

@@ -52,7 +52,16 @@ void report_pullback(const context&, const attractor_frame&, noise_log&, report:
 void report_synchronisation(const context&, const attractor_frame&, noise_log&, report::results&);
 /// Where lambda_1 > 0: dimensions of snapshots.
 void report_dimensions(const context&, const attractor_frame&, noise_log&, report::results&);
-/// Densities to look at: one noise path at four times, and the true law.
+/// Densities to look at: bodies under one noise path at half, one, two and four units of time.
+struct snapshots {
+  std::string name;
+  double unit;  ///< the time in which the volume of a set shrinks by e
+  double dt;
+  ensemble_start start = ensemble_start::uniform;
+  int pictured = 0;  ///< the first of the three components whose direction is counted
+};
+void report_snapshots(const context&, const snapshots&, noise_log&, report::results&);
+/// These, and the true law.
 void report_densities(const context&, const attractor_frame&, noise_log&, report::results&);
 
 }  // namespace polhode

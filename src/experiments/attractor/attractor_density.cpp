@@ -58,20 +58,26 @@ std::vector<double> law_in_bins(const Eigen::VectorXd& density) {
 
 }  // namespace
 
-void report_densities(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
-  const double unit = -1 / f.exponents.sum;
+void report_snapshots(const context& c, const snapshots& of, noise_log& log, report::results& out) {
   auto p = common_noise_plan(c);
+  p.start = of.start;
+  p.pictured = of.pictured;
   p.bodies = by_effort(c.effort, 1 << 16, 1 << 18, 1 << 19);
-  for (const double time : shown_at) p.snapshots.push_back(f.steps_in(time * unit, f.dt));
+  for (const double time : shown_at)
+    p.snapshots.push_back(std::max<std::int64_t>(1, std::llround(time * of.unit / of.dt)));
   p.steps = p.snapshots.back();
   const auto part = log.open({"densities"}, 1);
-  p.hear = [&](const increment_view& v) { log.add_path(0, v, f.dt, part); };
-  const auto run = simulate_ensemble(*c.subject.model, *c.subject.model->reference(f.dt), p, c.progress);
+  p.hear = [&](const increment_view& v) { log.add_path(0, v, of.dt, part); };
+  const auto run = simulate_ensemble(*c.subject.model, *c.subject.model->reference(of.dt), p, c.progress);
   for (std::size_t i = 0; i < p.snapshots.size(); ++i) {
-    const double time = static_cast<double>(p.snapshots[i]) * f.dt;
-    out.densities.push_back(relative(fmt::format("one noise path, t = {:.4g}", time), time,
+    const double time = static_cast<double>(p.snapshots[i]) * of.dt;
+    out.densities.push_back(relative(fmt::format("{}, t = {:.4g}", of.name, time), time,
                                      merged(run.snapshots[i].counts, static_cast<double>(p.bodies))));
   }
+}
+
+void report_densities(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
+  report_snapshots(c, {"one noise path", -1 / f.exponents.sum, f.dt}, log, out);
   out.densities.push_back(relative("stationary law", {}, law_in_bins(*f.law.density)));
 }
 

@@ -1,0 +1,135 @@
+#include "experiments/attractor/attractor_orbit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ensemble/noise/paths.hpp"
+#include "experiments/attractor/attractor.hpp"
+#include "experiments/common/progress_counter.hpp"
+#include "experiments/lyapunov/orbit_runs.hpp"
+#include "experiments/lyapunov/orbit_verdicts.hpp"
+#include "problem/vectors.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double apart = 1e-6;         // of |mu|: neighbours
+constexpr double tight_share = 0.4;    // of the margin: the half-width at which sampling stops
+constexpr double drift_bound = 1e-12;  // of a Casimir, as in the experiment casimir after a million steps
+constexpr const char* neighbours_claim = "neighbours meet or part as lambda_1 says";
+constexpr const char* orbit_claim = "bodies stay on the orbit";
+
+/// Holds where the rate has the sign of lambda_1 and lies within the margin of it.
+report::verdict judge_neighbours(const interval_estimate& lambda, const Eigen::VectorXd& differences, double margin) {
+  auto sign = judge_sign(lambda, corrected(lambda, mean_of(differences)));
+  const auto rate = judge_all(differences, margin, [](Eigen::Index) { return std::string("their rate"); });
+  if (rate.kind != report::verdict_kind::holds && sign.kind != report::verdict_kind::refuted) sign.kind = rate.kind;
+  sign.expected = lambda.value;
+  sign.reason += "; " + rate.reason;
+  return sign;
+}
+
+void report_neighbours(const context& c, const orbit_frame& f, const std::vector<scheme_entry>& schemes,
+                       const observed_rates& equation, report::results& out) {
+  const double distance = apart * length(c.subject.scene.momentum);
+  scheme_paths paths(c, f, schemes, equation, 1,
+                     [&](const scheme_entry& e) { return neighbour_flow(e.make(f.dt), distance); });
+  paths.sample(tight_share * f.margin);
+  const auto lambda = mean_of(equation.rates.col(0));
+  for (std::size_t k = 0; k < schemes.size(); ++k) {
+    recorder record("attractor", schemes[k].info.name, out);
+    const Eigen::VectorXd differences = paths.differences(k, paths.size(k).used).col(0);
+    const auto row = record.value({"rate of neighbours", "", "per time", "sampled"}, at_dt(f.dt),
+                                  corrected(lambda, mean_of(differences)));
+    if (equation.fault.empty())
+      record.verdict(neighbours_claim, judge_neighbours(lambda, differences, f.margin), {row});
+    else
+      record.verdict(neighbours_claim, {.reason = "the start is not forgotten: " + equation.fault}, {row});
+    record.remark(paths.size(k).text());
+  }
+}
+
+/// The largest change of a Casimir of bodies that start all over the orbit, relative to its size.
+double drift_of(const context& c, const orbit_frame& f, const scheme_entry& scheme, std::int64_t chunks) {
+  const auto& m = *c.subject.model;
+  const auto start = f.start.block(c.seed, 0);
+  auto states = start;
+  increment_buffer noise(m, orbit_block::chunk, scheme.needs_areas, fast_noise(c));
+  const auto stepper = scheme.make(f.dt);
+  for (std::int64_t i = 0; i < chunks; ++i)
+    stepper->advance(
+        states, noise.fill(c.seed, 0, static_cast<std::uint64_t>(i * orbit_block::chunk), orbit_block::chunk, f.dt));
+  double largest = 0;
+  for (int lane = 0; lane < block_lanes; ++lane) {
+    const auto before = lane_of(start, lane, m.dimension()), after = lane_of(states, lane, m.dimension());
+    const auto from = m.casimirs(before), to = m.casimirs(after), sizes = m.casimir_sizes(before);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const double change = std::fabs(to[i] - from[i]) / sizes[i];
+      largest = change <= largest ? largest : change;  // not finite: kept
+    }
+  }
+  return largest;
+}
+
+void report_orbits_kept(const context& c, const orbit_frame& f, const std::vector<scheme_entry>& schemes,
+                        std::int64_t chunks, report::results& out) {
+  std::vector<double> drifts(schemes.size());
+  parallel_for(c.threads, static_cast<int>(schemes.size()), [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    drifts[k] = drift_of(c, f, schemes[k], chunks);
+  });
+  for (std::size_t k = 0; k < schemes.size(); ++k) {
+    recorder record("attractor", schemes[k].info.name, out);
+    const auto row = record.value({"largest drift", "casimir", "relative", "sampled"}, at_dt(f.dt), drifts[k]);
+    record.verdict(
+        orbit_claim,
+        judge_distance({drifts[k], drifts[k], drifts[k]}, drift_bound,
+                       fmt::format("{} bodies from all over the orbit, {} steps: a Casimir changes by {:.1e}",
+                                   block_lanes, chunks * orbit_block::chunk, drifts[k])),
+        {row});
+  }
+}
+
+std::string parts_named(int first) {
+  return fmt::format("direction of (mu_{}, mu_{}, mu_{}), one noise path", first + 1, first + 2, first + 3);
+}
+
+}  // namespace
+
+std::optional<std::string> no_orbit_attractor(const subject& s) {
+  if (s.model->noise() == noise_class::none) return "no noise: the attractor is the set of equilibria";
+  if (dissipation_of(s.scene) == 0) return "no dissipation: volume is kept, so what is spread stays so";
+  return std::nullopt;
+}
+
+void report_orbit_attractor(const context& c, report::results& out) {
+  const orbit_frame frame(c);
+  noise_log log(*c.subject.model, blocks_of(frame.paths));
+  const auto equation = observe_equation(part_of(c, 0, 0.4), frame, log);
+  recorder record("attractor", "", out);
+  record.value({"lambda_1", "", "per time", "sampled"}, at_dt(frame.dt), mean_of(equation.rates.col(0)));
+  std::vector<scheme_entry> schemes;
+  for (const auto& scheme : c.subject.schemes)
+    if (scheme.info.casimir.exact)
+      schemes.push_back(scheme);
+    else
+      out.skipped.push_back({"attractor", std::string(scheme.info.name),
+                             "leaves its orbit (experiment casimir), on which the random attractor lies"});
+  if (!schemes.empty()) {
+    report_neighbours(part_of(c, 0.4, 0.8), frame, schemes, equation, out);
+    report_orbits_kept(c, frame, schemes, equation.forgetting + equation.observed, out);
+  }
+  const auto last = part_of(c, 0.8, 1);
+  if (const auto first = kept_vector(*c.subject.model))
+    report_snapshots(
+        last,
+        {parts_named(*first), -1 / mean_of(equation.divergence).value, 4 * frame.dt, ensemble_start::orbit, *first},
+        log, out);
+  else
+    out.skipped.push_back({"attractor", "", "densities: the system has no vector of constant length"});
+  log.report("attractor", out);
+}
+
+}  // namespace polhode

@@ -1,0 +1,104 @@
+#include "experiments/lyapunov/orbit_growth.hpp"
+
+#include <cmath>
+
+#include <polhode/noise/normal.hpp>
+
+namespace polhode {
+namespace {
+
+constexpr auto lanes = static_cast<Eigen::Index>(block_lanes);
+constexpr std::uint64_t first_draw = 1024;  // behind those of starts
+
+/// One lane of a vector [component][lane].
+using lane_vector = Eigen::Map<Eigen::VectorXd, 0, Eigen::InnerStride<block_lanes>>;
+/// All lanes of it: [lane][component].
+using all_lanes = Eigen::Map<Eigen::Array<double, block_lanes, Eigen::Dynamic>>;
+
+all_lanes lanes_of(std::vector<double>& vectors, int which, std::size_t size) {
+  return {vectors.data() + static_cast<std::size_t>(which) * size, lanes, static_cast<Eigen::Index>(size) / lanes};
+}
+
+}  // namespace
+
+orbit_block::orbit_block(const orbit_geometry& g, const orbit_start& start, std::uint64_t seed,
+                         std::uint64_t first_path, int vectors)
+    : geometry_(g),
+      vectors_(vectors),
+      states_(start.block(seed, first_path)),
+      tangents_(states_.size() * static_cast<std::size_t>(vectors)) {
+  for (std::uint64_t i = 0; i < tangents_.size(); ++i) {
+    const auto lane = i % block_lanes, draw = first_draw + i / block_lanes;
+    tangents_[i] = normals<3>({seed, noise_kind::initial_state, first_path + lane, draw})[0];
+  }
+  project();
+  orthonormalise();
+  begin();
+}
+
+void orbit_block::advance(const tangent_flow& flow, const increment_view& view) {
+  flow.advance(states_, tangents_, view);
+  if (++chunks_ % projected_at == 0) project();
+  orthonormalise();
+  const double passed = view.steps * flow.dt();
+  time_ += passed;
+  passed_ += passed / 2 * divergence_;
+  for (int lane = 0; lane < block_lanes; ++lane) divergence_[lane] = geometry_.divergence(state(lane));
+  passed_ += passed / 2 * divergence_;
+}
+
+orbit_rates orbit_block::read() {
+  orbit_rates out{grown_ / time_, (grown_.rowwise().sum() + log_densities() - density_) / time_, passed_ / time_};
+  begin();
+  return out;
+}
+
+Eigen::VectorXd orbit_block::state(int lane) const {
+  return Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<block_lanes>>(
+      states_.data() + lane, static_cast<Eigen::Index>(states_.size()) / lanes);
+}
+
+Eigen::VectorXd orbit_block::log_densities() const {
+  Eigen::VectorXd out(lanes);
+  for (int lane = 0; lane < block_lanes; ++lane) out[lane] = geometry_.log_density(state(lane));
+  return out;
+}
+
+void orbit_block::project() {
+  for (int lane = 0; lane < block_lanes; ++lane) {
+    const Eigen::MatrixXd basis = geometry_.tangents(state(lane));
+    for (int k = 0; k < vectors_; ++k) {
+      lane_vector v(tangents_.data() + static_cast<std::size_t>(k) * states_.size() + lane, basis.rows());
+      v = (basis * (basis.transpose() * v)).eval();
+    }
+  }
+}
+
+/// Gram and Schmidt, all lanes at once.
+void orbit_block::orthonormalise() {
+  if (grown_.size() == 0) grown_.setZero(lanes, vectors_);
+  for (int k = 0; k < vectors_; ++k) {
+    auto v = lanes_of(tangents_, k, states_.size());
+    for (int j = 0; j < k; ++j) {
+      const auto u = lanes_of(tangents_, j, states_.size());
+      const Eigen::Array<double, block_lanes, 1> along = (u * v).rowwise().sum();
+      v -= u.colwise() * along;
+    }
+    const Eigen::Array<double, block_lanes, 1> size = v.square().rowwise().sum().sqrt();
+    grown_.col(k).array() += size.log();
+    v.colwise() /= size;
+  }
+}
+
+void orbit_block::begin() {
+  time_ = 0;
+  grown_.setZero(lanes, vectors_);
+  density_ = log_densities();
+  if (divergence_.size() == 0) {
+    divergence_.resize(lanes);
+    for (int lane = 0; lane < block_lanes; ++lane) divergence_[lane] = geometry_.divergence(state(lane));
+  }
+  passed_.setZero(lanes);
+}
+
+}  // namespace polhode

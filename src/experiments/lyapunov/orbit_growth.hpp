@@ -1,0 +1,57 @@
+// Growth of lengths and of Liouville's volume along the paths of a flow on its coadjoint orbit.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "ensemble/orbit_start.hpp"
+#include "experiments/lyapunov/orbit_geometry.hpp"
+#include "experiments/lyapunov/tangent_flow.hpp"
+
+namespace polhode {
+
+/// Of a block of paths over a time, per unit of it. `rates`, [lane][k]: the logarithmic growth of the k-th vector of an
+/// orthonormal basis that the flow carries on (Benettin et al. 1980), which tends to lambda_k. `volume`: that of
+/// Liouville's volume; `divergence`: the mean of the drift's along the path. Of the flow itself both are equal, path by
+/// path and whatever the start, as the noise keeps the volume.
+struct orbit_rates {
+  Eigen::MatrixXd rates;
+  Eigen::VectorXd volume, divergence;
+};
+
+/// A block of paths from all over the orbit, each with so many random vectors of its tangent space.
+class orbit_block {
+ public:
+  static constexpr int chunk = 8;          ///< steps between two looks at the tangents
+  static constexpr int projected_at = 32;  ///< chunks after which what rounding puts beside the orbit is taken out
+
+  orbit_block(const orbit_geometry&, const orbit_start&, std::uint64_t seed, std::uint64_t first_path, int vectors);
+
+  /// Through a chunk of steps.
+  void advance(const tangent_flow&, const increment_view&);
+
+  /// Growth since the last call, or the beginning.
+  orbit_rates read();
+
+  std::span<const double> states() const { return states_; }
+
+ private:
+  /// Of a lane: the state, and one of the vectors.
+  Eigen::VectorXd state(int lane) const;
+  Eigen::VectorXd log_densities() const;
+  void project();
+  void orthonormalise();
+  void begin();
+
+  const orbit_geometry& geometry_;
+  int vectors_;
+  std::vector<double> states_, tangents_;
+  std::int64_t chunks_ = 0;
+  // Since `begin`:
+  double time_ = 0;
+  Eigen::MatrixXd grown_;                          ///< [lane][vector]
+  Eigen::VectorXd density_, divergence_, passed_;  ///< at that time; now; its integral since then
+};
+
+}  // namespace polhode

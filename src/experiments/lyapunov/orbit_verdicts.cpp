@@ -1,0 +1,84 @@
+#include "experiments/lyapunov/orbit_verdicts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "experiments/common/judge.hpp"
+#include "statistics/distributions.hpp"
+#include "statistics/resample.hpp"
+#include "statistics/resampled_means.hpp"
+
+namespace polhode {
+
+interval_estimate mean_of(const Eigen::VectorXd& values) {
+  return mean_interval({values.data(), static_cast<std::size_t>(values.size())});
+}
+
+report::verdict judge_all(const Eigen::MatrixXd& values, double margin,
+                          const std::function<std::string(Eigen::Index)>& name) {
+  const auto count = static_cast<double>(values.cols());
+  const double wider = normal_deviate(0.025 / count) / normal_deviate(0.025);
+  report::verdict v{.expected = 0.0, .kind = report::verdict_kind::holds};
+  double furthest = -1;
+  for (Eigen::Index k = 0; k < values.cols(); ++k) {
+    const auto found = mean_of(values.col(k));
+    if (!std::isfinite(found.value)) return {.expected = 0.0, .reason = "not finite: a step of the scheme fails"};
+    const double half = wider * half_width(found), low = found.value - half, high = found.value + half;
+    const auto kind = judge(0, low, high, margin);
+    if (kind == report::verdict_kind::refuted || v.kind == report::verdict_kind::holds) v.kind = kind;
+    if (std::max(-low, high) <= furthest) continue;
+    furthest = std::max(-low, high);
+    v.estimate = found.value;
+    v.low = low;
+    v.high = high;
+    v.reason = fmt::format("furthest is {}: off by {:.5f} [{:.5f}, {:.5f}], at most {:.2g} is allowed", name(k),
+                           found.value, low, high, margin);
+  }
+  return v;
+}
+
+report::verdict judge_sign(const interval_estimate& of_equation, const interval_estimate& of_scheme) {
+  const auto sign = [](const interval_estimate& x) { return x.low > 0 ? 1 : x.high < 0 ? -1 : 0; };
+  report::verdict v{.estimate = of_scheme.value, .low = of_scheme.low, .high = of_scheme.high};
+  const int expected = sign(of_equation), found = sign(of_scheme);
+  const auto text = fmt::format("lambda_1 = {:.4f} [{:.4f}, {:.4f}], of the equation [{:.4f}, {:.4f}]", of_scheme.value,
+                                of_scheme.low, of_scheme.high, of_equation.low, of_equation.high);
+  if (expected == 0 || found == 0) {
+    v.reason = "neither spreading nor collecting is certain: " + text;
+    return v;
+  }
+  v.kind = expected == found ? report::verdict_kind::holds : report::verdict_kind::refuted;
+  v.reason = (found > 0 ? "one noise spreads neighbours, chaos: " : "one noise collects neighbours: ") + text;
+  return v;
+}
+
+interval_estimate corrected(const interval_estimate& of_equation, const interval_estimate& difference) {
+  const double value = of_equation.value + difference.value,
+               half = std::hypot(half_width(of_equation), half_width(difference));
+  return {value, value - half, value + half};
+}
+
+double kaplan_yorke(std::span<const double> exponents) {
+  double sum = 0;
+  std::size_t j = 0;
+  for (; j < exponents.size() && sum + exponents[j] >= 0; ++j) sum += exponents[j];
+  if (exponents.empty() || exponents[0] <= 0) return 0;
+  return static_cast<double>(j) + (j < exponents.size() ? sum / std::fabs(exponents[j]) : 0);
+}
+
+interval_estimate dimension_of(const Eigen::MatrixXd& rates, std::uint64_t seed) {
+  const auto dimension = [](Eigen::RowVectorXd means) {
+    std::ranges::sort(means, std::greater());
+    return kaplan_yorke({means.data(), static_cast<std::size_t>(means.size())});
+  };
+  const Eigen::MatrixXd resampled = resampled_means(rates, seed);
+  std::vector<double> found;
+  for (Eigen::Index i = 0; i < resampled.rows(); ++i) found.push_back(dimension(resampled.row(i)));
+  const auto [low, high] = central_interval(found, 0.95);
+  return {dimension(rates.colwise().mean()), low, high};
+}
+
+}  // namespace polhode
