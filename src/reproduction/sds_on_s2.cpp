@@ -90,7 +90,8 @@ report::reproduction sds_on_s2(const reproduce_options& o) {
   report::reproduction out;
   out.source =
       "Gogoi, Panda, Hazra, Pakrashi, Weak Ito-Taylor Schemes for Geometric Stochastic Differential Equations on S^2 "
-      "Manifold, Proc. R. Soc. A, by its programs (stochastic-dynamics/SDEs-on-S2): Figure_3.m, Figure_4.m, Figure_5.m";
+      "Manifold, Proc. R. Soc. A, by its programs (stochastic-dynamics/SDEs-on-S2, commit d0f0901): Figure_3.m, "
+      "Figure_4.m, Figure_5.m";
   out.notes = {
       "No scene: the noise of figures 3 and 4 depends on the state, and the drift of figure 5 belongs to two energies.",
       "Published are orders (1, 2, 3) and plots without a table; the paper itself was not at hand, its programs were.",

@@ -142,7 +142,8 @@ void compare_scheme(const std::string& name, const runs& chains, report::reprodu
 report::reproduction two_spins(const reproduce_options& o) {
   report::reproduction out;
   out.source =
-      "Sunny.jl, test/test_samplers.jl, test item Spin chain (mode dipole): J = 1, kT = 0.1, damping 0.1, dt = 0.02, "
+      "Sunny.jl, test/test_samplers.jl, test item Spin chain (mode dipole), of commit 114ac7f: J = 1, kT = 0.1, "
+      "damping 0.1, dt = 0.02, "
       "1000 steps to forget the start, 2000 samples 500 steps apart, atol = 0.05; src/Integrators.jl, Langevin";
   out.scene = fmt::format(
       "name = \"two_spins\"\nsystem = \"spins\"\ncount = 2\nexchange = 1.0\ntheta = 0.1\nsigma = {}   # sqrt(2 theta "

@@ -98,7 +98,8 @@ void compare_scheme(const subject& bound, const std::string& name, report::repro
 report::reproduction uniaxial_spin(const reproduce_options&) {
   report::reproduction out;
   out.source =
-      "MicroMagnetic.jl, docs/tutorials/atomistic/sllg.jl (tutorial Stochastic LLG, figure P_mz) and src/const.jl: "
+      "MicroMagnetic.jl, docs/tutorials/atomistic/sllg.jl (tutorial Stochastic LLG, figure P_mz) and src/const.jl of "
+      "commit 5bad73d: "
       "K = 7.2e5 J/m^3, V = 2.8e-26 m^3, T = 300 K, k_B = 1.3806505e-23 J/K, 30 x 30 x 30 spins, alpha = 0.1";
   out.scene = fmt::format(
       "name = \"uniaxial_spin\"\nsystem = \"spin\"\nanisotropy = {}   # K V / (k_B T)\nfield = [0.0, 0.0, "
