@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/options/arguments.hpp"
+#include "cli/options/opened_scene.hpp"
 #include "cli/terminal/terminal.hpp"
 #include "reports/model/errors.hpp"
 #include "run/choose.hpp"
@@ -114,7 +115,7 @@ int run(const arguments& given) {
   options.threads = threads_option(given.threads);
   options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
   options.isa = given.isa;
-  const auto found = select(load_scene(given.scene), options);
+  const auto found = select(opened_scene(given.scene), options);
   print(output == format::json ? json_of(found) : text_of(found));
   return found.winner ? 0 : nothing_meets_it;
 }

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/options/arguments.hpp"
+#include "cli/options/opened_scene.hpp"
 #include "cli/terminal/progress.hpp"
 #include "cli/terminal/signals.hpp"
 #include "cli/terminal/terminal.hpp"
@@ -98,7 +99,7 @@ int run(const arguments& given) {
   const auto output = format_option(given.format);
   const auto options = checked_options(given);
   const auto style = checked_style(given);
-  const auto scene = load_scene(given.scene);
+  const auto scene = opened_scene(given.scene);
   check_simulation(scene, options);
   if (given.out.empty()) throw input_error("--out '': accepted: the folder to be written");
   const std::filesystem::path out{given.out};

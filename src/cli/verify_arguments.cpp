@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cli/options/arguments.hpp"
+#include "cli/options/opened_scene.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
 #include "scene/nearest.hpp"
@@ -29,7 +30,7 @@ verify_options checked_options(const verify_arguments& given) {
 std::vector<scene> checked_scenes(const verify_arguments& given) {
   std::vector<scene> scenes;
   for (const auto& name : given.scenes) {
-    auto loaded = load_scene(name);
+    auto loaded = opened_scene(name);
     if (std::ranges::find(scenes, loaded.name, &scene::name) != scenes.end())
       throw input_error(fmt::format(
           "{}: name = '{}': another scene has it; accepted: names that differ, as each scene has its folder",

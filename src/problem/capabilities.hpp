@@ -41,6 +41,7 @@ struct shape_axis {
 
 struct capabilities {
   rate_bounds rates;
+  std::string notice = {};  ///< what a user should know of a scene that is accepted
   /// The diffusion, where it lives on a sphere: all that is exact there follows.
   std::optional<sphere_problem> sphere = {};
   std::optional<free_motion> free = {};

@@ -55,12 +55,20 @@ std::string in_cpp(const report::scene& s) {
                      fmt::join(vectors, ", "), head);
 }
 
+/// Of a mass distribution each moment is at most the sum of the two others; the equation asks for no such thing.
+std::string notice_of(std::array<double, 3> inertia) {
+  std::ranges::sort(inertia);
+  if (inertia[2] <= (inertia[0] + inertia[1]) * (1 + 1e-12)) return "";
+  return fmt::format("inertia {:g} > {:g} + {:g}: no rigid body has such moments, but the equation takes them",
+                     inertia[2], inertia[0], inertia[1]);
+}
+
 capabilities offers(const report::scene& s) {
   const auto inertia = inertia_of(s), start = three(s.momentum);
   const double c = length(s.momentum), theta = dissipation_of(s);
   const auto q = noise_covariance(s);
   const auto on_sphere = with_noise_of(s, body_on_sphere(inertia, theta, c, q));
-  capabilities out{.rates = rates_of(s, on_sphere), .sphere = on_sphere};
+  capabilities out{.rates = rates_of(s, on_sphere), .notice = notice_of(inertia), .sphere = on_sphere};
   out.free = {"jacobi", [=](double time) {
                 const auto end = free_rotation(inertia, start, time);
                 return std::vector(end.begin(), end.end());
