@@ -74,13 +74,14 @@ capabilities offers(const report::scene& s) {
   capabilities out{.rates = rates_of(s)};
   const auto strengths = circulations_of(s);
   const double strength = isotropic_strength(s);
-  if (strengths.size() == 2 && strength > 0)
-    if (const auto mean =
-            mean_energy_of_two(strengths[0] * strengths[1], 2 * dissipation_of(s) / (strength * strength)))
-      out.gibbs_mean = [mean](std::string_view observable) -> std::optional<reference_value> {
+  if (strengths.size() == 2 && strength > 0) {
+    const double product = strengths[0] * strengths[1];
+    if (const auto mean = mean_energy_of_two(product, 2 * dissipation_of(s) / (strength * strength)))
+      out.gibbs_mean = [=](std::string_view observable) -> std::optional<reference_value> {
         if (observable != "energy") return std::nullopt;
-        return reference_value{*mean, 1e-15 * std::fabs(*mean)};
+        return reference_value{*mean, 1e-15 * std::fabs(product)};
       };
+  }
   out.in_unit = [=](int power) { return in_unit(s, power); };
   return out;
 }

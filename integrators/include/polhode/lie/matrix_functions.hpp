@@ -15,9 +15,11 @@ const S& conjugate(const S& x) {
   return x;
 }
 
-/// exp(x), by a Taylor polynomial of degree 12 of x / 2^s and s squarings; s is a lane's own.
+// What acts on a state is U - 1: its rounding is relative to the size of a step, not of 1.
+
+/// exp(x) - 1, by a Taylor polynomial of degree 12 of x / 2^s and s squarings; s is a lane's own.
 template <class matrix>
-[[gnu::noinline]] matrix exponential_of(matrix x) {
+[[gnu::noinline]] matrix exponential_less_one(matrix x) {
   using S = typename matrix::scalar;
   constexpr int most_halvings = 60;
   constexpr double largest = 1.0 / 16;  // of |x / 2^s|^2: the next term is below rounding
@@ -31,15 +33,13 @@ template <class matrix>
   x = scale * x;
   // sum of x^k / k!, four terms at a time.
   const matrix one = matrix::identity(x.n), x2 = x * x, x3 = x2 * x, x4 = x2 * x2;
-  const auto block = [&](double a, double b, double c, double d) {
-    return S(a) * one + S(b) * x + S(c) * x2 + S(d) * x3;
-  };
-  matrix out = block(1.0 / 40320, 1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800) + S(1.0 / 479001600) * x4;
-  out = block(1.0 / 24, 1.0 / 120, 1.0 / 720, 1.0 / 5040) + x4 * out;
-  out = block(1, 1, 0.5, 1.0 / 6) + x4 * out;
+  const auto block = [&](double b, double c, double d) { return S(b) * x + S(c) * x2 + S(d) * x3; };
+  matrix out = S(1.0 / 40320) * one + block(1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800) + S(1.0 / 479001600) * x4;
+  out = S(1.0 / 24) * one + block(1.0 / 120, 1.0 / 720, 1.0 / 5040) + x4 * out;
+  out = block(1, 0.5, 1.0 / 6) + x4 * out;
   for (int i = 0; i < most_halvings && any(S(0.0), halvings > S(0.5)); ++i) {
     const auto pending = halvings > S(0.5);
-    const matrix squared = out * out;
+    const matrix squared = S(2.0) * out + out * out;
     for (int row = 0; row < x.n; ++row)
       for (int k = 0; k < x.n; ++k) out(row, k) = select(pending, squared(row, k), out(row, k));
     halvings = halvings - S(1.0);
@@ -47,12 +47,13 @@ template <class matrix>
   return out;
 }
 
-/// (1 - x/2)^-1 (1 + x/2), by elimination without pivots, which a positive symmetric part of 1 - x/2 allows.
+/// (1 - x/2)^-1 (1 + x/2) - 1 = (1 - x/2)^-1 x, by elimination without pivots, which a positive symmetric part of
+/// 1 - x/2 allows.
 template <class matrix>
-[[gnu::noinline]] matrix cayley_of(const matrix& x) {
+[[gnu::noinline]] matrix cayley_less_one(const matrix& x) {
   using S = typename matrix::scalar;
   using entry = typename matrix::entry;
-  matrix a = matrix::identity(x.n) + S(-0.5) * x, out = matrix::identity(x.n) + S(0.5) * x;
+  matrix a = matrix::identity(x.n) + S(-0.5) * x, out = x;
   for (int k = 0; k < x.n; ++k) {
     const entry pivot = reciprocal(a(k, k));
     for (int j = 0; j < x.n; ++j) {
@@ -71,16 +72,28 @@ template <class matrix>
   return out;
 }
 
-/// A matrix that is unitary but for rounding, to rounding of the next order: a step of Newton's method, U (3 - U* U)
-/// / 2. What squarings leave would let the Casimirs drift.
+/// U* M U - M of U = 1 + V, which is unitary but for rounding. A step of Newton's method, U (3 - U* U) / 2, leaves
+/// rounding of the next order: what squarings leave would let the Casimirs drift.
 template <class matrix>
-[[gnu::noinline]] matrix unitary(const matrix& nearly) {
+[[gnu::noinline]] matrix conjugation(const matrix& v, const matrix& m) {
   using S = typename matrix::scalar;
-  auto excess = matrix::identity(nearly.n);
-  for (int i = 0; i < nearly.n; ++i)
-    for (int j = 0; j < nearly.n; ++j)
-      for (int k = 0; k < nearly.n; ++k) excess(i, j) = excess(i, j) - conjugate(nearly(k, i)) * nearly(k, j);
-  return nearly + S(0.5) * (nearly * excess);
+  const int n = v.n;
+  const auto adjoint = [n](matrix a) {
+    for (int i = 0; i < n; ++i) {
+      a(i, i) = conjugate(a(i, i));
+      for (int j = 0; j < i; ++j) {
+        const auto upper = a(j, i);
+        a(j, i) = conjugate(a(i, j));
+        a(i, j) = conjugate(upper);
+      }
+    }
+    return a;
+  };
+  const auto back = adjoint(v);
+  const auto excess = v + back + back * v;
+  const auto better = v + S(-0.5) * (excess + v * excess);
+  const auto half = m * better;
+  return half + adjoint(better) * (m + half);
 }
 
 }  // namespace polhode

@@ -71,13 +71,13 @@ struct son {
   }
   template <class S>
   [[gnu::noinline]] static element<S> exp_action(const element<S>& xi, const element<S>& mu) {
-    return turned(exponential_of(as_matrix(xi)), mu);
+    return mu + above_diagonal(conjugation(exponential_less_one(as_matrix(xi)), as_matrix(mu)));
   }
   /// By the orthogonal matrix (1 - X/2)^-1 (1 + X/2). Of n = 3 the Cayley transform of the coadjoint operator; of n > 3
   /// that one would keep quadratic Casimirs alone.
   template <class S>
   [[gnu::noinline]] static element<S> cayley_action(const element<S>& xi, const element<S>& mu) {
-    return turned(cayley_of(as_matrix(xi)), mu);
+    return mu + above_diagonal(conjugation(cayley_less_one(as_matrix(xi)), as_matrix(mu)));
   }
 
   /// -X M X.
@@ -164,22 +164,6 @@ struct son {
     const auto regular = most < S(10.0) * q[0];  // not where it is no number
     numbers out(count);
     for (int k = 0; k < count; ++k) out[k] = select(regular, c[k], scaling[k]);
-    return out;
-  }
-
-  /// R^T M R.
-  template <class S>
-  static element<S> turned(const matrix<S>& nearly, const element<S>& mu) {
-    const auto r = unitary(nearly);
-    const auto half = as_matrix(mu) * r;
-    element<S> out(mu.size);
-    int place = 0;
-    for (int i = 0; i < r.n; ++i)
-      for (int j = i + 1; j < r.n; ++j, ++place) {
-        S sum = r(0, i) * half(0, j);
-        for (int k = 1; k < r.n; ++k) sum = sum + r(k, i) * half(k, j);
-        out[place] = sum;
-      }
     return out;
   }
 };

@@ -56,13 +56,13 @@ struct su : sine_basis {
   }
   template <class S>
   [[gnu::noinline]] static element<S> exp_action(const element<S>& xi, const element<S>& mu) {
-    return at_size(xi.size, [&](auto n) { return turned(exponential_of(generator_of<n>(xi)), mu); });
+    return at_size(xi.size, [&](auto n) { return moved(exponential_less_one(generator_of<n>(xi)), mu); });
   }
   /// By the unitary matrix (1 - X/2)^-1 (1 + X/2); the Cayley transform of the coadjoint operator would keep |mu|
   /// alone.
   template <class S>
   [[gnu::noinline]] static element<S> cayley_action(const element<S>& xi, const element<S>& mu) {
-    return at_size(xi.size, [&](auto n) { return turned(cayley_of(generator_of<n>(xi)), mu); });
+    return at_size(xi.size, [&](auto n) { return moved(cayley_less_one(generator_of<n>(xi)), mu); });
   }
   /// Right to rounding for |u| < 1/2.
   template <class S>
@@ -111,14 +111,10 @@ struct su : sine_basis {
     for (auto& entry : x.entries) entry = {-entry.imaginary, entry.real};
     return x;
   }
-  /// U^-1 H U, as what it adds to H: between modes and matrices every step would be rounded to the same side.
+  /// U^-1 H U, U = 1 + V.
   template <class S, int n>
-  static element<S> turned(const complex_matrix<S, n>& nearly, const element<S>& mu) {
-    const auto u = unitary(nearly), h = hermitian<n>(mu);
-    auto inverse = u;
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) inverse(i, j) = conjugate(u(j, i));
-    return mu + modes_of(inverse * (h * u) - h);
+  static element<S> moved(const complex_matrix<S, n>& v, const element<S>& mu) {
+    return mu + modes_of(conjugation(v, hermitian<n>(mu)));
   }
 
   template <class S>
