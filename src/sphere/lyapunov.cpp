@@ -173,7 +173,7 @@ lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance, int
     if (degree < stretching_degree) return projected_value{.value = 0, .floor = 0, .resolved = false};
     const auto frames = operator_on_frames(problem, degree, proved ? 2 : 0);
     auto found = poisson_mean(frames.generator, frames.stretching, affordable, frame_supremum);
-    if (found && !proved) found->bound = unbounded;
+    if (found && !proved && size > 0) found->bound = unbounded;  // a spherical body does not stretch at all
     if (found) found->floor = std::max(found->floor, rounding * frames.stretching.norm());
     return found;
   };
