@@ -1,45 +1,48 @@
 // The energy f(u), u = S_i.S_j, of a pair of spins: of exchange, or of two point vortices.
 //
-//   exchange  f(u) = J u                            f'(u) = J
-//   vortices  f(u) = -(P / 4 pi) log |1 - u / P|    f'(u) = 1 / (4 pi (1 - u / P)),   P = Gamma_i Gamma_j
+//   exchange  f = J u                                f'(u) = J
+//   vortices  f = -(Gamma_i Gamma_j / 4 pi) log g    f'(u) = 1 / (4 pi g),   g = 1 - u / Gamma_i Gamma_j
 //
-// Where two vortices meet u = P: the force there is infinite, and so is the next state.
+// g is half the square of the distance of S_i / Gamma_i and S_j / Gamma_j, which does not cancel where they are close.
+// Where two vortices meet g = 0: the force there is infinite, and so is the next state.
 #pragma once
 
 #include <limits>
 #include <numbers>
 
 #include <polhode/scalar.hpp>
+#include <polhode/vec.hpp>
 
 namespace polhode {
 
 struct pair_energy {
   int i, j;
-  double strength;                 ///< J
-  double circulation_product = 0;  ///< P; 0: exchange
+  double strength;                  ///< J
+  double gamma_i = 0, gamma_j = 0;  ///< 0: exchange
 
-  static pair_energy of_vortices(int i, int j, double product) { return {i, j, 0, product}; }
-  bool is_exchange() const { return circulation_product == 0; }
+  static pair_energy of_vortices(int i, int j, double gamma_i, double gamma_j) { return {i, j, 0, gamma_i, gamma_j}; }
+  bool is_exchange() const { return gamma_i == 0; }
 
+  /// f'(u) at S_i = a, S_j = b.
   template <class S>
-  S slope(const S& u) const {
+  S slope(const vec<S, 3>& a, const vec<S, 3>& b) const {
     if (is_exchange()) return S(strength);
-    return S(1 / (4 * std::numbers::pi)) / gap(u);
+    return S(1 / (4 * std::numbers::pi)) / gap(a, b);
   }
-  /// Not finite at u = P, or of a u that is no number.
+  /// f. Not finite at g = 0, or where g is no number.
   template <class S>
-  S value(const S& u) const {
-    if (is_exchange()) return S(strength) * u;
-    const S size = magnitude(gap(u));
-    const S log = select(size > S(0.0), logarithm(size), S(-std::numeric_limits<double>::infinity()));
-    return S(-circulation_product / (4 * std::numbers::pi)) * log;
+  S value(const vec<S, 3>& a, const vec<S, 3>& b) const {
+    if (is_exchange()) return S(strength) * dot(a, b);
+    const S g = gap(a, b);
+    const S log = select(g > S(0.0), logarithm(g), S(-std::numeric_limits<double>::infinity()));
+    return S(-gamma_i * gamma_j / (4 * std::numbers::pi)) * log;
   }
 
  private:
-  /// 1 - cos of the angle between the vortices.
   template <class S>
-  S gap(const S& u) const {
-    return S(1.0) - S(1 / circulation_product) * u;
+  S gap(const vec<S, 3>& a, const vec<S, 3>& b) const {
+    const auto apart = S(1 / gamma_i) * a - S(1 / gamma_j) * b;
+    return S(0.5) * dot(apart, apart);
   }
 };
 

@@ -54,7 +54,7 @@ struct spins : double_bracket<spins, so3_power<most_spins>> {
     for (int i = 0; i < mu.size / 3; ++i) group::set_part(out, i, site_.omega(group::part(mu, i)));
     for (const auto& pair : pairs_) {
       const int a = 3 * pair.i, b = 3 * pair.j;
-      const S slope = pair.slope(product(pair, mu));
+      const S slope = pair.slope(group::part(mu, pair.i), group::part(mu, pair.j));
       for (int k = 0; k < 3; ++k) {
         out[a + k] = out[a + k] + slope * mu[b + k];
         out[b + k] = out[b + k] + slope * mu[a + k];
@@ -66,7 +66,7 @@ struct spins : double_bracket<spins, so3_power<most_spins>> {
   S energy(const state<S>& mu) const {
     S sum(0.0);
     for (int i = 0; i < mu.size / 3; ++i) sum = sum + site_.energy(group::part(mu, i));
-    for (const auto& pair : pairs_) sum = sum + pair.value(product(pair, mu));
+    for (const auto& pair : pairs_) sum = sum + pair.value(group::part(mu, pair.i), group::part(mu, pair.j));
     return sum;
   }
 
@@ -98,10 +98,6 @@ struct spins : double_bracket<spins, so3_power<most_spins>> {
   }
 
  private:
-  template <class S>
-  static S product(const pair_energy& pair, const state<S>& mu) {
-    return dot(group::part(mu, pair.i), group::part(mu, pair.j));
-  }
   template <class S, class Flow>
   state<S> at_each_site(state<S> mu, Flow flow) const {
     if (!has_site_) return mu;
@@ -112,7 +108,7 @@ struct spins : double_bracket<spins, so3_power<most_spins>> {
   template <class S>
   static void turn(state<S>& mu, const pair_energy& pair, double t) {
     const auto a = group::part(mu, pair.i), b = group::part(mu, pair.j);
-    const auto axis = S(S(t) * pair.slope(product(pair, mu))) * (a + b);
+    const auto axis = S(S(t) * pair.slope(a, b)) * (a + b);
     group::set_part(mu, pair.i, so3::exp_action(axis, a));
     group::set_part(mu, pair.j, so3::exp_action(axis, b));
   }

@@ -26,7 +26,7 @@ inline spins vortices(const std::vector<double>& strengths, double dissipation,
   std::vector<pair_energy> pairs;
   for (std::size_t i = 0; i < strengths.size(); ++i)
     for (std::size_t j = i + 1; j < strengths.size(); ++j)
-      pairs.push_back(pair_energy::of_vortices(static_cast<int>(i), static_cast<int>(j), strengths[i] * strengths[j]));
+      pairs.push_back(pair_energy::of_vortices(static_cast<int>(i), static_cast<int>(j), strengths[i], strengths[j]));
   return {std::move(pairs), dissipation, std::move(noise_vectors)};
 }
 
