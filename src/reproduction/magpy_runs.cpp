@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <polhode/lie/so3.hpp>
 #include <polhode/schemes/heun.hpp>
 #include <polhode/schemes/implicit_midpoint.hpp>
+#include <polhode/systems/varying_spin.hpp>
 #include <random>
 
 #include "ensemble/noise/paths.hpp"
@@ -16,33 +16,12 @@ namespace {
 
 using state = vec<double, 3>;
 
-/// The task as a system: dm = m x xi, xi = -F - alpha m x F.
-struct damped_noise_spin {
-  using algebra = so3;
-  static constexpr int dimension = 3, channels = 3;
-  magpy_task task;
-
-  template <class S>
-  vec<S, 3> turned(const vec<S, 3>& m, const vec<S, 3>& f) const {
-    return S(-1.0) * (f + S(task.alpha) * cross(m, f));
-  }
-  template <class S>
-  vec<S, 3> generator(const vec<S, 3>& m) const {
-    return turned(m, {{S(0.0), S(0.0), S(task.field)}});
-  }
-  template <class S>
-  vec<S, 3> noise_at(const vec<S, 3>& m, const wiener<S, 3>& w) const {
-    return S(task.strength) * turned(m, w.dw);
-  }
-  template <class S>
-  vec<S, 3> ito_drift(const vec<S, 3>& m) const {
-    return S(-task.strength * task.strength) * (S(1.0) + S(task.alpha * task.alpha) * dot(m, m)) * m;
-  }
-  template <class S>
-  S energy(const vec<S, 3>& m) const {
-    return S(-task.field) * m[2];
-  }
-};
+/// dm = m x xi, xi = -F - alpha m x F: theta = alpha, and the signs of field and noise turned.
+varying_spin system_of(const magpy_task& task) {
+  const double s = -task.strength;
+  const vec<double, 3> v[] = {{{s, 0, 0}}, {{0, s, 0}}, {{0, 0, s}}};
+  return {spin(Eigen::Matrix3d::Zero(), {0, 0, -task.field}, task.alpha, spin::from_vectors(v)), state_noise::damped};
+}
 
 /// Standard normals of one run, [finest step][channel].
 std::vector<double> numbers_of(std::uint64_t seed, const magpy_task& task) {
@@ -65,7 +44,7 @@ state increment_of(const std::vector<double>& numbers, int first, int fine, doub
 }
 
 state end_of(const std::vector<double>& numbers, const magpy_task& task, int level, magpy_method method) {
-  const damped_noise_spin system{task};
+  const auto system = system_of(task);
   const int steps = task.coarsest << level, fine = 1 << (task.levels - 1 - level);
   const double dt = task.horizon / steps;
   state m{{1, 0, 0}};
