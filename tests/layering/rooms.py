@@ -63,7 +63,7 @@ MAY = {
     'lab_systems':   INTEGRATORS + ['platform', 'references', 'sphere', 'ensemble', 'problem', 'reports/model'],
     'scene':         ['lab_systems', 'reports/model'],
     'run':           ['noise', 'platform', 'sphere', 'ensemble', 'transfer', 'experiments', 'selection', 'lab_systems', 'scene', 'reports/model'],
-    'reproduction':  ['lie', 'system_noise', 'schemes', 'driver', 'ensemble', 'sphere', 'statistics', 'problem', 'transfer', 'experiments', 'scene', 'run',
+    'reproduction':  ['lie', 'systems', 'system_noise', 'schemes', 'driver', 'ensemble', 'sphere', 'statistics', 'problem', 'transfer', 'experiments', 'scene', 'run',
                       'reports/model'],
     'cli':           ['run', 'scene', 'lab_systems', 'comparison', 'reproduction', 'reports/model', 'writers'],
     'reports/model': [],
