@@ -54,12 +54,19 @@ report::verdict judge_slope(double expected, const std::optional<order_fit>& fit
                                 fit->high, order_margin)};
 }
 
+/// Of a long state fewer paths: each costs as much more.
+sampling_plan plan_for(const context& c) {
+  constexpr int usual = 6, first = 1024;
+  const int most = by_effort(c.effort, 8192, 16384, 32768);
+  return {first, std::max(first, most * usual / std::max(usual, c.subject.model->dimension()))};
+}
+
 }  // namespace
 
 void report_sampled_orders(const context& c, const std::vector<scheme_entry>& schemes,
                            const std::vector<observable>& observables,
                            const std::function<double(const scheme_entry&)>& expected, report::results& out) {
-  const sampling_plan plan{1024, by_effort(c.effort, 8192, 16384, 32768)};
+  const auto plan = plan_for(c);
   coupled_levels levels(c, schemes, observables, blocks_of(plan.most) * block_lanes);
   const auto dt = levels.grid().dt();
   std::vector<scheme_finding> found(schemes.size());
