@@ -116,5 +116,15 @@ TEST(OffTheSphere, WithoutALawGibbsSaysWhy) {
   EXPECT_NE(reason(with_noise_vectors(top, {{0.4, 0, 0, 0, 0, 0}})).find("not isotropic"), std::string::npos);
 }
 
+// Three vectors do not span so(4): the noise that weak order two adds beside them is of order 1/2 along a path, and
+// gone as dt -> 0.
+TEST(OffTheSphere, NoiseOfFewVectorsIsNoWrongLimit) {
+  const auto scene = with_noise_vectors(
+      load_scene("so4"), {{0.3, 0.2, -0.1, 0.2, 0.1, 0.3}, {0.1, -0.2, 0.3, 0, 0.2, -0.1}, {0, 0.4, 0, 0.1, 0, 0}});
+  const auto r = test::quick_results(restricted(bind_scene(scene), {"strang_two_turns"}), {"strong"});
+  const auto& limit = test::verdict_of(r, "limit is the Stratonovich solution");
+  EXPECT_EQ(limit.kind, verdict_kind::holds) << limit.reason;
+}
+
 }  // namespace
 }  // namespace polhode

@@ -5,6 +5,7 @@
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/levels.hpp"
+#include "experiments/laws/transfer_report.hpp"
 #include "experiments/weak/weak_sampled.hpp"
 #include "run/run_experiment.hpp"
 #include "scene/scene.hpp"

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "problem/noise_covariance.hpp"
 
 namespace polhode {
 namespace {
@@ -27,8 +30,17 @@ std::vector<double> difference(const std::vector<double>& a, const std::vector<d
   return out;
 }
 
-/// Of X_dt - Y: schemes that are right for commuting noise have order 1 there, whatever the noise.
-double gap_order(const scheme_info& info) { return std::max(info.strong_order.commuting, info.strong_order.general); }
+/// Of X_dt - Y: schemes that are right for commuting noise have order 1 there, whatever the noise. But a scheme of weak
+/// order two without areas adds their covariance to its noise (noise_matrix.hpp): in directions that the vectors do not
+/// span this is noise of its own, and of order 1/2 along a path.
+double gap_order(const subject& s, const scheme_info& info) {
+  const auto& strong = info.strong_order;
+  if (s.model->noise() == noise_class::general && strong.general < 1 && info.weak_order.general > 1) {
+    const auto covariance = covariance_of_noise(s.scene);
+    if (covariance.fullPivLu().rank() < covariance.rows()) return strong.general;
+  }
+  return std::max(strong.commuting, strong.general);
+}
 
 verdict_kind worse(verdict_kind a, verdict_kind b) {
   if (a == verdict_kind::refuted || b == verdict_kind::refuted) return verdict_kind::refuted;
@@ -101,7 +113,7 @@ void keep(const std::vector<std::vector<double>>& responses, const std::vector<d
 path_limit limit_of(const context& c, const scheme_info& info, std::span<const double> dt, const path_record& paths,
                     const noise_effect& noise, int cells) {
   const int count = paths.gap.paths;
-  const double effect = noise.rms(count), order = gap_order(info);
+  const double effect = noise.rms(count), order = gap_order(c.subject, info);
   path_limit out{{NAN, NAN, NAN}, (order < 1 ? 1 : 0.1) * distance_share * effect, {}, {}};
   const auto fit = fit_order(dt, paths.gap, 0, c.seed);
   if (!fit) return out;

@@ -1,4 +1,4 @@
-// Does a long run visit the sphere as the Gibbs law exp(-2 theta h / sigma^2) says?
+// Does a long run visit its orbit as the Gibbs law exp(-2 theta h / sigma^2) says?
 //
 // On a sphere twice: sampled at one small dt (gibbs_sampled.hpp), and exactly over dt (stationary_bias.hpp). Elsewhere
 // sampled against the means that a system knows (gibbs_on_orbits.hpp).
@@ -22,6 +22,7 @@ std::optional<std::string> skip_reason(const subject& s) {
 }
 
 void run(const context& c, report::results& out) {
+  if (!c.subject.sphere()) report_stationary_bias(c, out);  // says why there is none
   for (const auto& scheme : c.subject.schemes)
     if (!scheme.info.casimir.exact)
       out.skipped.push_back(

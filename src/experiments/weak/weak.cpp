@@ -47,7 +47,8 @@ void report_on_the_sphere(const context& c, report::results& out) {
 
 void run(const context& c, report::results& out) {
   if (c.subject.sphere()) return report_on_the_sphere(c, out);
-  out.skipped.push_back({"weak", "", fmt::format("{}: only the end point is sampled", weak_course::claim)});
+  out.skipped.push_back(
+      {"weak", "", fmt::format("{}: errors are sampled, at the end point alone", weak_course::claim)});
   report_sampled_orders(c, c.subject.schemes, observables_of(c.subject, sampled_components), claimed_on(c.subject),
                         out);
 }
