@@ -34,8 +34,8 @@ report::verdict judge_all(const Eigen::MatrixXd& values, double margin,
     v.estimate = found.value;
     v.low = low;
     v.high = high;
-    v.reason = fmt::format("furthest is {}: off by {:.5f} [{:.5f}, {:.5f}], at most {:.2g} is allowed", name(k),
-                           found.value, low, high, margin);
+    v.reason = fmt::format("{} is off by {:.5f} [{:.5f}, {:.5f}], at most {:.2g} is allowed", name(k), found.value, low,
+                           high, margin);
   }
   return v;
 }
