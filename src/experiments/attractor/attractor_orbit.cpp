@@ -114,7 +114,7 @@ void report_orbit_attractor(const context& c, report::results& out) {
   noise_log log(*c.subject.model, blocks_of(frame.paths));
   const auto equation = observe_equation(part_of(c, 0, 0.4), frame, log);
   recorder record("attractor", "", out);
-  record.value({"lambda_1", "", "per time", "sampled"}, at_dt(frame.dt), mean_of(equation.rates.col(0)));
+  record.value({"lambda_1", "", "per time", "sampled"}, mean_of(equation.rates.col(0)));
   if (!schemes.empty()) {
     report_neighbours(part_of(c, 0.4, 0.8), frame, schemes, equation, out);
     report_orbits_kept(c, frame, schemes, equation.forgetting + equation.observed, out);

@@ -33,13 +33,11 @@ Eigen::MatrixXd pair_sums(const Eigen::MatrixXd& rates) {
 
 void report_equation(const context& c, const orbit_frame& f, const observed_rates& e, report::results& out) {
   recorder record("lyapunov", "", out);
-  const auto value = [&](const std::string& name, const std::string& unit, const interval_estimate& found) {
-    record.value({name, "", unit, "sampled"}, at_dt(f.dt), found);
-  };
-  for (Eigen::Index k = 0; k < e.rates.cols(); ++k) value(named(k), "per time", mean_of(e.rates.col(k)));
-  value("sum of exponents", "per time", mean_of(e.volume));
-  value("mean divergence", "per time", mean_of(e.divergence));
-  value("kaplan_yorke_dimension", "1", dimension_of(e.rates, c.seed));
+  for (Eigen::Index k = 0; k < e.rates.cols(); ++k)
+    record.value({named(k), "", "per time", "sampled"}, at_dt(f.dt), mean_of(e.rates.col(k)));
+  record.value({"sum of exponents", "", "per time", "sampled"}, mean_of(e.volume));
+  record.value({"mean divergence", "", "per time", "sampled"}, mean_of(e.divergence));
+  record.value({"kaplan_yorke_dimension", "", "1", "sampled"}, dimension_of(e.rates, c.seed));
 }
 
 struct scheme_report {
