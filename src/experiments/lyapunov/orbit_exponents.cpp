@@ -20,6 +20,8 @@ namespace {
 constexpr double tight_share = 0.4;    // of the margin: the half-width at which sampling stops
 constexpr double volume_share = 1e-3;  // of the fastest rate: how far the sum may lie from the mean divergence
 constexpr const char* spectrum_claim = "finds the exponents";
+constexpr const char* equation_name = "equation";  // under which it stands among the schemes
+constexpr const char* own_sign_claim = "lambda_1 has a sign";
 constexpr const char* sign_claim = "finds the sign of lambda_1";
 constexpr const char* volume_claim = "sum of exponents is the mean divergence";
 constexpr const char* pairs_claim = "exponents come in pairs";
@@ -33,11 +35,15 @@ Eigen::MatrixXd pair_sums(const Eigen::MatrixXd& rates) {
 
 void report_equation(const context& c, const orbit_frame& f, const observed_rates& e, report::results& out) {
   recorder record("lyapunov", "", out);
+  std::vector<report::series_id> rows;
   for (Eigen::Index k = 0; k < e.rates.cols(); ++k)
-    record.value({named(k), "", "per time", "sampled"}, at_dt(f.dt), mean_of(e.rates.col(k)));
+    rows.push_back(record.value({named(k), "", "per time", "sampled"}, at_dt(f.dt), mean_of(e.rates.col(k))));
   record.value({"sum of exponents", "", "per time", "sampled"}, mean_of(e.volume));
   record.value({"mean divergence", "", "per time", "sampled"}, mean_of(e.divergence));
   record.value({"kaplan_yorke_dimension", "", "1", "sampled"}, dimension_of(e.rates, c.seed));
+  auto sign = judge_sign(mean_of(e.rates.col(0)));
+  if (!e.fault.empty()) sign = {.reason = "the start is not forgotten: " + e.fault};
+  recorder("lyapunov", equation_name, out).verdict(own_sign_claim, std::move(sign), {rows.front()});
 }
 
 struct scheme_report {
@@ -59,7 +65,8 @@ struct scheme_report {
     }
     record.verdict(spectrum_claim, judge_all(differences, frame.margin, named), rows);
     const auto first = mean_of(equation.rates.col(0));
-    record.verdict(sign_claim, judge_sign(first, corrected(first, mean_of(differences.col(0)))), {rows.front()});
+    if (judge_sign(first).kind == report::verdict_kind::holds)
+      record.verdict(sign_claim, judge_sign(first, corrected(first, mean_of(differences.col(0)))), {rows.front()});
     if (dissipation_of(c.subject.scene) == 0)
       record.verdict(pairs_claim,
                      judge_all(pair_sums(paths.rates(k, used)), frame.margin,

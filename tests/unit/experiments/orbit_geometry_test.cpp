@@ -109,6 +109,33 @@ TEST(OrbitStart, IsUniformOnEachOfTwoSpheres) {
   EXPECT_LT((square - Eigen::MatrixXd(variance.asDiagonal())).cwiseAbs().maxCoeff(), 4 * error);
 }
 
+// Columns whose means are 0 within a wide interval, 0.3 within a narrow one, and 0.
+TEST(JudgeAll, TellsTheWorst) {
+  Eigen::MatrixXd values(4, 3);
+  values << -2, 0.29, 0.01, 2, 0.31, -0.01, -2, 0.31, -0.01, 2, 0.29, 0.01;
+  const auto judged = [&](std::initializer_list<int> columns) {
+    return judge_all(values(Eigen::all, std::vector<int>(columns)), 0.1,
+                     [](Eigen::Index k) { return "number " + std::to_string(k); });
+  };
+  using enum report::verdict_kind;
+  EXPECT_EQ(judged({2}).kind, holds);
+  EXPECT_EQ(judged({2, 0}).kind, inconclusive);
+  EXPECT_EQ(judged({0, 1, 2}).kind, refuted);
+  EXPECT_EQ(judged({0, 1, 2}).reason.find("number 1"), 0u);
+  const auto one = mean_of(values.col(1));
+  EXPECT_GT(*judged({1, 2}).high - *judged({1, 2}).low, one.high - one.low) << "two at once";
+}
+
+TEST(JudgeSign, NeedsAnIntervalOnOneSide) {
+  using enum report::verdict_kind;
+  const interval_estimate above{0.2, 0.1, 0.3}, below{-0.2, -0.3, -0.1}, about{0.05, -0.1, 0.2};
+  EXPECT_EQ(judge_sign(above).kind, holds);
+  EXPECT_EQ(judge_sign(about).kind, inconclusive);
+  EXPECT_EQ(judge_sign(below, below).kind, holds);
+  EXPECT_EQ(judge_sign(above, below).kind, refuted);
+  EXPECT_EQ(judge_sign(about, below).kind, inconclusive);
+}
+
 TEST(KaplanYorke, IsThatOfTheSpectrum) {
   EXPECT_EQ(kaplan_yorke(std::vector{-0.1, -0.2}), 0);
   EXPECT_DOUBLE_EQ(kaplan_yorke(std::vector{0.02, -0.1}), 1.2);
