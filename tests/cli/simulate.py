@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Drives `polhode simulate` as a user does.   usage: simulate.py POLHODE"""
-import csv, json, os, struct, subprocess, sys, tempfile, unittest
+import csv, json, math, os, struct, subprocess, sys, tempfile, unittest
 
 from formats import read, read_npy, read_png
 
@@ -99,6 +99,23 @@ class Files(Case):
         self.assertEqual(s['numbers_drawn'], 3 * 40)
         self.assertAlmostEqual(s['final']['pi1']['mean'], sum(r[0] for r in rows[100]) / 100, 12)
         self.assertLess(s['casimir_change'], 1e-12)
+
+    def test_a_top_spreads_over_its_orbit_and_shows_its_vertical(self):
+        self.good('heavy_top', bodies=64, dt=0.1, snapshots='1')  # at the horizon
+        table = list(csv.reader(read(self.path('out', 'final.csv'), 'r').splitlines()))
+        self.assertEqual(table[0], ['pi1', 'pi2', 'pi3', 'gamma1', 'gamma2', 'gamma3'])
+        expected = [0] * (512 * 1024)
+        for row in table[1:]:
+            pi, (x, y, z) = [float(v) for v in row[:3]], [float(v) for v in row[3:]]
+            self.assertAlmostEqual(x * x + y * y + z * z, 1, 12)
+            self.assertAlmostEqual(pi[0] * x + pi[1] * y + pi[2] * z, 0.5 * 0.48 - 0.3 * 0.6 + 0.7 * 0.64, 10)
+            expected[int((z + 1) / 2 * 512) * 1024 + int((math.atan2(y, x) / (2 * math.pi) + 0.5) * 1024)] += 1
+        _, _, data = read_npy(self.path('out', 'snapshot_1.npy'))
+        self.assertEqual(list(struct.unpack(f'<{512 * 1024}I', data)), expected)
+        self.assertEqual(self.summary()['start'], 'orbit')
+        self.assertIn('gamma3', self.summary()['final'])
+        self.refused(['--start', 'orbit, momentum'], left=['out'], scene='heavy_top', start='uniform')
+        self.refused(['--snapshots', 'length of three components'], left=['out'], scene='maxwell_bloch', snapshots='1')
 
     def test_many_bodies_are_an_array(self):
         self.good(bodies=100_001, dt=1)

@@ -149,7 +149,8 @@ experiment lyapunov_experiment() {
         "third of rate^2 dt of the equation's on the same paths. The sum of all is the mean divergence of the drift "
         "with "
         "respect to Liouville's volume, path by path, as the noise keeps that: held at dt and dt/2 extrapolated to 0, "
-        "to 2e-3 of the fastest rate. Without dissipation exponents come in pairs that cancel.",
+        "to a thousandth of the fastest rate. Without dissipation exponents come in pairs that cancel. The sign of "
+        "lambda_1 is asked of schemes where that of the equation is known.",
         "Normals: fast ones (right to 1e-6). Areas are drawn from the weak surrogate."}},
       4,
       skip_reason,

@@ -11,7 +11,6 @@
 #include "experiments/common/levels.hpp"
 #include "experiments/common/progress_counter.hpp"
 #include "experiments/common/recorder.hpp"
-#include "experiments/common/undecided.hpp"
 #include "experiments/lyapunov/orbit_runs.hpp"
 #include "experiments/lyapunov/orbit_verdicts.hpp"
 
@@ -19,8 +18,10 @@ namespace polhode {
 namespace {
 
 constexpr double tight_share = 0.4;    // of the margin: the half-width at which sampling stops
-constexpr double volume_share = 2e-3;  // of the fastest rate: how far the sum may lie from the mean divergence
+constexpr double volume_share = 1e-3;  // of the fastest rate: how far the sum may lie from the mean divergence
 constexpr const char* spectrum_claim = "finds the exponents";
+constexpr const char* equation_name = "equation";  // under which it stands among the schemes
+constexpr const char* own_sign_claim = "lambda_1 has a sign";
 constexpr const char* sign_claim = "finds the sign of lambda_1";
 constexpr const char* volume_claim = "sum of exponents is the mean divergence";
 constexpr const char* pairs_claim = "exponents come in pairs";
@@ -34,13 +35,15 @@ Eigen::MatrixXd pair_sums(const Eigen::MatrixXd& rates) {
 
 void report_equation(const context& c, const orbit_frame& f, const observed_rates& e, report::results& out) {
   recorder record("lyapunov", "", out);
-  const auto value = [&](const std::string& name, const std::string& unit, const interval_estimate& found) {
-    record.value({name, "", unit, "sampled"}, at_dt(f.dt), found);
-  };
-  for (Eigen::Index k = 0; k < e.rates.cols(); ++k) value(named(k), "per time", mean_of(e.rates.col(k)));
-  value("sum of exponents", "per time", mean_of(e.volume));
-  value("mean divergence", "per time", mean_of(e.divergence));
-  value("kaplan_yorke_dimension", "1", dimension_of(e.rates, c.seed));
+  std::vector<report::series_id> rows;
+  for (Eigen::Index k = 0; k < e.rates.cols(); ++k)
+    rows.push_back(record.value({named(k), "", "per time", "sampled"}, at_dt(f.dt), mean_of(e.rates.col(k))));
+  record.value({"sum of exponents", "", "per time", "sampled"}, mean_of(e.volume));
+  record.value({"mean divergence", "", "per time", "sampled"}, mean_of(e.divergence));
+  record.value({"kaplan_yorke_dimension", "", "1", "sampled"}, dimension_of(e.rates, c.seed));
+  auto sign = judge_sign(mean_of(e.rates.col(0)));
+  if (!e.fault.empty()) sign = {.reason = "the start is not forgotten: " + e.fault};
+  recorder("lyapunov", equation_name, out).verdict(own_sign_claim, std::move(sign), {rows.front()});
 }
 
 struct scheme_report {
@@ -62,7 +65,8 @@ struct scheme_report {
     }
     record.verdict(spectrum_claim, judge_all(differences, frame.margin, named), rows);
     const auto first = mean_of(equation.rates.col(0));
-    record.verdict(sign_claim, judge_sign(first, corrected(first, mean_of(differences.col(0)))), {rows.front()});
+    if (judge_sign(first).kind == report::verdict_kind::holds)
+      record.verdict(sign_claim, judge_sign(first, corrected(first, mean_of(differences.col(0)))), {rows.front()});
     if (dissipation_of(c.subject.scene) == 0)
       record.verdict(pairs_claim,
                      judge_all(pair_sums(paths.rates(k, used)), frame.margin,
@@ -112,10 +116,11 @@ std::optional<std::string> no_orbit_exponents(const subject& s) {
 
 void report_orbit_exponents(const context& c, report::results& out) {
   const orbit_frame frame(c);
+  const auto schemes = schemes_on_the_orbit(c.subject, out);
+  if (!frame.affordable(c, schemes, "lyapunov", spectrum_claim, out)) return;
   noise_log log(*c.subject.model, blocks_of(frame.paths));
   const auto equation = observe_equation(part_of(c, 0, 0.3), frame, log);
   report_equation(c, frame, equation, out);
-  const auto schemes = schemes_on_the_orbit(c.subject, out);
   if (schemes.empty()) return;
   std::vector<Eigen::VectorXd> defects(schemes.size());
   parallel_for(c.threads, static_cast<int>(schemes.size()), [&](int k) {

@@ -9,6 +9,7 @@
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/judge.hpp"
 #include "experiments/common/levels.hpp"
+#include "experiments/common/undecided.hpp"
 #include "problem/vectors.hpp"
 
 namespace polhode {
@@ -100,6 +101,16 @@ orbit_frame::orbit_frame(const context& c)
       margin(margin_share * std::pow(fastest_rate(c.subject), 2) * dt),
       paths(paths_of(c.effort, geometry.dimension())),
       most_chunks(4 * first_chunks(c.effort) << by_effort(c.effort, 2, 4, 6)) {}
+
+bool orbit_frame::affordable(const context& c, std::span<const scheme_entry> schemes, std::string_view experiment,
+                             std::string_view claim, report::results& out) const {
+  const double steps = 4.0 * static_cast<double>(first_chunks(c.effort) * orbit_block::chunk) * paths;
+  const double components = static_cast<double>(vectors()) * c.subject.model->dimension();
+  return affords(c, schemes,
+                 {experiment, claim, fmt::format("a spectrum of {} exponents", vectors()), "steps of a component",
+                  steps * components, [](effort e) { return by_effort(e, 1.5e8, 1e10, 1e12); }},
+                 out);
+}
 
 void observed_rates::keep(int block, const orbit_rates& found) {
   const auto at = static_cast<Eigen::Index>(block) * block_lanes;

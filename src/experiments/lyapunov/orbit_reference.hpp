@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "experiments/common/experiment.hpp"
 #include "experiments/common/noise_verdict.hpp"
@@ -21,6 +23,10 @@ struct orbit_frame {
   int paths;                 ///< of the equation, whole blocks; no scheme gets more
   std::int64_t most_chunks;  ///< of a path
   int vectors() const { return geometry.dimension(); }
+
+  /// Whether this effort affords that many tangents; if not, the claim is left untried for these schemes.
+  bool affordable(const context&, std::span<const scheme_entry>, std::string_view experiment, std::string_view claim,
+                  report::results&) const;
 };
 
 /// What was seen of paths over the time in which they were observed. [path]

@@ -19,39 +19,46 @@ interval_estimate mean_of(const Eigen::VectorXd& values) {
 
 report::verdict judge_all(const Eigen::MatrixXd& values, double margin,
                           const std::function<std::string(Eigen::Index)>& name) {
-  const auto count = static_cast<double>(values.cols());
-  const double wider = normal_deviate(0.025 / count) / normal_deviate(0.025);
+  const double wider = normal_deviate(0.025 / static_cast<double>(values.cols())) / normal_deviate(0.025);
+  const auto rank = [](report::verdict_kind kind) {
+    return kind == report::verdict_kind::refuted ? 2 : kind == report::verdict_kind::inconclusive ? 1 : 0;
+  };
   report::verdict v{.expected = 0.0, .kind = report::verdict_kind::holds};
-  double furthest = -1;
   for (Eigen::Index k = 0; k < values.cols(); ++k) {
     const auto found = mean_of(values.col(k));
     if (!std::isfinite(found.value)) return {.expected = 0.0, .reason = "not finite: a step of the scheme fails"};
     const double half = wider * half_width(found), low = found.value - half, high = found.value + half;
     const auto kind = judge(0, low, high, margin);
-    if (kind == report::verdict_kind::refuted || v.kind == report::verdict_kind::holds) v.kind = kind;
-    if (std::max(-low, high) <= furthest) continue;
-    furthest = std::max(-low, high);
+    const bool further = !v.low || std::max(-low, high) > std::max(-*v.low, *v.high);
+    if (rank(kind) < rank(v.kind) || (kind == v.kind && !further)) continue;
+    v.kind = kind;
     v.estimate = found.value;
     v.low = low;
     v.high = high;
-    v.reason = fmt::format("furthest is {}: off by {:.5f} [{:.5f}, {:.5f}], at most {:.2g} is allowed", name(k),
-                           found.value, low, high, margin);
+    v.reason = fmt::format("{} is off by {:.5f} [{:.5f}, {:.5f}], at most {:.2g} is allowed", name(k), found.value, low,
+                           high, margin);
   }
   return v;
 }
 
+report::verdict judge_sign(const interval_estimate& found) {
+  report::verdict v{.estimate = found.value, .low = found.low, .high = found.high};
+  const auto text = fmt::format("lambda_1 = {:.4f} [{:.4f}, {:.4f}]", found.value, found.low, found.high);
+  if (found.low > 0 || found.high < 0) v.kind = report::verdict_kind::holds;
+  v.reason = (found.low > 0    ? "one noise spreads neighbours, chaos: "
+              : found.high < 0 ? "one noise collects neighbours: "
+                               : "neither spreading nor collecting is certain: ") +
+             text;
+  return v;
+}
+
 report::verdict judge_sign(const interval_estimate& of_equation, const interval_estimate& of_scheme) {
-  const auto sign = [](const interval_estimate& x) { return x.low > 0 ? 1 : x.high < 0 ? -1 : 0; };
-  report::verdict v{.estimate = of_scheme.value, .low = of_scheme.low, .high = of_scheme.high};
-  const int expected = sign(of_equation), found = sign(of_scheme);
-  const auto text = fmt::format("lambda_1 = {:.4f} [{:.4f}, {:.4f}], of the equation [{:.4f}, {:.4f}]", of_scheme.value,
-                                of_scheme.low, of_scheme.high, of_equation.low, of_equation.high);
-  if (expected == 0 || found == 0) {
-    v.reason = "neither spreading nor collecting is certain: " + text;
-    return v;
-  }
-  v.kind = expected == found ? report::verdict_kind::holds : report::verdict_kind::refuted;
-  v.reason = (found > 0 ? "one noise spreads neighbours, chaos: " : "one noise collects neighbours: ") + text;
+  auto v = judge_sign(of_scheme);
+  v.expected = of_equation.value;
+  if (judge_sign(of_equation).kind != report::verdict_kind::holds) v.kind = report::verdict_kind::inconclusive;
+  if (v.kind == report::verdict_kind::holds && (of_equation.low > 0) != (of_scheme.low > 0))
+    v.kind = report::verdict_kind::refuted;
+  v.reason += fmt::format(", of the equation [{:.4f}, {:.4f}]", of_equation.low, of_equation.high);
   return v;
 }
 

@@ -15,9 +15,12 @@ namespace polhode {
 interval_estimate mean_of(const Eigen::VectorXd& values);
 
 /// Means of the columns of [path][k], which should vanish, judged together: the intervals cover all means at once with
-/// 95 % (Bonferroni). The one that may lie furthest from zero is told by its name.
+/// 95 % (Bonferroni). Refuted if one is; the worst is told by its name.
 report::verdict judge_all(const Eigen::MatrixXd& values, double margin,
                           const std::function<std::string(Eigen::Index)>& name);
+
+/// Whether lambda_1 has a sign: chaos above zero; inconclusive where it straddles that.
+report::verdict judge_sign(const interval_estimate&);
 
 /// Whether lambda_1 of a scheme has the sign of that of the equation; inconclusive where one of them straddles zero.
 report::verdict judge_sign(const interval_estimate& of_equation, const interval_estimate& of_scheme);
