@@ -54,8 +54,7 @@ design design_for(const subject& s, double dt, const std::vector<observable>& al
   return out;
 }
 
-/// Time averages of one scheme: [observable][path].
-using averages = std::vector<std::vector<double>>;
+using averages = std::vector<std::vector<double>>;  ///< in time, of one scheme: [observable][path]
 
 void run_block(const context& c, const design& d, std::span<const scheme_entry> schemes,
                std::span<const std::unique_ptr<kernel>> kernels, std::span<const int> open, int block,
@@ -111,8 +110,8 @@ std::string claim_on(const std::string& observable) {
 void report_means(const design& d, const std::vector<interval_estimate>& found, recorder& record) {
   struct finding {
     report::verdict worst;
-    double distance = -1;  ///< of the interval's far end, in margins
-    std::vector<report::series_id> evidence = {};
+    double distance = -1;                          ///< of the interval's far end, in margins
+    std::vector<report::series_id> evidence = {};  ///< the mean that decides, as the expected value is its own
     int count = 0;
   };
   std::map<std::string, finding> claims;
@@ -123,7 +122,7 @@ void report_means(const design& d, const std::vector<interval_estimate>& found, 
     const double effective = std::pow(1.96 * deviation / half_width(found[f]), 2);
     least = std::min(least, effective);
     auto& claim = claims[claim_on(name)];
-    claim.evidence.push_back(record.value({"mean", name, "", "sampled"}, at_dt(d.dt), found[f]));
+    const auto written = record.value({"mean", name, "", "sampled"}, at_dt(d.dt), found[f]);
     ++claim.count;
     // An interval that lies beyond its margin counts for more than a wide one, one that is not finite for most.
     const double beyond = std::max(found[f].low - exact, exact - found[f].high) / d.means[f].margin(),
@@ -133,6 +132,7 @@ void report_means(const design& d, const std::vector<interval_estimate>& found, 
                                                   : reach;
     if (distance <= claim.distance) continue;
     claim.distance = distance;
+    claim.evidence = {written};
     claim.worst = judge_mean(exact, d.means[f].margin(), found[f]);
     claim.worst.reason = fmt::format("{}: {}; worth {:.2g} independent samples", name, claim.worst.reason, effective);
   }
