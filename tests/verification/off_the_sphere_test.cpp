@@ -86,7 +86,7 @@ std::vector<report::verdict> gibbs_verdicts(const char* scene, double noise) {
   s.offers = healthy.offers;
   std::vector<report::verdict> out;
   for (const auto& v : test::quick_results(s, {"gibbs"}).verdicts)
-    if (v.scheme == "strang") out.push_back(v);
+    if (v.scheme == "strang" && v.kind != verdict_kind::skipped) out.push_back(v);
   return out;
 }
 
@@ -109,7 +109,9 @@ TEST(OffTheSphere, NoiseATenthTooStrongIsRefuted) {
 TEST(OffTheSphere, WithoutALawGibbsSaysWhy) {
   const auto reason = [](report::scene scene) {
     const auto r = test::quick_results(restricted(bind_scene(scene), {"strang"}), {"gibbs"});
-    return r.skipped.empty() ? "" : r.skipped.front().reason;
+    std::string all;
+    for (const auto& s : r.skipped) all += s.reason + "; ";
+    return all;
   };
   const auto top = load_scene("heavy_top");
   EXPECT_NE(reason(with_dissipation(top, 0)).find("not compact"), std::string::npos);

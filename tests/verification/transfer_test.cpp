@@ -32,7 +32,7 @@ TEST(Weak, CoupledLevelsFindWhatTheOperatorFinds) {
   report_sampled_orders({s, effort::quick, 2, 5}, s.schemes, {{"energy", *observable_of(s, "energy")}}, expected, out);
   int compared = 0;
   for (const auto& m : out.measurements) {
-    if (m.quantity != "difference" || m.scheme != "lie_euler" || *m.dt() < 0.02) continue;
+    if (m.quantity != "difference" || m.observable != "energy" || m.scheme != "lie_euler" || *m.dt() < 0.02) continue;
     const int steps = static_cast<int>(std::lround(asymptotic_levels(s, 64).horizon / *m.dt()));
     const auto& e = scheme_of(s, "lie_euler");
     const transfer_rule rule{{16, 1, 0}, {7, 2}};

@@ -41,24 +41,20 @@ experiment gibbs_experiment() {
       {"gibbs",
        "Does a long run visit its orbit as the Gibbs law exp(-2 theta h / sigma^2) says?",
        {"On a sphere: independent paths from a uniform start; means over four times of each path after it has "
-        "forgotten its "
-        "start, so "
-        "that the interval over paths accounts for autocorrelation.",
+        "forgotten its start, so that the interval over paths accounts for autocorrelation.",
         fmt::format(
-            "Exact law of h: complete elliptic integrals. A mean holds if its 95 % interval lies within {:g} "
-            "standard deviations of the exact one; the law of h if the Kolmogorov-Smirnov distance is below {:g} "
-            "with 95 % confidence (Dvoretzky-Kiefer-Wolfowitz).",
+            "Exact law of h: complete elliptic integrals. A mean holds if its 95 % interval lies within {:g} standard "
+            "deviations of the exact one; the law of h if the Kolmogorov-Smirnov distance is below {:g} with 95 % "
+            "confidence (Dvoretzky-Kiefer-Wolfowitz).",
             moment_margin, ks_bound),
         fmt::format(
             "On other systems: paths half from the scene's momentum and half from all over the orbit. A pilot run of "
             "the driven equation tells the longest integrated autocorrelation time of the energy, the components (the "
-            "first {}) and their squares, and that both kinds of start have the same means. After ten of these times a "
-            "path is averaged over twenty; the interval is over paths. Exact means are those that the system knows of "
-            "its "
-            "Gibbs law, and the margin is the same, by the standard deviation in the pilot run. The law of h as a "
-            "whole "
-            "is not compared.",
-            6),
+            "first {}) and their squares, and that both kinds of start have the same means. After ten of these times "
+            "a path is averaged over twenty; the interval is over paths. Exact means are those that the system knows "
+            "of its Gibbs law, and the margin is the same, by the standard deviation in the pilot run. The law of h "
+            "as a whole is not compared.",
+            averaged_components),
         "Without dissipation the law is uniform for any noise that reaches every direction.",
         "Bias of the mean of every observable and distance of the densities (L2) over dt: the law that the scheme's "
         "transfer operator leaves as it is, nothing sampled (experiment weak). True law: the Gibbs density, or for "

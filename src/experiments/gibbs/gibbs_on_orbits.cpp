@@ -21,12 +21,10 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t most_components = 6;
 constexpr double forgetting = 10, averaging = 20;  // autocorrelation times
 constexpr int looks = 256;                         // at a path while it is averaged
 constexpr double tight_share = 1.0 / 3;            // of a margin: the half-width at which sampling stops
 
-/// What is averaged, and what it is held against.
 struct known_mean {
   double exact, deviation;
   double margin() const { return moment_margin * deviation; }
@@ -56,8 +54,7 @@ design design_for(const subject& s, double dt, const std::vector<observable>& al
   return out;
 }
 
-/// Time averages of one scheme: [observable][path].
-using averages = std::vector<std::vector<double>>;
+using averages = std::vector<std::vector<double>>;  ///< in time, of one scheme: [observable][path]
 
 void run_block(const context& c, const design& d, std::span<const scheme_entry> schemes,
                std::span<const std::unique_ptr<kernel>> kernels, std::span<const int> open, int block,
@@ -113,18 +110,19 @@ std::string claim_on(const std::string& observable) {
 void report_means(const design& d, const std::vector<interval_estimate>& found, recorder& record) {
   struct finding {
     report::verdict worst;
-    double distance = -1;  ///< of the interval's far end, in margins
-    std::vector<report::series_id> evidence = {};
+    double distance = -1;                          ///< of the interval's far end, in margins
+    std::vector<report::series_id> evidence = {};  ///< the mean that decides, as the expected value is its own
     int count = 0;
   };
   std::map<std::string, finding> claims;
+  double least = HUGE_VAL;
   for (std::size_t f = 0; f < found.size(); ++f) {
     const auto& name = d.observables[f].name;
     const auto& [exact, deviation] = d.means[f];
     const double effective = std::pow(1.96 * deviation / half_width(found[f]), 2);
-    record.value({"effective sample size", name, "", "sampled"}, at_dt(d.dt), effective);
+    least = std::min(least, effective);
     auto& claim = claims[claim_on(name)];
-    claim.evidence.push_back(record.value({"mean", name, "", "sampled"}, at_dt(d.dt), found[f]));
+    const auto written = record.value({"mean", name, "", "sampled"}, at_dt(d.dt), found[f]);
     ++claim.count;
     // An interval that lies beyond its margin counts for more than a wide one, one that is not finite for most.
     const double beyond = std::max(found[f].low - exact, exact - found[f].high) / d.means[f].margin(),
@@ -134,9 +132,11 @@ void report_means(const design& d, const std::vector<interval_estimate>& found, 
                                                   : reach;
     if (distance <= claim.distance) continue;
     claim.distance = distance;
+    claim.evidence = {written};
     claim.worst = judge_mean(exact, d.means[f].margin(), found[f]);
     claim.worst.reason = fmt::format("{}: {}; worth {:.2g} independent samples", name, claim.worst.reason, effective);
   }
+  record.value({"effective sample size", "the slowest mean", "", "sampled"}, at_dt(d.dt), least);
   for (auto& [claim, f] : claims) {
     if (f.count > 1) f.worst.reason += fmt::format("; the farthest of {}", f.count);
     record.verdict(claim, std::move(f.worst), f.evidence);
@@ -147,8 +147,8 @@ void report_samples(const context& c, const std::vector<scheme_entry>& schemes, 
                     const sampling_plan& paths, report::results& out) {
   std::vector<std::unique_ptr<kernel>> kernels;
   for (const auto& scheme : schemes) kernels.push_back(scheme.make(d.dt));
-  const auto most = static_cast<std::size_t>(blocks_of(paths.most) * block_lanes);
-  std::vector<averages> samples(kernels.size(), averages(d.observables.size(), std::vector<double>(most)));
+  const std::vector<double> room(static_cast<std::size_t>(blocks_of(paths.most) * block_lanes));
+  std::vector<averages> samples(kernels.size(), averages(d.observables.size(), room));
   noise_log log(*c.subject.model, blocks_of(paths.most));
   std::vector<std::vector<interval_estimate>> found(kernels.size());
   const auto sizes = sample_until_tight(
@@ -186,7 +186,7 @@ void report_sampled_means(const context& c, report::results& out) {
   const auto affordable = [](effort e) { return by_effort(e, 1e5, 4e5, 2e6); };
   const sampling_plan paths{128, by_effort(c.effort, 512, 2048, 8192)};
   const double dt = 0.04 / fastest_rate(c.subject);
-  const auto all = observables_of(c.subject, most_components);
+  const auto all = observables_of(c.subject, averaged_components);
   const auto start =
       relaxation_of(c, all, dt, affordable(c.effort), static_cast<std::uint64_t>(blocks_of(paths.most) * block_lanes));
   if (!start.reason.empty())

@@ -6,9 +6,13 @@
 // knows the autocorrelation without estimating it.
 #pragma once
 
+#include <cstddef>
+
 #include "experiments/common/experiment.hpp"
 
 namespace polhode {
+
+inline constexpr std::size_t averaged_components = 6;  ///< of a long state the first
 
 /// Means of the energy, the components and their squares of the schemes that keep the orbit. Skipped where the system
 /// knows no law, open where forgetting the start takes too many steps.

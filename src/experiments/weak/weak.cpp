@@ -66,46 +66,38 @@ experiment weak_experiment() {
       {"weak",
        "How far is E[f(Pi_T)] of the scheme from the true one, and how fast does that fall?",
        {"On a sphere of momentum nothing is sampled: one step's expectation by Gauss-Hermite quadrature over its "
-        "noise, "
-        "projected on spherical harmonics (for schemes that leave the sphere: times Chebyshev polynomials of the "
-        "radius, "
-        "on a shell of some standard deviations of it; paths that run far beyond are taken back to it); its powers "
-        "against the exponential of the Kolmogorov operator.",
+        "noise, projected on spherical harmonics (for schemes that leave the sphere: times Chebyshev polynomials of "
+        "the radius, on a shell of some standard deviations of it; paths that run far beyond are taken back to it); "
+        "its powers against the exponential of the Kolmogorov operator.",
         fmt::format(
             "On other systems, and where an operator is not resolved at an affordable degree, the order is sampled: "
             "E[f(X_dt) - f(X)] of paths that share their noise with the driven equation X, its bias taken out to "
-            "second "
-            "order of its step, of the energy, the components (the first {}) and their squares. Areas that a scheme "
-            "does not see are averaged over both orders of the increments that make them (Giles and Szpruch 2014), so "
-            "that the standard deviation falls like dt. A level counts where its error is five times the sampling "
-            "error, an observable where its slope is known to {:g}; an order that none of them shows is left open.",
+            "second order of its step, of the energy, the components (the first {}) and their squares. Areas that a "
+            "scheme does not see are averaged over both orders of the increments that make them (Giles and Szpruch "
+            "2014), and what total increments explain is taken out by regression. A level counts where its error is "
+            "five times the sampling error. The order is that of all observables added up in the direction of their "
+            "errors (all, in their sizes); it decides nothing while its interval is wider than {:g}.",
             sampled_components, order_margin),
-        "Intervals on a sphere: the change at the last refinement of degree, quadrature and shell, and the reference's "
-        "own. A fit uses errors of at least fifty times that.",
+        "Intervals on a sphere: the change at the last refinement of degree, quadrature and shell, and the "
+        "reference's own. A fit uses errors of at least fifty times that.",
         "These errors are a power series a_0 + a_1 dt + … (Talay and Tubaro 1990), whose terms the levels tell with a "
         "certainty: what their uncertainties add up to at worst, and what changes with the degree of the polynomial "
-        "and "
-        "with its levels. Weak order p: of every observable a_0 … a_(p-1) vanish within that, and the slope between "
-        "the "
-        "two finest levels is not below p. a_0 is zero if its interval meets what 0.01 % of noise or of dissipation "
-        "would move; unless 0.1 % of either would be seen, nothing is concluded.",
-        "Schemes that leave the sphere: the drift is cubic and the noise normal, so that moments of all paths need not "
-        "exist. The claim is about the paths that stay (Milstein and Tretyakov 2005: rejected trajectories); a bound "
-        "on "
-        "the share of the others is listed and part of the uncertainty.",
+        "and with its levels. Weak order p: of every observable a_0 … a_(p-1) vanish within that, and the slope "
+        "between the two finest levels is not below p. a_0 is zero if its interval meets what 0.01 % of noise or of "
+        "dissipation would move; unless 0.1 % of either would be seen, nothing is concluded.",
+        "Schemes that leave the sphere: the drift is cubic and the noise normal, so that moments of all paths need "
+        "not exist. The claim is about the paths that stay (Milstein and Tretyakov 2005: rejected trajectories); a "
+        "bound on the share of the others is listed and part of the uncertainty.",
         "Quadrature over few nodes takes a step to be smooth in its increment. At one level it is checked against "
-        "nodes "
-        "out to 8 sqrt(dt); where these move the law, the verdict is refuted.",
-        "strang_extrapolated: (4 E_2n - E_n)/3 of strang_two_turns (Talay and Tubaro 1990), listed at the coarsest dt, "
-        "at "
-        "the cost of 3n steps; of order three, its dt^3 being so small that dt^4 is seen first. strang_extrapolated5: "
-        "runs of n, 2n, 4n and 8n steps, 15n in all, without dt^2, dt^3 and dt^4; dt^6 is seen first. Steps for an "
-        "error: "
-        "of the worst observable, in units of its size.",
+        "nodes out to 8 sqrt(dt); where these move the law, the verdict is refuted.",
+        "strang_extrapolated: (4 E_2n - E_n)/3 of strang_two_turns (Talay and Tubaro 1990), listed at the coarsest "
+        "dt, at the cost of 3n steps; of order three, its dt^3 being so small that dt^4 is seen first. "
+        "strang_extrapolated5: runs of n, 2n, 4n and 8n steps, 15n in all, without dt^2, dt^3 and dt^4; dt^6 is seen "
+        "first. Steps for an error: of the worst observable, in units of its size.",
         fmt::format("While intervals of exact errors are too wide for a verdict dt is halved on, {} times at most.",
                     most_halvings),
-        "Areas of transfer operators are drawn from the weak surrogate (independent normals of variance dt^2/4); those "
-        "of "
+        "Areas of transfer operators are drawn from the weak surrogate (independent normals of variance dt^2/4); "
+        "those of "
         "sampled paths are the path's own."}},
       2,
       skip_reason,

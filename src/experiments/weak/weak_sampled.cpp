@@ -26,9 +26,8 @@ struct scheme_finding {
 std::vector<report::series_id> report_levels(const std::vector<observable>& observables, std::span<const double> dt,
                                              const scheme_finding& found, recorder& record) {
   std::vector<report::series_id> written;
-  for (std::size_t f = 0; f < found.errors.size(); ++f) {
+  const auto report_one = [&](const std::string& name, std::size_t f) {
     const auto& d = found.errors[f];
-    const auto name = f < observables.size() ? observables[f].name : "all, in their sizes";
     curve size{{"difference", name, "", "sampled"}}, variance{{"variance of the difference", name, "", "sampled"}};
     for (int l = 0; l < d.levels; ++l) {
       const auto m = level_mean(d, l);
@@ -36,9 +35,11 @@ std::vector<report::series_id> report_levels(const std::vector<observable>& obse
       size.add(step, mean, std::max(0.0, mean - 1.96 * m.error), mean + 1.96 * m.error);
       variance.add(step, m.error * m.error * d.paths);
     }
-    record.series(variance);
     written.push_back(record.series(size, found.fits[f]));
-  }
+    if (f == observables.size()) record.series(variance);
+  };
+  report_one("all, in their sizes", observables.size());
+  for (std::size_t f = 0; f < observables.size(); ++f) report_one(observables[f].name, f);
   return written;
 }
 

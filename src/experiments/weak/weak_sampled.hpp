@@ -15,11 +15,11 @@ namespace polhode {
 
 inline constexpr const char* weak_order_claim = "weak order";
 
-/// For each scheme: |d| a level and observable with its 95 % interval, its variance, the path-steps spent, a fit over
-/// the levels whose |d| is five times its standard error (paths resampled), and the verdicts on order and limit. The
-/// order is that of all observables together (common_error.hpp); an interval wider than the margin of an order decides
-/// nothing. The time at which paths are compared is the scene's horizon or, if that is shorter, four of the fastest
-/// time scales, and the verdicts say which. expected: the claimed order.
+/// For each scheme: |d| a level and observable with its 95 % interval, the variance of all together, the path-steps
+/// spent, a fit over the levels whose |d| is five times its standard error (paths resampled), and the verdicts on order
+/// and limit. The order is that of all observables together (common_error.hpp); an interval wider than the margin of an
+/// order decides nothing. The time at which paths are compared is the scene's horizon or, if that is shorter, four of
+/// the fastest time scales, and the verdicts say which. expected: the claimed order.
 void report_sampled_orders(const context&, const std::vector<scheme_entry>&, const std::vector<observable>&,
                            const std::function<double(const scheme_entry&)>& expected, report::results& out);
 
