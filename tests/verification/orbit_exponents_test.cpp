@@ -1,5 +1,5 @@
 // Lyapunov exponents off the sphere: held to the exact ones of single bodies and to the Gibbs law of the top, and what
-// the experiment says of tangents that are wrong.
+// the experiments say of tangents that are wrong and of bodies that leave.
 #include "experiments/lyapunov/orbit_exponents.hpp"
 
 #include <gtest/gtest.h>
@@ -7,12 +7,14 @@
 #include <algorithm>
 
 #include "ensemble/noise/paths.hpp"
+#include "experiments/attractor/attractor_orbit.hpp"
 #include "experiments/common/judge.hpp"
 #include "experiments/lyapunov/orbit_runs.hpp"
 #include "experiments/lyapunov/orbit_verdicts.hpp"
 #include "run/bind_scene.hpp"
 #include "run/run_experiment.hpp"
 #include "scene/scene.hpp"
+#include "support/kernel_decorator.hpp"
 #include "support/verdicts.hpp"
 
 namespace polhode {
@@ -139,6 +141,41 @@ TEST(OrbitExponents, ComeInPairsWithoutDissipation) {
   const auto divergence = std::ranges::find(r.measurements, "mean divergence", &report::measurement::quantity);
   ASSERT_NE(divergence, r.measurements.end());
   EXPECT_NEAR(*divergence->value, 0, 1e-11);
+}
+
+/// Every call takes the state off its orbit by 1e-12 of its size.
+class leaving final : public kernel_decorator {
+ public:
+  using kernel_decorator::advance;
+  using kernel_decorator::kernel_decorator;
+  void advance(std::span<double> states, const increment_view& noise, piece p) const override {
+    kernel_decorator::advance(states, noise, p);
+    for (double& x : states) x *= 1 + 1e-12;
+  }
+};
+
+report::results attractor_of(const subject& s) {
+  report::results out;
+  report_orbit_attractor({s, effort::quick, 2}, out);
+  return out;
+}
+
+TEST(OrbitAttractor, ABodyThatLeavesItsOrbitIsRefuted) {
+  constexpr const char* stay = "bodies stay on the orbit";
+  auto s = restricted(bind_scene(load_scene("maxwell_bloch")), {"strang"});
+  const auto healthy = attractor_of(s);
+  EXPECT_EQ(verdict_of(healthy, stay).kind, verdict_kind::holds);
+  EXPECT_EQ(verdict_of(healthy, "neighbours meet or part at the rate lambda_1").kind, verdict_kind::holds);
+  EXPECT_TRUE(healthy.densities.empty()) << "no vector of constant length";
+  s.schemes.front().make = [inner = s.schemes.front().make](double dt) { return std::make_unique<leaving>(inner(dt)); };
+  EXPECT_EQ(verdict_of(attractor_of(s), stay).kind, verdict_kind::refuted);
+}
+
+TEST(OrbitAttractor, IsNotAskedForWhereNothingGathers) {
+  const auto top = bind_scene(load_scene("heavy_top"));
+  EXPECT_FALSE(no_orbit_attractor(top));
+  EXPECT_TRUE(no_orbit_attractor(top.without_noise()));
+  EXPECT_TRUE(no_orbit_attractor(top.without_dissipation()));
 }
 
 TEST(OrbitExponents, AreNotAskedForWhereThereAreNone) {

@@ -25,10 +25,11 @@ std::int64_t first_chunks(effort e) {
          orbit_block::chunk;
 }
 
-/// Whole blocks; of so many vectors each path costs that much more.
+/// Whole blocks. A path of more vectors, of more components each, costs the square of that.
 int paths_of(effort e, int vectors) {
   constexpr int usual = 4;
-  return blocks_of(by_effort(e, 256, 1024, 4096) * usual / std::max(usual, vectors)) * block_lanes;
+  const int most = std::max(usual, vectors);
+  return blocks_of(by_effort(e, 256, 1024, 4096) * usual * usual / (most * most)) * block_lanes;
 }
 
 /// Every path of the equation, a stage after another.
