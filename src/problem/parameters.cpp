@@ -123,6 +123,7 @@ parameter_rule one_of(std::string name, std::vector<std::string> words, std::str
           .unit = "",
           .accepts = fmt::format("\"{}\"", fmt::join(words, "\" or \"")),
           .meaning = std::move(meaning),
+          .read = [](const rows&, shape) -> std::optional<rows> { return std::nullopt; },
           .words = std::move(words)};
 }
 

@@ -49,7 +49,8 @@ class random_results {
                {{"i", shape::vector, {{number(), number(), number()}}},
                 {"theta", shape::number, {{number()}}},
                 {text(), shape::vectors, {{number(), 0, 1}, {}}},
-                {"none", shape::vectors, {}}},
+                {"none", shape::vectors, {}},
+                {"said", shape::word, {}, text()}},
                {number()},
                number(),
                {1, 1LL << 60}};

@@ -48,6 +48,13 @@ TEST(Parameters, NoiseVectors) {
   EXPECT_FALSE(rule.read({{1, 2, 3}}, shape::vector));
 }
 
+TEST(Parameters, WordsAreNoNumbers) {
+  const auto rule = one_of("noise", {"field", "field and damping"}, "");
+  EXPECT_EQ(rule.shape, shape::word);
+  EXPECT_EQ(rule.accepts, "\"field\" or \"field and damping\"");
+  EXPECT_FALSE(rule.read({{1}}, shape::number));
+}
+
 // The parser, JSON, the page and `list systems` show what stands there.
 TEST(Parameters, EverySystemStatesItsOwnInFull) {
   ASSERT_FALSE(systems().empty());

@@ -64,14 +64,12 @@ struct system_scenes : scene_files {
   }
   /// At (0, 0, 1) and (0.6, 0, 0.8), of strengths 2 and -1.
   static keys two_vortices() {
-    return {{"system", "'vortices'"}, {"strengths", "[2, -1]"},
-            {"theta", "0.5"},         {"sigma", "0.5"},
-            {"horizon", "2.0"},       {"momentum", "[0, 0, -2, 0.6, 0, 0.8]"}};
+    return {{"system", "'vortices'"}, {"strengths", "[2, -1]"}, {"theta", "0.5"},
+            {"sigma", "0.5"},         {"horizon", "2.0"},       {"momentum", "[0, 0, -2, 0.6, 0, 0.8]"}};
   }
   static keys fluid() {
-    return {{"system", "'sine_euler'"}, {"n", "3"},
-            {"theta", "0.5"},           {"sigma", "0.5"},
-            {"horizon", "2.0"},         {"momentum", "[1, 2, 3, 4, 5, 6, 7, 8]"}};
+    return {{"system", "'sine_euler'"}, {"n", "3"},         {"theta", "0.5"},
+            {"sigma", "0.5"},           {"horizon", "2.0"}, {"momentum", "[1, 2, 3, 4, 5, 6, 7, 8]"}};
   }
   void refuse(keys given, const std::string& key, const std::string& value,
               const std::vector<std::string>& said = {"accepted: "}) {
@@ -238,6 +236,35 @@ TEST_F(system_scenes, the_gibbs_law_of_maxwell_and_bloch_is_that_of_a_pendulum) 
   EXPECT_NEAR(mean("energy"), 0.5 / beta + inversion / total, 1e-12);
 }
 
+TEST_F(system_scenes, the_form_of_the_noise_is_a_word) {
+  auto given = spin();
+  given["noise"] = "'field and damping'";
+  const auto s = load_scene(write(text(given)));
+  EXPECT_EQ(s.word("noise"), "field and damping");
+  const auto p = *bind_scene(s).sphere();
+  EXPECT_TRUE(p.covariance.isZero(0));
+  ASSERT_EQ(p.varying.size(), 3u);
+  EXPECT_NEAR(
+      (p.varying[0].slope * Eigen::Vector3d(0.6, 0.48, 0.64) - 0.5 * 0.5 * Eigen::Vector3d(0, 0.64, -0.48)).norm(), 0,
+      1e-16);  // theta Pi x sigma e_1
+  given["noise"] = "'field'";
+  EXPECT_EQ(load_scene(write(text(given))).word("noise"), "");
+  for (const auto* bad : {"'random inertia'", "1", "true", "''"})
+    refuse(spin(), "noise", bad, {"noise = ", "\"field\" or \"field and damping\" or \"random anisotropy\""});
+  given["noise"] = "'random anisotropy'";
+  refuse(given, "sigma", "[[1,0,0],[0,1,0],[0,0,1],[1,1,1]]", {"sigma = ", "at most three vectors"});
+  refuse(own_units(), "noise", "'random anisotropy'", {"noise = ", "\"field\" or \"field and damping\""});
+  refuse(so4(), "noise", "'field'", {"noise = ", "unknown key"});
+}
+
+/// sigma = sqrt(2 alpha k_B T / (1 + alpha^2 |S|^2)).
+TEST_F(system_scenes, noise_inside_the_damping_has_the_temperature_that_is_asked_for) {
+  auto given = own_units();
+  given["noise"] = "'field and damping'";
+  const auto s = load_scene(write(text(given)));
+  EXPECT_NEAR(s.vectors("sigma")[1][1], std::sqrt(2 * 0.2 * 0.4 / 1.04), 1e-15);
+}
+
 TEST_F(system_scenes, faults_of_vortices_are_refused) {
   for (const auto* bad : {"[2, 0]", "[]", "2.0", "[[2], [-1]]", "[1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1]"})
     refuse(two_vortices(), "strengths", bad, {"strengths = ", "1 to 16 finite numbers, none of them 0"});
@@ -254,7 +281,9 @@ TEST_F(system_scenes, the_gibbs_law_of_two_vortices_is_a_power) {
   given["strengths"] = "[2, 1]";
   given["momentum"] = "[0, 0, -2, -0.6, 0, -0.8]";
   given["theta"] = "3.0";
-  const auto mean = [&] { return polhode::reference(load_scene(write(text(given))), {"gibbs", "energy", {}, 0}).value; };
+  const auto mean = [&] {
+    return polhode::reference(load_scene(write(text(given))), {"gibbs", "energy", {}, 0}).value;
+  };
   const double a = 2 * 3.0 * 2 / (4 * M_PI * 0.25);
   double total = 0, sum = 0;
   constexpr int n = 20000;
