@@ -2,9 +2,11 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <optional>
 
 #include "algebra/decompositions.hpp"
+#include "sphere/equilibria.hpp"
 
 namespace polhode {
 namespace {
@@ -16,6 +18,18 @@ std::optional<Eigen::Vector3d> only_axis(const Eigen::Matrix3d& covariance) {
   const auto [values, vectors] = symmetric_eigenpairs_of(covariance);
   if (values[1] > rounding * values[2]) return std::nullopt;
   return Eigen::Vector3d(vectors.col(2));
+}
+
+/// Where the noise depends on the state: at an equilibrium of h, where it moves nothing.
+bool rests_somewhere(const sphere_problem& p) {
+  if (p.varying.empty() || !p.covariance.isZero(0)) return false;
+  return std::ranges::any_of(equilibria(p), [&](const equilibrium& e) {
+    const Eigen::Vector3d at = p.radius * e.direction;
+    return std::ranges::all_of(p.varying, [&](const affine_noise& v) {
+      const double size = v.constant.norm() + p.radius * v.slope.norm();
+      return at.cross(v.constant + v.slope * at).norm() <= rounding * p.radius * size;
+    });
+  });
 }
 
 }  // namespace
@@ -37,6 +51,8 @@ bool conserves_a_component(const sphere_problem& problem) {
 bool has_uniform_law(const sphere_problem& problem) { return problem.damping == 0 && problem.varying.empty(); }
 
 std::string no_unique_law(const sphere_problem& problem) {
+  if (rests_somewhere(problem))
+    return "not unique: all noise vanishes at an equilibrium of h, on which the state rests for ever";
   if (conserves_a_component(problem)) return "not unique: a function besides the Casimir is conserved";
   const auto axis = only_axis(problem.covariance);
   if (!axis) return "";

@@ -68,18 +68,18 @@ TEST(Flows, OfASpinsMotionAreExactInAFieldAlone) {
   EXPECT_LE(distance(s.last_turn(s.first_turn(start, 2.0), 2.0), truth), 1e-13);
 }
 
-TEST(Flows, OfNoiseThatDependsOnTheStateAreExactOneVectorAfterTheOther) {
+TEST(Flows, OfNoiseThatDependsOnTheStateAreExactVectorByVectorInAPalindrome) {
   const vector v[] = {{{0.3, 0.4, 0.5}}, {{-0.5, 0.2, 0.3}}, {{0.1, 0.6, -0.4}}};
   for (const auto form : {state_noise::damped, state_noise::quadratic}) {
     const varying_spin s{{tilted(), {0.3, -0.2, 0.5}, 0.7, spin::from_vectors(v)}, form};
     const wiener<double, 3> w{0.5, {{0.8, -1.1, 0.4}}};
     auto truth = start;
-    for (int i = 0; i < 3; ++i) {
+    for (const auto& [i, share] : {std::pair(0, 0.5), {1, 0.5}, {2, 1.0}, {1, 0.5}, {0, 0.5}}) {
       const auto sigma = [&](const vector& x) {
         return form == state_noise::damped ? v[i] + 0.7 * cross(x, v[i])
                                            : (dot(v[i], x) / std::sqrt(dot(v[i], v[i]))) * v[i];
       };
-      truth = by_odeint([&](const vector& x) { return w.dw[i] * cross(x, sigma(x)); }, truth, 1.0);
+      truth = by_odeint([&](const vector& x) { return w.dw[i] * cross(x, sigma(x)); }, truth, share);
     }
     EXPECT_LE(distance(s.noise_flow(start, w), truth), 1e-13);
   }

@@ -87,7 +87,9 @@ TYPED_TEST(PoissonMap, IsWhatItClaims) {
 TYPED_TEST(PoissonMap, IsNoneByFlowsOfSecondOrder) {
   const vec<double, 6> mu{{0.6, 0.48, 0.64, -0.3, 0.8, 0.5}};
   const bool needs_no_flows = TypeParam::info.implicit && TypeParam::info.poisson;
-  if (!needs_no_flows) EXPECT_GE(defect<TypeParam>(approximate_bodies(), mu, 0.1), no_rounding);
+  if (!needs_no_flows) {
+    EXPECT_GE(defect<TypeParam>(approximate_bodies(), mu, 0.1), no_rounding);
+  }
 }
 
 // Dissipation contracts areas on the orbit.

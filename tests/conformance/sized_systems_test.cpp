@@ -178,7 +178,8 @@ TYPED_TEST(SizedSystems, TheBodyInSixDimensionsKeepsItsCasimirsIfAndOnlyIfClaime
                                             0.4);
 }
 TYPED_TEST(SizedSystems, TheFluidOnTheTorusKeepsItsCasimirsIfAndOnlyIfClaimed) {
-  expect_casimirs_as_claimed<TypeParam, 24>(sine_euler(5, 0.1, sine_euler::isotropic(0.1, 24)), 0.3);
+  if constexpr (scheme_on<TypeParam, sine_euler>)
+    expect_casimirs_as_claimed<TypeParam, 24>(sine_euler(5, 0.1, sine_euler::isotropic(0.1, 24)), 0.3);
 }
 
 TEST(SizedReference, TheBodyInFourDimensionsIsAPairOfBodies) {

@@ -145,8 +145,8 @@ TEST(StateNoise, SchemesThatRestOnConstantVectorsAreLeftOut) {
     out.push_back(one.scheme);
     EXPECT_NE(one.reason.find("depend on the state"), std::string::npos) << one.reason;
   }
-  EXPECT_EQ(out, (std::vector<std::string>{"milstein", "milstein_no_area", "lie_euler", "lie_milstein", "magnus", "strang_two_turns",
-                                           "strang_weak2"}));
+  EXPECT_EQ(out, (std::vector<std::string>{"milstein", "milstein_no_area", "lie_euler", "lie_milstein", "magnus",
+                                           "strang_two_turns", "strang_weak2"}));
 }
 
 TEST(StateNoise, OfAnyFormMeetsTheClaimsOfEverySchemeThatTakesIt) {
@@ -166,8 +166,8 @@ TEST(StateNoise, InsideTheDampingHasTheMeansOfStrongerConstantNoise) {
   constant = with_noise_times(constant, std::sqrt(1 + 0.4 * 0.4));
   for (const char* quantity : {"expectation", "gibbs"})
     for (const char* observable : {"energy", "pi1", "pi3^2"}) {
-      const auto a = reference(inside, {.quantity = quantity, .observable = observable}),
-                 b = reference(constant, {.quantity = quantity, .observable = observable});
+      const auto a = reference(inside, {quantity, observable, {}, 0}),
+                 b = reference(constant, {quantity, observable, {}, 0});
       EXPECT_NEAR(a.value, b.value, 1e-11) << quantity << ' ' << observable;
     }
 }

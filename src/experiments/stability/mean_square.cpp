@@ -62,6 +62,7 @@ noisy_jacobians jacobians_of(const subject& s, const scheme_entry& scheme, const
 std::vector<noisy_equilibrium> noisy_equilibria(const subject& s) {
   const auto& p = *s.sphere();
   std::vector<noisy_equilibrium> out;
+  if (!p.varying.empty()) return out;  // what is true there is not known
   const auto add = [&](const char* what, std::size_t number, const Eigen::Vector3d& direction) {
     const double strength = strength_along(s.scene, direction);
     if (strength > 0) out.push_back({fmt::format("{} {}", what, number), direction, strength});

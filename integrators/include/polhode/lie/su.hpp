@@ -156,7 +156,7 @@ struct su : sine_basis {
   static vec<S, -most_rows> correction(const traces<S>& q, const traces<S>& asked, int n) {
     using numbers = vec<S, -most_rows>;
     auto slopes = zeros<polhode::matrix<S, -most_rows>>(n);
-    numbers missing(n), scaling(n);
+    auto missing = zeros<numbers>(n), scaling = missing;
     for (int j = 0; j < n; ++j) {
       slopes[j] = numbers(n);
       for (int k = 0; k < n; ++k) slopes[j][k] = q[j + k];

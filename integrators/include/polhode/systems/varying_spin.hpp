@@ -73,21 +73,29 @@ struct varying_spin : spin {
     return S(0.5) * sum;
   }
 
-  /// The flow of every V_i for its dW^i, each exact, one after the other.
+  /// The flow of every V_i for its dW^i, each exact, in a palindrome: in one order alone the brackets of the V_i would
+  /// add areas of the size of those that are left out.
   template <class S>
   [[gnu::noinline]] vec<S, 3> noise_flow(const vec<S, 3>& pi, const wiener<S, 3>& w) const {
+    const int last = active_channels() - 1;
+    if (last < 0) return pi;
     auto next = pi;
-    for (int i = 0; i < 3; ++i) {
-      if (length_[i] == 0) continue;
-      const S by = form_ == state_noise::damped ? w.dw[i] : S(w.dw[i] * dot(lifted<S>(v_[i]), next) / S(length_[i]));
-      next = so3::exp_action(by * lifted<S>(v_[i]), next);
-      if (form_ == state_noise::damped)
-        next = aligned(next, lifted<S>((1 / length_[i]) * v_[i]), S(S(theta * length_[i]) * w.dw[i]));
-    }
+    for (int i = 0; i < last; ++i) next = along(i, next, S(S(0.5) * w.dw[i]));
+    next = along(last, next, w.dw[last]);
+    for (int i = last - 1; i >= 0; --i) next = along(i, next, S(S(0.5) * w.dw[i]));
     return so3::orbit_projection(next, pi);
   }
 
  private:
+  /// The flow of V_i for a time t.
+  template <class S>
+  vec<S, 3> along(int i, const vec<S, 3>& pi, const S& t) const {
+    if (length_[i] == 0) return pi;
+    if (form_ == state_noise::quadratic)
+      return so3::exp_action(S(t * dot(lifted<S>(v_[i]), pi) / S(length_[i])) * lifted<S>(v_[i]), pi);
+    return aligned(so3::exp_action(t * lifted<S>(v_[i]), pi), lifted<S>((1 / length_[i]) * v_[i]),
+                   S(S(theta * length_[i]) * t));
+  }
   template <class S, class Vector>
   static vec<S, 3> combined(const vec<S, 3>& by, Vector vector) {
     return by[0] * vector(0) + by[1] * vector(1) + by[2] * vector(2);
