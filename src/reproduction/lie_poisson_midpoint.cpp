@@ -29,9 +29,8 @@ report::reproduction lie_poisson_midpoint(const reproduce_options& o) {
       "Ephrati, Jansson, Lang, Luesink, An exponential map free implicit midpoint method for stochastic Lie-Poisson "
       "systems, arXiv:2408.16701: Casimirs kept almost surely, root-mean-square order 1/2, weak order 1";
   out.scene =
-      "name = \"lie_poisson_midpoint\"\nsystem = \"rigid_body\"\ninertia = [1.0, 2.0, 3.0]\ntheta = 0.0\nnoise = "
-      "\"random inertia\"   # noise Hamiltonians sigma Pi_i^2 / 2\nsigma = 0.5\nmomentum = [0.6, 0.48, 0.64]\nhorizon "
-      "= 2.0\nsteps = [4, 8, 16, 32, 64]\n";
+      "name = \"lie_poisson_midpoint\"\nsystem = \"rigid_body\"\ninertia = [1.0, 2.0, 3.0]\ntheta = 0.0\nsigma = "
+      "0.5\nmomentum = [0.6, 0.48, 0.64]\nhorizon = 2.0\nsteps = [4, 8, 16, 32, 64]\n";
   out.notes = {
       "By the abstract: the parameters of their numerical examples were not at hand, so the body is one of ours."};
   verify_options options;

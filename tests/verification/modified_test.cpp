@@ -124,9 +124,9 @@ TEST(Modified, HealthySchemesHoldAndThoseOffTheSphereAreSkipped) {
     holding += v.kind == report::verdict_kind::holds;
     skipped += v.kind == report::verdict_kind::skipped;
   }
-  EXPECT_EQ(holding, 14 + 6 * 10);
+  EXPECT_EQ(holding, 17 + 6 * 13);
   EXPECT_EQ(skipped, 4);
-  EXPECT_EQ(r.verdicts.size(), 14u + 6 * 10 + 4);
+  EXPECT_EQ(r.verdicts.size(), 17u + 6 * 13 + 4);
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST_F(scene_files, unknown_keys_are_named_with_the_nearest) {
   expect_refused(write(with({{"thta", "1.0"}})), {"thta = 1.0", "unknown key", "did you mean 'theta'?"});
   expect_refused(write(with({{"Inertia", "[1, 2, 3]"}})), {"Inertia = ", "did you mean 'inertia'?"});
   expect_refused(write(with({{"zzzzzzzzz", "1"}})), {"zzzzzzzzz = 1", "accepted: name, system"});
-  expect_refused(write(with({}) + "[noise]\nkind = 'x'\n"), {"noise = ", "unknown key"});
+  expect_refused(write(with({}) + "[heat]\nkind = 'x'\n"), {"heat = ", "unknown key"});
   expect_refused(write(with({}) + "\"\\u001b[31m\" = 1\n"), {"\\x1b[31m = 1"});
 }
 
