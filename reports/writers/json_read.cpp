@@ -34,7 +34,8 @@ provenance provenance_from(const node& n) {
 /// Whatever a system calls its parameters: the keys that not every scene has.
 parameter parameter_from(std::string name, const node& n) {
   const auto numbers_of = [](const node& one) { return one.list([](const node& x) { return x.number(); }); };
-  if (n.value.is_string()) return {std::move(name), shape::word, {}, n.text()};
+  const bool is_strength = name == "theta" || name == "sigma";  // numbers in every system
+  if (n.value.is_string() && !is_strength) return {std::move(name), shape::word, {}, n.text()};
   if (!n.value.is_array()) return {std::move(name), shape::number, {{n.number()}}};
   if (!n.value.empty() && !n.value[0].is_array()) return {std::move(name), shape::vector, {numbers_of(n)}};
   return {std::move(name), shape::vectors, n.list(numbers_of)};

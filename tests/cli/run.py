@@ -84,7 +84,7 @@ class Streams(Case):
             table = system['parameters']
             for p in table: self.assertEqual(set(p), {'name', 'shape', 'unit', 'default', 'accepts', 'meaning'})
             self.assertEqual(table[-1]['name'], 'momentum')
-            if system['name'] == 'rigid_body': self.assertEqual([p['name'] for p in table], ['inertia', 'theta', 'sigma', 'momentum'])
+            if system['name'] == 'rigid_body': self.assertEqual([p['name'] for p in table], ['inertia', 'theta', 'noise', 'sigma', 'momentum'])
 
     def test_narrow(self):
         for args in (('list', 'scenes'), ('list', 'schemes'), ('list', 'experiments'), ('verify', *FAST)):
