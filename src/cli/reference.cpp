@@ -7,7 +7,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/options/arguments.hpp"
-#include "cli/options/opened_scene.hpp"
 #include "cli/terminal/terminal.hpp"
 #include "run/reference.hpp"
 #include "scene/scene.hpp"
@@ -56,7 +55,7 @@ int run(const arguments& given) {
   if (given.time) options.time = nonnegative_option("--time", *given.time);
   if (given.degree)
     options.degree = static_cast<int>(integer_option("--degree", *given.degree, 1, most_reference_degree));
-  const auto answer = reference(opened_scene(given.scene), options);
+  const auto answer = reference(load_scene(given.scene), options);
   print(output == format::json ? json_of(answer) : text_of(answer));
   return answer.reason.empty() ? 0 : inconclusive;
 }
