@@ -26,6 +26,26 @@ double largest_error(const error_table& t, const std::vector<error_column>& colu
   return largest;
 }
 
+/// Of errors that are seen at no level: the largest that there may be at the levels that are certain, the finest and at
+/// least so many as a fit takes; nothing where an error is seen or fewer are certain.
+std::optional<double> bound_on_no_error(const error_table& t, const std::vector<error_column>& columns) {
+  constexpr int needed = 4;
+  double largest = 0;
+  int certain = 0;
+  for (std::size_t i = 0; i < t.dt.size(); ++i) {
+    double most = 0;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const auto column = static_cast<Eigen::Index>(k);
+      const double error = std::fabs(t.error[i][column]), bar = t.uncertainty[i][column];
+      if (!(error <= bar)) return std::nullopt;
+      most = std::max(most, (error + bar) / columns[k].scale);
+    }
+    certain = most < negligible_error ? certain + 1 : 0;
+    largest = certain > 0 ? std::max(largest, most) : 0;
+  }
+  return certain >= needed ? std::optional(largest) : std::nullopt;
+}
+
 /// How many paths the claim does not speak of.
 std::string rejected(const error_table& t) {
   if (std::ranges::none_of(t.taken_back, [](double share) { return share > 0; })) return "";
@@ -33,9 +53,13 @@ std::string rejected(const error_table& t) {
                      t.taken_back.back());
 }
 
-verdict without_fit(verdict v, double largest) {
+verdict without_fit(verdict v, double largest, std::optional<double> unseen) {
   if (!std::isfinite(largest)) {
     v.reason = "not finite: a step of the scheme fails";
+  } else if (unseen) {
+    v.kind = verdict_kind::holds;
+    v.reason =
+        fmt::format("no error is seen at any dt: at most {:.1e} of the observables' size at the finer ones", *unseen);
   } else if (largest < negligible_error) {
     v.kind = verdict_kind::holds;
     v.reason = fmt::format("no error: at most {:.1e} of the observables' size at every dt", largest);
@@ -111,11 +135,11 @@ verdict judge_table(const order_question& q, double expected, const error_table&
   const verdict empty{.expected = expected};
   const auto found = find_columns(q, expected, t);
   const double largest = largest_error(t, q.columns);
-  if (!std::isfinite(largest)) return without_fit(empty, largest);
+  if (!std::isfinite(largest)) return without_fit(empty, largest, std::nullopt);
   if (auto v = rare_branch(empty, q.columns, found, t)) return *v;
   if (auto v = wrong_limit(empty, q.columns, found)) return *v;
   if (auto v = hidden_term(empty, q.columns, found)) return *v;
-  if (std::ranges::none_of(found, has_fit)) return without_fit(empty, largest);
+  if (std::ranges::none_of(found, has_fit)) return without_fit(empty, largest, bound_on_no_error(t, q.columns));
   auto v = judge_columns(q, expected, counting_fits(found));
   if (expected > 0) ask_for_certainty(v, noticed_by(q.columns, found));
   v.reason += rejected(t);
@@ -124,7 +148,7 @@ verdict judge_table(const order_question& q, double expected, const error_table&
 
 bool unresolved(const error_table& t, const std::vector<error_column>& columns) {
   const double largest = largest_error(t, columns);
-  if (!std::isfinite(largest) || largest < negligible_error) return false;
+  if (!std::isfinite(largest) || largest < negligible_error || bound_on_no_error(t, columns)) return false;
   const auto found = find_columns({.columns = columns}, 0, t);
   return std::ranges::none_of(found, has_fit) && !rare_branch({}, columns, found, t);
 }
