@@ -37,7 +37,8 @@ std::optional<double> bound_on_no_error(const error_table& t, const std::vector<
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const auto column = static_cast<Eigen::Index>(k);
       const double error = std::fabs(t.error[i][column]), bar = t.uncertainty[i][column];
-      if (!(error <= bar)) return std::nullopt;
+      if (!(error <= (columns[k].distance ? 2 : 1) * bar))
+        return std::nullopt;  // no distance is below what is uncertain
       most = std::max(most, (error + bar) / columns[k].scale);
     }
     certain = most < negligible_error ? certain + 1 : 0;
