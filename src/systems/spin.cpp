@@ -157,7 +157,7 @@ std::vector<report::parameter> from_spin_units(const report::scene& s) {
                                      {"field", shape::vector, {field}},
                                      {std::string(dissipation_key), shape::number, {{damping}}},
                                      {std::string(noise_key), shape::vectors, noise}};
-  if (has_state_noise(s)) out.insert(out.end() - 1, s.at("noise"));
+  if (has_state_noise(s)) out.insert(out.end() - 1, s.at(noise_form_key));
   return out;
 }
 
@@ -166,27 +166,27 @@ std::vector<report::parameter> from_spin_units(const report::scene& s) {
 system_entry spin_system();
 
 system_entry spin_system() {
-  return {.name = "spin",
-          .title = "Dissipative stochastic spin or gyrostat, any h of degree two on so(3)*, one Casimir |Pi|",
-          .dimension = 3,
-          .unit = "momentum",
-          .parameters = {symmetric_matrix("quadratic", 3, "1 / (momentum time)",
-                                          "Lambda in h = Pi.Lambda Pi / 2 + field.Pi, of any signature"),
-                         field_rule("b in h = Pi.Lambda Pi / 2 + b.Pi"),
-                         dissipation_strength("1 / momentum", "dissipation: dh/dt = -theta |Pi x Omega|^2"),
-                         noise_form({"field", "field and damping", "random anisotropy"}),
-                         noise_vectors_of_form("1 / time^(1/2)")},
-          .observables = named_observables(),
-          .bind =
-              [](const report::scene& s) {
-                return has_state_noise(s) ? bind_varying_spin(s) : POLHODE_BOUND_BY_ISA(spin)(s);
-              },
-          .offers = offers,
-          .own_units = {anisotropy_rule(), field_rule("B in E = -S.K S - B.S"),
-                        number_from_zero("damping", "1 / momentum", "alpha in dS = -S x B - alpha S x (S x B)"),
-                        number_from_zero("temperature", "momentum / time", "k_B T: the Gibbs law is exp(-E / k_B T)"),
-                        noise_form({"field", "field and damping", ""})},
-          .from_own_units = from_spin_units};
+  return {
+      .name = "spin",
+      .title = "Dissipative stochastic spin or gyrostat, any h of degree two on so(3)*, one Casimir |Pi|",
+      .dimension = 3,
+      .unit = "momentum",
+      .parameters = {symmetric_matrix("quadratic", 3, "1 / (momentum time)",
+                                      "Lambda in h = Pi.Lambda Pi / 2 + field.Pi, of any signature"),
+                     field_rule("b in h = Pi.Lambda Pi / 2 + b.Pi"),
+                     dissipation_strength("1 / momentum", "dissipation: dh/dt = -theta |Pi x Omega|^2"),
+                     noise_form({"field", damped_noise, "random anisotropy"}), noise_vectors_of_form("1 / time^(1/2)")},
+      .observables = named_observables(),
+      .bind =
+          [](const report::scene& s) {
+            return has_state_noise(s) ? bind_varying_spin(s) : POLHODE_BOUND_BY_ISA(spin)(s);
+          },
+      .offers = offers,
+      .own_units = {anisotropy_rule(), field_rule("B in E = -S.K S - B.S"),
+                    number_from_zero("damping", "1 / momentum", "alpha in dS = -S x B - alpha S x (S x B)"),
+                    number_from_zero("temperature", "momentum / time", "k_B T: the Gibbs law is exp(-E / k_B T)"),
+                    noise_form({"field", damped_noise, ""})},
+      .from_own_units = from_spin_units};
 }
 
 }  // namespace polhode

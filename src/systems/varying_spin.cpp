@@ -16,11 +16,9 @@
 namespace polhode {
 namespace {
 
-constexpr std::string_view form_key = "noise", damped_noise = "field and damping";
-
 /// Of a scene whose noise depends on the state.
 state_noise form_of(const report::scene& s) {
-  return s.word(form_key) == damped_noise ? state_noise::damped : state_noise::quadratic;
+  return s.word(noise_form_key) == damped_noise ? state_noise::damped : state_noise::quadratic;
 }
 
 /// Any system on a sphere is a spin.
@@ -57,7 +55,7 @@ parameter_rule noise_form(const noise_forms& names) {
   std::string meaning = "sigma_i(Pi) of the vectors v_i of sigma: v_i";
   if (!names.damped.empty()) meaning += "; v_i + theta Pi x v_i";
   if (!names.quadratic.empty()) meaning += "; v_i (v_i.Pi)/|v_i|";
-  return one_of(std::string(form_key), std::move(words), meaning);
+  return one_of(noise_form_key, std::move(words), meaning);
 }
 
 parameter_rule noise_vectors_of_form(std::string unit) {
@@ -66,7 +64,7 @@ parameter_rule noise_vectors_of_form(std::string unit) {
     auto of_form = noise_vectors(3, unit);
     if (!has_state_noise(s)) return of_form;
     of_form.accepts = "a finite number, three of them, or a list of at most three vectors of three (as noise = \"" +
-                      std::string(s.word(form_key)) + "\")";
+                      std::string(s.word(noise_form_key)) + "\")";
     of_form.read = [any = of_form.read](const report::number_rows& given, report::shape shape) {
       auto vectors = any(given, shape);
       return vectors && vectors->size() <= 3 ? vectors : std::nullopt;
@@ -76,7 +74,7 @@ parameter_rule noise_vectors_of_form(std::string unit) {
   return rule;
 }
 
-bool has_state_noise(const report::scene& s) { return !s.word(form_key).empty(); }
+bool has_state_noise(const report::scene& s) { return !s.word(noise_form_key).empty(); }
 
 sphere_problem with_noise_of(const report::scene& s, sphere_problem p) {
   p.covariance = Eigen::Matrix3d::Zero();

@@ -9,7 +9,9 @@
 
 namespace polhode {
 
-/// Constant noise, and what may stand in its place, by the names that the system has for them.
+inline constexpr const char *noise_form_key = "noise", *damped_noise = "field and damping";
+
+/// Constant noise, and what may stand in its place, by the names that the system has for them; damped: damped_noise.
 struct noise_forms {
   std::string constant, damped, quadratic;  ///< empty: not accepted
 };
