@@ -36,6 +36,13 @@ class Errors(Case):
         self.refused('verify', '/dev/null', names=['empty'])
         self.refused('verify', '/dev/zero', names=['1 MiB'])
 
+    def test_an_inertia_that_no_mass_has_is_noted(self):
+        where = os.path.join(self.folder.name, 'noted')
+        for inertia, note in (([1., 1., 2.5], r'\Apolhode: note: scene given: inertia 2.5 > 1 \+ 1: [^\n]+\n\Z'), ([1., 2., 3.], r'\A\Z')):
+            code, _, err = self.run_it('simulate', self.scene(inertia=inertia), '--scheme', 'heun', '--dt', '0.1', '--bodies', '64', '--noise', 'none', '-q', '--out', where)
+            self.assertEqual(code, 0)
+            self.assertRegex(err, note)
+
     def test_the_output_folder(self):
         path = os.path.join(self.folder.name, 'taken.toml')
         open(path, 'w').close()

@@ -257,6 +257,13 @@ TEST_F(system_scenes, the_form_of_the_noise_is_a_word) {
   refuse(so4(), "noise", "'field'", {"noise = ", "unknown key"});
 }
 
+// A random inertia moves nothing on an axis; noise inside the damping does.
+TEST_F(system_scenes, where_all_noise_rests_no_law_is_unique) {
+  const auto gibbs = [](const char* name) { return polhode::reference(load_scene(name), {"gibbs", "energy", {}, 0}); };
+  EXPECT_THROW(gibbs("random_inertia"), polhode::input_error);
+  EXPECT_LT(gibbs("thermal_spin").uncertainty, 1e-9);
+}
+
 /// sigma = sqrt(2 alpha k_B T / (1 + alpha^2 |S|^2)).
 TEST_F(system_scenes, noise_inside_the_damping_has_the_temperature_that_is_asked_for) {
   auto given = own_units();
