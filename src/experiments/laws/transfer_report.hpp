@@ -75,8 +75,8 @@ std::vector<report::series_id> report_reach(const order_question&, const error_t
 std::vector<report::series_id> report_orders(const order_question&, double expected, const error_table&, recorder&);
 
 /// The verdict alone (transfer_verdict.hpp). The slowest column decides; an order above the claim holds once the slope
-/// is asymptotic. Where no column has four resolved levels, the claim holds if all errors are negligible; else nothing
-/// is concluded.
+/// is asymptotic. Where no column has four resolved levels, the claim holds if all errors are negligible, or if none is
+/// seen at any level and all that are possible at the four finest and before are negligible; else nothing is concluded.
 report::verdict judge_table(const order_question&, double expected, const error_table&);
 
 /// The verdict on fits of the question's columns, where a column has one: the worst, and of these the slowest.
