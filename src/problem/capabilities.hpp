@@ -11,6 +11,7 @@
 #include "reports/model/scene.hpp"
 #include "sphere/closed_forms/gibbs.hpp"
 #include "sphere/galerkin/reference_value.hpp"
+#include "sphere/products/sphere_pair.hpp"
 #include "sphere/sphere_problem.hpp"
 
 namespace polhode {
@@ -44,6 +45,7 @@ struct capabilities {
   std::string notice = {};  ///< what a user should know of a scene that is accepted
   /// The diffusion, where it lives on a sphere: all that is exact there follows.
   std::optional<sphere_problem> sphere = {};
+  std::optional<sphere_pair> pair = {};  ///< where it lives on a product of two spheres: its expectations are exact
   std::optional<free_motion> free = {};
   std::optional<shape_axis> shape = {};
   std::function<report::scene(int power)> in_unit = {};  ///< the same solutions at |mu| times 4^power, t over it

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "problem/noise_covariance.hpp"
+#include "problem/momentum_pair.hpp"
 #include "problem/vectors.hpp"
 #include "sphere/closed_forms/chain_gibbs.hpp"
 #include "systems/system_source.hpp"
@@ -64,17 +64,19 @@ std::string in_cpp(const report::scene& s) {
                      fmt::join(vectors, ", "), head);
 }
 
+Eigen::Matrix3d inverse_inertia(const report::scene& s, std::ptrdiff_t first) {
+  return Eigen::Vector3d(s.vector("inertia").data() + first).cwiseInverse().asDiagonal();
+}
+
 /// beta < 0: none, as the noise is not isotropic.
 chain_gibbs gibbs_of(const report::scene& s) {
   const double strength = isotropic_strength(s);
   chain_gibbs law{.sites = {},
                   .exchange = Eigen::Matrix2d::Constant(s.number("coupling")),
                   .beta = strength > 0 ? 2 * dissipation_of(s) / (strength * strength) : -1};
-  for (const std::size_t part : {0U, 3U}) {
-    const Eigen::Vector3d inertia(s.vector("inertia").data() + part);
-    law.sites.push_back(
-        {inertia.cwiseInverse().asDiagonal(), Eigen::Vector3d::Zero(), length(std::span(s.momentum).subspan(part, 3))});
-  }
+  for (const std::size_t part : {0U, 3U})
+    law.sites.push_back({inverse_inertia(s, static_cast<std::ptrdiff_t>(part)), Eigen::Vector3d::Zero(),
+                         length(std::span(s.momentum).subspan(part, 3))});
   return law;
 }
 
@@ -82,6 +84,8 @@ capabilities offers(const report::scene& s) {
   capabilities out{.rates = rates_of(s)};
   if (const auto law = gibbs_of(s); law.beta >= 0)
     out.gibbs_mean = [law](std::string_view observable) { return law.mean(observable); };
+  out.pair =
+      momentum_pair(s, {inverse_inertia(s, 0), inverse_inertia(s, 3)}, Eigen::Vector3d::Zero(), s.number("coupling"));
   out.in_unit = [=](int power) { return with_momentum_unit(s, power); };
   out.in_cpp = in_cpp(s);
   return out;

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "problem/noise_covariance.hpp"
+#include "problem/momentum_pair.hpp"
 #include "problem/vectors.hpp"
 #include "sphere/closed_forms/chain_gibbs.hpp"
 #include "systems/system_source.hpp"
@@ -88,8 +88,9 @@ capabilities offers(const report::scene& s) {
                   .exchange = matrix_of(s.vectors("exchange")),
                   .beta = strength > 0 ? 2 * dissipation_of(s) / (strength * strength) : 0};
   const Eigen::Matrix3d quadratic = matrix_of(s.vectors("quadratic"));
-  for (const double length : lengths_of(s))
-    law.sites.push_back({quadratic, Eigen::Vector3d(s.vector("field").data()), length});
+  const Eigen::Vector3d field(s.vector("field").data());
+  for (const double length : lengths_of(s)) law.sites.push_back({quadratic, field, length});
+  if (count_of(s) == 2) out.pair = momentum_pair(s, {quadratic, quadratic}, field, law.exchange(0, 1));
   if (strength > 0 && law.solvable())
     out.gibbs_mean = [law](std::string_view observable) { return law.mean(observable); };
   out.no_gibbs_mean = "bonds that form neither chains nor rings: no closed form of the law's means";
