@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/common/experiment.hpp"
 #include "reports/model/errors.hpp"
 #include "run/bind_scene.hpp"
+#include "run/reference_off_sphere.hpp"
 #include "scene/nearest.hpp"
 #include "sphere/closed_forms/gibbs.hpp"
 #include "sphere/expectations/expectation.hpp"
@@ -19,7 +19,6 @@
 #include "sphere/lyapunov.hpp"
 #include "sphere/spectral_gap.hpp"
 #include "sphere/stationary.hpp"
-#include "systems/systems.hpp"
 #include "transfer/transfer.hpp"
 
 namespace polhode {
@@ -28,7 +27,6 @@ namespace {
 // Of the size of what is asked for: of the observable, of the noise, of the shear.
 constexpr double value_tolerance = 1e-11, rate_tolerance = 1e-9, finest_rate_tolerance = 1e-11,
                  exponent_tolerance = 1e-7;
-constexpr const char* usual_observable = "energy";
 const std::vector<std::string> quantities{"expectation", "gibbs", "lyapunov", "gap"};
 
 /// An option that would change nothing is a misunderstanding.
@@ -49,12 +47,6 @@ void check(const reference_options& o) {
   if (o.time && !(*o.time >= 0 && std::isfinite(*o.time)))
     refuse("--time", fmt::format("{}", *o.time), "accepted: a number of at least 0");
   check_that_it_is_used(o);
-}
-
-[[noreturn]] void refuse_observable(const std::string& name, const std::vector<observable_entry>& accepted) {
-  std::vector<std::string> known;
-  for (const auto& entry : accepted) known.push_back(entry.name);
-  refuse("--observable", name, "not known" + accepted_instead(name, known));
 }
 
 /// By the names of any system on a sphere.
@@ -86,25 +78,6 @@ std::optional<reference_value> closed_form(const subject& s, const std::string& 
   if (observable == "pi2^2") return certain(law.mean_square(1));
   if (observable == "pi3^2") return certain(law.mean_square(2));
   return std::nullopt;
-}
-
-[[noreturn]] void refuse_scene(const scene& s, const reference_answer& out, std::string_view why) {
-  throw input_error(fmt::format("scene {}: {}: {}", s.name, out.quantity, why));
-}
-
-/// scale: the size that the value is measured by, besides its own. Where not one digit is certain, words say more.
-void take(const scene& s, const reference_value& found, reference_answer& out, double scale = 0) {
-  if (!found.value) refuse_scene(s, out, found.reason);
-  if (!std::isfinite(*found.value)) refuse_scene(s, out, "beyond what double precision holds");
-  const double size = std::max(std::fabs(*found.value), scale);
-  if (!found.reason.empty() && found.uncertainty > 0.1 * size)
-    refuse_scene(
-        s, out,
-        fmt::format("{:.2g} +- {:.1g} holds no certain digit; {}", *found.value, found.uncertainty, found.reason));
-  out.value = *found.value;
-  out.uncertainty = found.uncertainty;
-  out.degree = found.degree;
-  out.reason = found.reason;
 }
 
 void answer_expectation(const subject& bound, const reference_options& o, reference_answer& out) {
@@ -139,20 +112,6 @@ void answer_gibbs(const subject& bound, const reference_options& o, reference_an
   take(s, stationary_mean(p, f, value_tolerance * size_of(p, f), o.degree), out);
 }
 
-/// Where there is no sphere, but a Gibbs law that the system knows.
-reference_answer gibbs_answer(const subject& bound, const reference_options& o) {
-  const auto& s = bound.scene;
-  reference_answer out;
-  out.quantity = o.quantity;
-  out.observable = o.observable.value_or(usual_observable);
-  if (o.degree > 0) refuse("--degree", fmt::format("{}", o.degree), "accepted for systems on a sphere of momentum");
-  const auto found = bound.offers->gibbs_mean(out.observable);
-  if (!found) refuse_observable(out.observable, find_system(s.system)->observables);
-  out.method = "the Gibbs law exp(-2 theta h / sigma^2), in closed form but for one quadrature";
-  take(s, *found, out);
-  return out;
-}
-
 void answer_lyapunov(const scene& s, const sphere_problem& p, const reference_options& o, reference_answer& out) {
   const auto found = lyapunov(p, exponent_tolerance * shear_of(p), o.degree);
   out.method = "the stationary law of tangent directions in Wigner functions (Furstenberg-Khasminskii)";
@@ -167,10 +126,7 @@ reference_answer reference(const scene& s, const reference_options& o) {
   gsl_set_error_handler_off();
   check(o);
   const auto bound = bind_scene(s);
-  if (!bound.sphere() && o.quantity == "gibbs" && bound.offers->gibbs_mean) return gibbs_answer(bound, o);
-  if (!bound.sphere())
-    throw input_error(
-        fmt::format("scene {}: system = \"{}\" has no exact references: {}", s.name, s.system, no_exact_law));
+  if (!bound.sphere()) return reference_off_sphere(bound, o);
   const auto& p = *bound.sphere();
   reference_answer out;
   out.quantity = o.quantity;

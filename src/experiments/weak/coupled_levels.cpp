@@ -21,6 +21,7 @@ coupled_levels::coupled_levels(const context& c, const std::vector<scheme_entry>
       driven_(driven_kernels_of(c.subject, grid_, cells)),
       observables_(f),
       squares_(f.size(), std::vector<double>(static_cast<std::size_t>(paths))),
+      truth_(f.size(), {paths, 1, std::vector<double>(static_cast<std::size_t>(paths))}),
       controls_(c.subject.model->layout(), grid_.steps.front(), grid_.horizon, paths),
       noise_{std::vector<double>(static_cast<std::size_t>(paths))},
       log_(*c.subject.model, paths / block_lanes, {{"", 0}, {"finest steps", cells}}) {
@@ -52,6 +53,20 @@ std::vector<squared_errors> coupled_levels::errors(int scheme, int paths, double
   out = controls_.taken_out_of(out);
   out.push_back(along_their_errors(out, sizes, resolved));
   return out;
+}
+
+std::vector<squared_errors> coupled_levels::truth(int paths) const {
+  auto out = truth_;
+  for (auto& f : out) f.paths = paths;
+  return controls_.taken_out_of(out);
+}
+
+squared_errors coupled_levels::values(int scheme, std::size_t observable, int paths) const {
+  auto out = found_[static_cast<std::size_t>(scheme)].differences[observable];
+  out.paths = paths;
+  for (int path = 0; path < paths; ++path)
+    for (int l = 0; l < out.levels; ++l) out.at(path, l) += truth_[observable].at(path, 0);
+  return controls_.taken_out_of({out}).front();
 }
 
 path_limit coupled_levels::limit(int scheme, int paths) {
@@ -88,6 +103,7 @@ void coupled_levels::run_block(int block, std::span<const int> open) {
       const double end = observables_[f].value(lane_of(truth.truth(), lane, context_.subject.model->dimension()));
       squares_[f][static_cast<std::size_t>(first + lane)] = end * end;
       const auto excess = chain.excess(observables_[f].value, truth, lane);
+      truth_[f].at(first + lane, 0) = end - excess.back();
       for (std::size_t i = 0; i < open.size(); ++i) keep(states[i], truth, excess, {f, open[i], first, lane});
     }
 }

@@ -28,6 +28,10 @@ class coupled_levels {
   /// last, of all together (common_error.hpp; resolved: in standard errors).
   std::vector<squared_errors> errors(int scheme, int paths, double resolved) const;
   path_limit limit(int scheme, int paths);
+  /// Of the first paths, a number a path whose mean is E[f] as the driven equation has it: of each observable.
+  std::vector<squared_errors> truth(int paths) const;
+  /// Of the first paths of a scheme, a number a path and level whose mean is E[f(X_dt)], whatever the driven equation.
+  squared_errors values(int scheme, std::size_t observable, int paths) const;
 
  private:
   using level_states = std::vector<std::vector<double>>;  ///< [level], of a block
@@ -47,6 +51,7 @@ class coupled_levels {
   driven_kernels driven_;
   const std::vector<observable>& observables_;
   std::vector<std::vector<double>> squares_;  ///< f(X)^2, [observable][path]
+  std::vector<squared_errors> truth_;         ///< [observable]
   path_controls controls_;
   noise_effect noise_;
   noise_log log_;

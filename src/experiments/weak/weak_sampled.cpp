@@ -9,6 +9,7 @@
 #include "experiments/common/recorder.hpp"
 #include "experiments/common/sequential.hpp"
 #include "experiments/weak/coupled_levels.hpp"
+#include "experiments/weak/exact_means.hpp"
 #include "problem/vectors.hpp"
 
 namespace polhode {
@@ -41,6 +42,18 @@ std::vector<report::series_id> report_levels(const std::vector<observable>& obse
   report_one("all, in their sizes", observables.size());
   for (std::size_t f = 0; f < observables.size(); ++f) report_one(observables[f].name, f);
   return written;
+}
+
+/// E[f(X_dt)] against the exact mean; 95 % intervals, as wide as f(X) is uncertain.
+void report_against(const reference_value& exact, const std::string& name, std::span<const double> dt,
+                    const squared_errors& values, recorder& record) {
+  curve error{{"error against the true mean", name, "", "sampled"}};
+  for (int l = 0; l < values.levels; ++l) {
+    const auto m = level_mean(values, l);
+    const double apart = m.mean - *exact.value, around = 1.96 * m.error + exact.uncertainty;
+    error.add(dt[static_cast<std::size_t>(l)], apart, apart - around, apart + around);
+  }
+  record.series(error);
 }
 
 report::verdict judge_slope(double expected, const std::optional<order_fit>& fit) {
@@ -84,18 +97,28 @@ void report_sampled_orders(const context& c, const std::vector<scheme_entry>& sc
     auto& f = found[static_cast<std::size_t>(k)];
     for (const auto& d : f.errors) f.fits.push_back(fit_order_of_clear_means(dt, d, resolved, c.seed));
   });
+  const auto exact = exact_means_of(c.subject, observables, levels.grid().horizon);
+  if (!exact.reason.empty()) out.skipped.push_back({"weak", "", "true means of a pair: " + exact.reason});
+  const int most = std::ranges::max(sizes, {}, &sample_size::used).used;
+  const auto truth = exact.known() ? held_to(exact, observables, levels.truth(most)) : held_truth{};
+  report_truth(truth, out);
   const double size = length(c.subject.scene.momentum);
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     const auto how = fmt::format("; sampled against paths of the driven equation, at time {:.4g} of {:.4g}, {}",
                                  levels.grid().horizon, c.subject.scene.horizon, sizes[k].text());
     recorder record("weak", schemes[k].info.name, out);
     const auto written = report_levels(observables, dt, found[k], record);
+    if (exact.of.front().converged())
+      report_against(exact.of.front(), observables.front().name, dt,
+                     levels.values(static_cast<int>(k), 0, sizes[k].used), record);
     record.value({"cost", "", "path-steps", "sampled"}, at_dt(dt.back()), levels.steps_of_a_path() * sizes[k].used);
     auto order = judge_slope(expected(schemes[k]), found[k].fits.back());
     order.reason += fmt::format(" (of all {} observables together)", observables.size()) + how;
+    hold_to(truth, order);
     record.verdict(weak_order_claim, std::move(order), written);
     auto limit = judge_limit(found[k].limit, levels.directions(), size);
     limit.reason += how;
+    hold_to(truth, limit);
     record.verdict("limit of the law is that of the Stratonovich solution", std::move(limit));
   }
   levels.log().report("weak", out);

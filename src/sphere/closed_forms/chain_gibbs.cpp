@@ -1,12 +1,11 @@
 #include "sphere/closed_forms/chain_gibbs.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "sphere/harmonics/harmonics.hpp"
+#include "sphere/site_observable.hpp"
 
 namespace polhode {
 namespace {
@@ -54,24 +53,6 @@ std::vector<component> components_of(const MatrixXd& exchange) {
       if (!seen[static_cast<std::size_t>(i)] && neighbours(exchange, i).size() <= most_bonds)
         out.push_back(walk(exchange, i, seen));
   return out;
-}
-
-/// What is averaged: h, or a power of a component of one spin.
-struct observable {
-  bool energy = false;
-  int site = 0, axis = 0, power = 1;
-};
-
-std::optional<observable> observable_named(std::string_view name, int count) {
-  if (name == "energy") return observable{.energy = true};
-  for (int site = 0; site < count; ++site)
-    for (int axis = 0; axis < 3; ++axis) {
-      if (name == fmt::format("s{}_{}", site + 1, axis + 1) || name == fmt::format("mu_{}", 3 * site + axis + 1))
-        return observable{.site = site, .axis = axis};
-      if (name == fmt::format("s{}_{}^2", site + 1, axis + 1) || name == fmt::format("mu_{}^2", 3 * site + axis + 1))
-        return observable{.site = site, .axis = axis, .power = 2};
-    }
-  return std::nullopt;
 }
 
 /// One component of the spins on the points of a rule.
@@ -182,7 +163,7 @@ class transfer_matrices {
   std::vector<VectorXd> mass_;
 };
 
-double average(const chain_gibbs& law, const std::vector<component>& all, const observable& f, int degree) {
+double average(const chain_gibbs& law, const std::vector<component>& all, const site_observable& f, int degree) {
   const auto rule = sphere_quadrature(degree);
   double sum = 0;
   for (const auto& one : all) {
@@ -196,7 +177,7 @@ double average(const chain_gibbs& law, const std::vector<component>& all, const 
 }
 
 /// Of the observable: what rounding and the tolerance are measured by.
-double size_of(const chain_gibbs& law, const observable& f) {
+double size_of(const chain_gibbs& law, const site_observable& f) {
   const auto length = [&](Eigen::Index i) { return law.sites[static_cast<std::size_t>(i)].length; };
   if (!f.energy) return std::pow(length(f.site), f.power);
   double sum = 0;
@@ -217,7 +198,7 @@ bool chain_gibbs::solvable() const {
 }
 
 std::optional<reference_value> chain_gibbs::mean(std::string_view name) const {
-  const auto f = observable_named(name, static_cast<int>(sites.size()));
+  const auto f = site_observable_named(name, static_cast<int>(sites.size()));
   if (!f) return std::nullopt;
   const auto all = components_of(exchange);
   const int most = std::ranges::any_of(all, &component::closed) ? most_degree_of_rings : most_degree;

@@ -30,7 +30,10 @@ cut_function cut_to(const sphere_problem& problem, const sphere_function& f, int
 }
 
 std::optional<double> unit_of(const sphere_problem& problem, const sphere_function& f) {
-  const Eigen::VectorXd c = all_coefficients(problem, f, sizing_degree);
+  return unit_of(all_coefficients(problem, f, sizing_degree));
+}
+
+std::optional<double> unit_of(const Eigen::VectorXd& c) {
   const double largest = c.cwiseAbs().maxCoeff();
   if (!c.allFinite() || largest < least_size) return std::nullopt;
   return std::exp2(std::ilogb(largest));

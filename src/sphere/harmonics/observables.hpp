@@ -29,6 +29,7 @@ cut_function cut_to(const sphere_problem& problem, const sphere_function& f, int
 /// A power of two, so that dividing by it rounds nothing: about the largest harmonic coefficient of f up to degree 8.
 /// Nothing where that is not finite or below 1e-290, of which no bar could be told.
 std::optional<double> unit_of(const sphere_problem& problem, const sphere_function& f);
+std::optional<double> unit_of(const Eigen::VectorXd& coefficients);  ///< of all that count
 
 /// ask(f / unit, unit), counted in the unit of f again.
 template <class Ask>
