@@ -336,6 +336,35 @@ TEST_F(system_scenes, gibbs_laws_off_the_sphere_are_known) {
   EXPECT_THROW(of(given, "energy"), polhode::input_error);
 }
 
+// sigma^2 = 0.2: without exchange and dissipation a free spin's E[S_1] is exp(-sigma^2 t) times the start; under
+// exchange alone E[S_1.S_2] is exp(-2 sigma^2 t) times it.
+TEST_F(system_scenes, expectations_of_a_pair_are_exact) {
+  auto two = ring();
+  two["count"] = "2";
+  two["quadratic"] = "[0, 0, 0]";
+  two["field"] = "[0, 0, 0]";
+  two["exchange"] = "1";
+  two["theta"] = "0";
+  two["sigma"] = "0.4472135954999579";
+  two["momentum"] = "[0, 0.6, 0.8, 1, 0.3, 0.2]";
+  const auto of = [&](const keys& given, const char* name, int degree = 0) {
+    return polhode::reference(load_scene(write(text(given))), {"expectation", name, 1.5, degree});
+  };
+  const auto bound = of(two, "energy");
+  EXPECT_NEAR(bound.value, std::exp(-0.6) * 0.34, 1e-13);
+  EXPECT_GT(bound.degree, 0);
+  EXPECT_EQ(bound.reason, "");
+  two["exchange"] = "0";
+  EXPECT_NEAR(of(two, "s1_3").value, std::exp(-0.3) * 0.8, 1e-13);
+  EXPECT_NEAR(of(two, "mu_5").value, std::exp(-0.3) * 0.3, 1e-13);
+  EXPECT_THROW(of(two, "s3_1"), polhode::input_error);
+  EXPECT_THROW(of(two, "energy", 1), polhode::input_error);
+  EXPECT_THROW(of(two, "energy", 25), polhode::input_error);
+  two["count"] = "3";
+  two["momentum"] = "[0, 0.6, 0.8]";
+  EXPECT_THROW(of(two, "energy"), polhode::input_error);
+}
+
 // An experiment that is asked for by name and cannot answer says why.
 TEST_F(system_scenes, what_has_no_exact_law_says_so) {
   const auto r = polhode::verify(load_scene("so4"), {.schemes = {"heun"}, .experiments = {"modified", "stability"}});

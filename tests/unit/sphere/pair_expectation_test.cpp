@@ -77,7 +77,7 @@ TEST(PairExpectation, WithoutExchangeIsTheProductOfTwoSpheres) {
       {body_on_sphere({1, 1.2, 1.5}, 0.3, 1, 0.6 * one), body_on_sphere({1.1, 1, 1.3}, 0.2, 2, oblique())}};
   pair.sites[1].field = {0.1, 0, 0.2};
   const auto start = both(first, 2 * second);
-  const double time = 0.15;
+  const double time = 0.1;
   const int degree = 12, k = harmonic_index(1, 0), n = harmonic_index(2, 1);
   Eigen::VectorXd f = Eigen::VectorXd::Zero(pair_harmonic_count(degree));
   f[pair_index(degree)(k, n)] = 1;
