@@ -13,7 +13,7 @@ namespace polhode {
 namespace {
 
 constexpr double share = 1e-4;      // of an observable's size
-constexpr int highest_degree = 16;  // a second an observable
+constexpr int highest_degree = 16;  // seconds, of all observables
 constexpr double interval = 1.96;   // standard errors
 
 }  // namespace
@@ -31,7 +31,7 @@ exact_means exact_means_of(const subject& s, const std::vector<observable>& obse
   for (std::size_t i = 0; i < observables.size(); ++i) {
     const auto f = site_observable_named(observables[i].name, 2);
     if (!f) continue;
-    out.of[i] = exact.of(*f, share);
+    out.of[i] = exact.agreed(*f, share);
     if (out.of[i].converged()) continue;
     out.reason = fmt::format("E[{}] is {}", observables[i].name, out.of[i].reason);
     if (i == 0) break;  // nor would the others be

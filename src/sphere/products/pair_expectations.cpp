@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "algebra/exponential_action.hpp"
 #include "references/odeint.hpp"
 #include "sphere/harmonics/backward_operator.hpp"
 #include "sphere/harmonics/observables.hpp"
@@ -14,6 +16,7 @@ namespace polhode {
 namespace {
 
 constexpr std::array degrees{4, 6, 8, 10, 12, 14, 16, 20, most_pair_degree};
+constexpr double affordable = 1e10;   // multiplications
 constexpr double most_turns = 1e7;    // seconds
 constexpr double first_piece = 0.37;  // of the time: no divisor of the solver's first step
 
@@ -64,43 +67,69 @@ reference_value on_the_path(const sphere_pair& p, const site_observable& f, cons
 pair_expectations::pair_expectations(const sphere_pair& pair, const momenta& start, double time, int most_degree)
     : pair_(pair), start_(start), time_(time), most_degree_(most_degree) {}
 
-const pair_expectations::projection& pair_expectations::at(int degree) {
+pair_expectations::projection& pair_expectations::at(int degree) {
   const auto known = known_.find(degree);
   if (known != known_.end()) return known->second;
   return known_
       .emplace(degree,
                projection{tall_backward_operator(pair_, degree),
-                          pair_harmonics_at(start_.head<3>().normalized(), start_.tail<3>().normalized(), degree)})
+                          pair_harmonics_at(start_.head<3>().normalized(), start_.tail<3>().normalized(), degree),
+                          {}})
       .first->second;
 }
 
-reference_value pair_expectations::of(const site_observable& f, double share, int wanted) {
-  if (!pair_.has_noise()) return on_the_path(pair_, f, start_, time_);
+const Eigen::VectorXd& pair_expectations::law_at(int degree) {
+  auto& p = at(degree);
+  if (std::exchange(p.law_known, true)) return p.law;
+  const sparse_matrix forward = p.tall.topRows(p.tall.cols()).transpose();
+  if (exponential_action_products(forward, time_) * static_cast<double>(forward.nonZeros()) <= affordable)
+    p.law = exponential_action(forward, time_, p.start);
+  return p.law;
+}
+
+/// Of f over a unit of its own, and in its own again.
+reference_value pair_expectations::raised(const site_observable& f, double share, int wanted,
+                                          const value_at_degree& value_at) const {
   const Eigen::VectorXd exact = pair_coefficients(pair_, f, degrees.front());
   if (exact.isZero(0)) return {.value = 0};
   const auto unit = unit_of(exact);
   if (!unit) return {.reason = leaves_double_precision};
   const double size = (exact / *unit).norm() / unit_of_pair_mean;
-  bool relaxed = false;
-  const auto value_at = [&](int degree) -> std::optional<projected_value> {
-    const auto& [tall, start] = at(degree);
-    const suprema_of_basis suprema{[](const Eigen::VectorXd& g) { return pair_supremum(g); },
-                                   [=](const Eigen::VectorXd& g) { return pair_supremum(g, degree + 1); },
-                                   unit_of_pair_mean};
-    const auto found = propagated(tall, pair_coefficients(pair_, f, degree) / *unit, start, time_, suprema);
-    if (!found) return {};
-    relaxed = found->relaxed;
-    return found->found;
-  };
   const auto most = std::ranges::upper_bound(degrees, most_degree_);
   const std::vector<int> automatic(degrees.begin(), most), chosen{wanted};
-  auto found =
-      raise_degree(wanted > 0 ? chosen : automatic, accuracy{.absolute = share * size, .size = size, .unit = *unit},
-                   needed_degree_of(pair_), value_at, wanted);
-  found.relaxed = relaxed;
+  auto found = raise_degree(
+      wanted > 0 ? chosen : automatic, accuracy{.absolute = share * size, .size = size, .unit = *unit},
+      needed_degree_of(pair_),
+      [&](int degree) { return value_at(degree, pair_coefficients(pair_, f, degree) / *unit); }, wanted);
   if (found.value) *found.value *= *unit;
   found.uncertainty *= *unit;
   return found;
+}
+
+reference_value pair_expectations::of(const site_observable& f, double share, int wanted) {
+  if (!pair_.has_noise()) return on_the_path(pair_, f, start_, time_);
+  bool relaxed = false;
+  auto found = raised(f, share, wanted, [&](int degree, const Eigen::VectorXd& c) -> std::optional<projected_value> {
+    const auto& p = at(degree);
+    const suprema_of_basis suprema{[](const Eigen::VectorXd& g) { return pair_supremum(g); },
+                                   [=](const Eigen::VectorXd& g) { return pair_supremum(g, degree + 1); },
+                                   unit_of_pair_mean};
+    const auto value = propagated(p.tall, c, p.start, time_, suprema);
+    if (!value) return {};
+    relaxed = value->relaxed;
+    return value->found;
+  });
+  found.relaxed = relaxed;
+  return found;
+}
+
+reference_value pair_expectations::agreed(const site_observable& f, double share) {
+  if (!pair_.has_noise()) return on_the_path(pair_, f, start_, time_);
+  return raised(f, share, 0, [&](int degree, const Eigen::VectorXd& c) -> std::optional<projected_value> {
+    const auto& law = law_at(degree);
+    if (law.size() == 0) return {};
+    return projected_value{c.dot(law), rounding_of_sums * c.norm() * law.norm()};
+  });
 }
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 // successive degrees tell more, they may, as on one sphere.
 #pragma once
 
+#include <functional>
 #include <map>
 
 #include "sphere/galerkin/propagation.hpp"
@@ -24,13 +25,20 @@ class pair_expectations {
   /// E[f], to that share of the observable's size (the root of its mean square over both spheres). wanted: the degree,
   /// 2 to most_pair_degree; 0 lets the program choose. Without noise: f on the one path there is.
   reference_value of(const site_observable&, double share, int wanted = 0);
+  /// The same by the agreement of degrees alone. One exponential a degree, of the law of Pi_T, does for all
+  /// observables.
+  reference_value agreed(const site_observable&, double share);
 
  private:
   struct projection {
     Eigen::SparseMatrix<double> tall;
-    Eigen::VectorXd start;
+    Eigen::VectorXd start, law;  ///< law: empty until it is asked for; and where it is not affordable
+    bool law_known = false;
   };
-  const projection& at(int degree);
+  using value_at_degree = std::function<std::optional<projected_value>(int degree, const Eigen::VectorXd& f)>;
+  projection& at(int degree);
+  const Eigen::VectorXd& law_at(int degree);
+  reference_value raised(const site_observable&, double share, int wanted, const value_at_degree&) const;
 
   sphere_pair pair_;
   Eigen::Matrix<double, 6, 1> start_;

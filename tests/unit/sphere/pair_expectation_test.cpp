@@ -175,6 +175,9 @@ TEST(PairExpectation, ProvedBarsHoldAtEveryDegree) {
     const auto best = exact.of(f, 1e-8);
     ASSERT_TRUE(best.converged()) << best.reason;
     EXPECT_LE(best.uncertainty, 1e-8);
+    const auto agreed = exact.agreed(f, 1e-6);
+    holds(agreed, *best.value, 1e-6);
+    EXPECT_LE(std::fabs(*agreed.value - *best.value), agreed.uncertainty + best.uncertainty) << name;
     double before = 1;
     for (const int degree : {2, 4, 6, 8, 10}) {
       const auto rough = exact.of(f, 1e-15, degree);
