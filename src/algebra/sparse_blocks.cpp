@@ -60,7 +60,13 @@ sparse_matrix submatrix(const sparse_matrix& a, const index_set& indices) {
 
 sparse_matrix columns_of(const sparse_matrix& a, const index_set& columns) {
   sparse_matrix part(a.rows(), std::ssize(columns));
-  for (int k = 0; k < std::ssize(columns); ++k) part.col(k) = a.col(columns[k]);
+  part.reserve(a.nonZeros());  // a whole column at a time would move all that are there
+  for (int k = 0; k < std::ssize(columns); ++k) {
+    part.startVec(k);
+    for (sparse_matrix::InnerIterator entry(a, columns[k]); entry; ++entry)
+      part.insertBack(entry.row(), k) = entry.value();
+  }
+  part.finalize();
   return part;
 }
 

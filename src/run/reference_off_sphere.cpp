@@ -38,7 +38,7 @@ void take(const scene& s, const reference_value& found, reference_answer& out, d
 
 namespace {
 
-constexpr double pair_tolerance = 1e-8;  // of the size of the observable
+constexpr double pair_tolerance = 1e-7;  // of the size of the observable
 
 /// Where there is no sphere, but a Gibbs law that the system knows.
 reference_answer gibbs_answer(const subject& bound, const reference_options& o) {
