@@ -78,10 +78,10 @@ experiment weak_experiment() {
             "five times the sampling error. The order is that of all observables added up in the direction of their "
             "errors (all, in their sizes); it decides nothing while its interval is wider than {:g}.",
             sampled_components, order_margin),
-        "On a product of two spheres (so(4), two spins) the true means are exact, by Kolmogorov's operator on products "
-        "of spherical harmonics. The driven equation is held to them, a z-value an observable; beyond what one healthy "
-        "run in a million exceeds, all observables together, nothing is concluded. Error against the true mean: that "
-        "of the energy, E[f(X_dt) - f(X)] + E[f(X)] less the exact mean, whatever the driven equation.",
+        "On a product of two spheres (so(4), two spins) the true means are exact, on products of harmonics. X is held "
+        "to "
+        "them, a z-value an observable; beyond a false alarm of one in a million nothing is concluded. Error against "
+        "the true mean, of the energy: E[f(X_dt) - f(X)] + E[f(X)] less the exact mean.",
         "Intervals on a sphere: the change at the last refinement of degree, quadrature and shell, and the "
         "reference's own. A fit uses errors of at least fifty times that.",
         "These errors are a power series a_0 + a_1 dt + … (Talay and Tubaro 1990), whose terms the levels tell with a "
