@@ -15,6 +15,7 @@
 #include "experiments/common/sequential.hpp"
 #include "experiments/common/undecided.hpp"
 #include "experiments/gibbs/gibbs_moments.hpp"
+#include "experiments/gibbs/long_runs.hpp"
 #include "experiments/gibbs/relaxation.hpp"
 #include "problem/observables.hpp"
 
@@ -167,16 +168,10 @@ void report_samples(const context& c, const std::vector<scheme_entry>& schemes, 
   log.report("gibbs", out);
 }
 
-std::optional<std::string> no_law(const subject& s) {
-  if (s.model->noise() != noise_class::isotropic) return "the noise is not isotropic: no Gibbs law is claimed for it";
-  if (s.offers->gibbs_mean) return std::nullopt;
-  return s.offers->no_gibbs_mean.empty() ? "the system knows no means of a Gibbs law" : s.offers->no_gibbs_mean;
-}
-
 }  // namespace
 
 void report_sampled_means(const context& c, report::results& out) {
-  if (const auto reason = no_law(c.subject)) {
+  if (const auto reason = no_gibbs_means(c.subject)) {
     out.skipped.push_back({"gibbs", "", "sampled law: " + *reason});
     return;
   }
