@@ -16,6 +16,7 @@
 #include "experiments/common/undecided.hpp"
 #include "experiments/gibbs/gibbs_moments.hpp"
 #include "experiments/gibbs/long_runs.hpp"
+#include "experiments/gibbs/marginal_laws.hpp"
 #include "experiments/gibbs/relaxation.hpp"
 #include "problem/observables.hpp"
 
@@ -55,11 +56,18 @@ design design_for(const subject& s, double dt, const std::vector<observable>& al
   return out;
 }
 
-using averages = std::vector<std::vector<double>>;  ///< in time, of one scheme: [observable][path]
+/// Of one scheme.
+struct sample {
+  std::vector<std::vector<double>> averages;  ///< in time: [observable][path]
+  marginal_samples values;
+};
+struct finding {
+  std::vector<interval_estimate> means, distances;
+};
 
 void run_block(const context& c, const design& d, std::span<const scheme_entry> schemes,
                std::span<const std::unique_ptr<kernel>> kernels, std::span<const int> open, int block,
-               std::vector<averages>& out, noise_log& log) {
+               std::vector<sample>& out, noise_log& log) {
   constexpr std::int64_t chunk = 200;
   const std::vector<std::size_t> indices(open.begin(), open.end());
   const bool areas = std::ranges::any_of(indices, [&](std::size_t k) { return schemes[k].needs_areas; });
@@ -83,21 +91,23 @@ void run_block(const context& c, const design& d, std::span<const scheme_entry> 
       for (int lane = 0; lane < block_lanes; ++lane) {
         const auto mu = lane_of(states[k], lane, c.subject.model->dimension());
         for (std::size_t f = 0; f < d.observables.size(); ++f)
-          out[k][f][first_path + static_cast<std::size_t>(lane)] += d.observables[f].value(mu) / looks;
+          out[k].averages[f][first_path + static_cast<std::size_t>(lane)] += d.observables[f].value(mu) / looks;
+        out[k].values.keep(mu, first_path + static_cast<std::size_t>(lane), i, looks);
       }
   }
 }
 
-std::vector<interval_estimate> means_of(const averages& a, int paths) {
-  std::vector<interval_estimate> out;
-  for (const auto& f : a) out.push_back(mean_interval(std::span(f).first(static_cast<std::size_t>(paths))));
+finding find(const sample& s, int paths) {
+  finding out{{}, s.values.distances(paths, averaging)};
+  for (const auto& f : s.averages)
+    out.means.push_back(mean_interval(std::span(f).first(static_cast<std::size_t>(paths))));
   return out;
 }
 
-bool tight(const design& d, const std::vector<interval_estimate>& found) {
-  for (std::size_t f = 0; f < found.size(); ++f)
-    if (!(half_width(found[f]) <= tight_share * d.means[f].margin())) return false;
-  return true;
+bool tight(const design& d, const finding& found) {
+  for (std::size_t f = 0; f < found.means.size(); ++f)
+    if (!(half_width(found.means[f]) <= tight_share * d.means[f].margin())) return false;
+  return tight_distances(found.distances);
 }
 
 /// Observables of one claim: of the energy, of components, of squares.
@@ -109,13 +119,13 @@ std::string claim_on(const std::string& observable) {
 
 /// A claim holds if it holds of each of its means; the mean that decides is named.
 void report_means(const design& d, const std::vector<interval_estimate>& found, recorder& record) {
-  struct finding {
+  struct of_claim {
     report::verdict worst;
     double distance = -1;                          ///< of the interval's far end, in margins
     std::vector<report::series_id> evidence = {};  ///< the mean that decides, as the expected value is its own
     int count = 0;
   };
-  std::map<std::string, finding> claims;
+  std::map<std::string, of_claim> claims;
   double least = HUGE_VAL;
   for (std::size_t f = 0; f < found.size(); ++f) {
     const auto& name = d.observables[f].name;
@@ -149,20 +159,22 @@ void report_samples(const context& c, const std::vector<scheme_entry>& schemes, 
   std::vector<std::unique_ptr<kernel>> kernels;
   for (const auto& scheme : schemes) kernels.push_back(scheme.make(d.dt));
   const std::vector<double> room(static_cast<std::size_t>(blocks_of(paths.most) * block_lanes));
-  std::vector<averages> samples(kernels.size(), averages(d.observables.size(), room));
+  std::vector<sample> samples(kernels.size(), {std::vector(d.observables.size(), room),
+                                               marginal_samples(c.subject, static_cast<int>(room.size()))});
   noise_log log(*c.subject.model, blocks_of(paths.most));
-  std::vector<std::vector<interval_estimate>> found(kernels.size());
+  std::vector<finding> found(kernels.size());
   const auto sizes = sample_until_tight(
       c, paths, static_cast<int>(kernels.size()),
       [&](int block, std::span<const int> open) { run_block(c, d, schemes, kernels, open, block, samples, log); },
       [&](int scheme, int so_far) {
         const auto k = static_cast<std::size_t>(scheme);
-        found[k] = means_of(samples[k], so_far);
+        found[k] = find(samples[k], so_far);
         return tight(d, found[k]);
       });
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     recorder record("gibbs", schemes[k].info.name, out);
-    report_means(d, found[k], record);
+    report_means(d, found[k].means, record);
+    report_marginals(c.subject, d.dt, found[k].distances, record);
     record.remark(sizes[k].text());
   }
   log.report("gibbs", out);
