@@ -1,11 +1,8 @@
 #include "experiments/gibbs/gibbs_on_orbits.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <optional>
 
 #include "ensemble/noise/paths.hpp"
@@ -14,7 +11,7 @@
 #include "experiments/common/noise_verdict.hpp"
 #include "experiments/common/sequential.hpp"
 #include "experiments/common/undecided.hpp"
-#include "experiments/gibbs/gibbs_moments.hpp"
+#include "experiments/gibbs/known_means.hpp"
 #include "experiments/gibbs/long_runs.hpp"
 #include "experiments/gibbs/marginal_laws.hpp"
 #include "experiments/gibbs/relaxation.hpp"
@@ -26,11 +23,6 @@ namespace {
 constexpr double forgetting = 10, averaging = 20;  // autocorrelation times
 constexpr int looks = 256;                         // at a path while it is averaged
 constexpr double tight_share = 1.0 / 3;            // of a margin: the half-width at which sampling stops
-
-struct known_mean {
-  double exact, deviation;
-  double margin() const { return moment_margin * deviation; }
-};
 
 struct design {
   double dt = 0;
@@ -110,54 +102,10 @@ bool tight(const design& d, const finding& found) {
   return tight_distances(found.distances);
 }
 
-/// Observables of one claim: of the energy, of components, of squares.
-std::string claim_on(const std::string& observable) {
-  return observable == "energy"       ? "mean of energy"
-         : observable.ends_with("^2") ? "means of squares of components"
-                                      : "means of components";
-}
-
-/// A claim holds if it holds of each of its means; the mean that decides is named.
-void report_means(const design& d, const std::vector<interval_estimate>& found, recorder& record) {
-  struct of_claim {
-    report::verdict worst;
-    double distance = -1;                          ///< of the interval's far end, in margins
-    std::vector<report::series_id> evidence = {};  ///< the mean that decides, as the expected value is its own
-    int count = 0;
-  };
-  std::map<std::string, of_claim> claims;
-  double least = HUGE_VAL;
-  for (std::size_t f = 0; f < found.size(); ++f) {
-    const auto& name = d.observables[f].name;
-    const auto& [exact, deviation] = d.means[f];
-    const double effective = std::pow(1.96 * deviation / half_width(found[f]), 2);
-    least = std::min(least, effective);
-    auto& claim = claims[claim_on(name)];
-    const auto written = record.value({"mean", name, "", "sampled"}, at_dt(d.dt), found[f]);
-    ++claim.count;
-    // An interval that lies beyond its margin counts for more than a wide one, one that is not finite for most.
-    const double beyond = std::max(found[f].low - exact, exact - found[f].high) / d.means[f].margin(),
-                 reach = std::max(found[f].high - exact, exact - found[f].low) / d.means[f].margin(),
-                 distance = !std::isfinite(reach) ? HUGE_VAL
-                            : beyond > 1          ? 1e9 + beyond
-                                                  : reach;
-    if (distance <= claim.distance) continue;
-    claim.distance = distance;
-    claim.evidence = {written};
-    claim.worst = judge_mean(exact, d.means[f].margin(), found[f]);
-    claim.worst.reason = fmt::format("{}: {}; worth {:.2g} independent samples", name, claim.worst.reason, effective);
-  }
-  record.value({"effective sample size", "the slowest mean", "", "sampled"}, at_dt(d.dt), least);
-  for (auto& [claim, f] : claims) {
-    if (f.count > 1) f.worst.reason += fmt::format("; the farthest of {}", f.count);
-    record.verdict(claim, std::move(f.worst), f.evidence);
-  }
-}
-
 void report_samples(const context& c, const std::vector<scheme_entry>& schemes, const design& d,
                     const sampling_plan& paths, report::results& out) {
   std::vector<std::unique_ptr<kernel>> kernels;
-  for (const auto& scheme : schemes) kernels.push_back(scheme.make(d.dt));
+  for (const auto& e : schemes) kernels.push_back(e.make(d.dt));
   const std::vector<double> room(static_cast<std::size_t>(blocks_of(paths.most) * block_lanes));
   std::vector<sample> samples(kernels.size(), {std::vector(d.observables.size(), room),
                                                marginal_samples(c.subject, static_cast<int>(room.size()))});
@@ -173,7 +121,7 @@ void report_samples(const context& c, const std::vector<scheme_entry>& schemes, 
       });
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     recorder record("gibbs", schemes[k].info.name, out);
-    report_means(d, found[k].means, record);
+    report_known_means(d.observables, d.means, d.dt, found[k].means, record);
     report_marginals(c.subject, d.dt, found[k].distances, record);
     record.remark(sizes[k].text());
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "experiments/common/judge.hpp"
 #include "experiments/gibbs/gibbs_moments.hpp"
@@ -42,8 +43,9 @@ void report_marginals(const subject& s, double dt, const std::vector<interval_es
     const auto& name = s.offers->gibbs_marginals[m].name;
     const auto& d = found[m];
     const auto written = record.value({"ks_distance", name, "", "sampled"}, at_dt(dt), d);
+    const bool word = name.find_first_of("_0123456789") == std::string::npos;
     record.verdict(
-        "law of the " + name,
+        (word ? "law of the " : "law of ") + name,
         judge_distance(d, ks_bound,
                        std::isfinite(d.value)
                            ? fmt::format("Kolmogorov-Smirnov distance {:.4f} in [{:.4f}, {:.4f}], bound {:g}", d.value,
