@@ -25,7 +25,7 @@ std::optional<double> claimed_by_all(const findings& found, const row_list& rows
 std::string common_step(const row_list& rows) {
   const auto dt = rows.front()->dt();
   const bool common = dt && std::ranges::all_of(rows, [&](const measurement* m) { return m->dt() == dt; });
-  return common ? fmt::format(" at {} = {}", step_size, *dt) : "";
+  return common ? fmt::format(" at {} = {:.4g}", step_size, *dt) : "";
 }
 
 /// Values, and the lower ends of their intervals.

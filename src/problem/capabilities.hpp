@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,13 @@ struct shape_axis {
   report::scene nearly_none;
 };
 
+/// A number of the state whose whole distribution under the Gibbs law is known.
+struct known_marginal {
+  std::string name;
+  std::function<double(std::span<const double> mu)> value;
+  std::function<double(double)> cdf;
+};
+
 struct capabilities {
   rate_bounds rates;
   std::string notice = {};  ///< what a user should know of a scene that is accepted
@@ -49,12 +57,15 @@ struct capabilities {
   std::optional<free_motion> free = {};
   std::optional<shape_axis> shape = {};
   std::function<report::scene(int power)> in_unit = {};  ///< the same solutions at |mu| times 4^power, t over it
-  std::string in_cpp = {};  ///< declares `body`, of the type that polhode/systems/NAME.hpp has under the system's name
-  std::function<gibbs_law()> gibbs = {};  ///< of an isotropically driven system, in closed form
+  std::string in_cpp = {};                               ///< declares `body`, a system of the installed headers
+  std::function<gibbs_law()> gibbs = {};                 ///< of an isotropically driven system, in closed form
   /// Of the Gibbs law, by the name of an observable; nothing for a name that it does not know.
   std::function<std::optional<reference_value>(std::string_view)> gibbs_mean = {};
   std::string no_gibbs_mean = {};            ///< why isotropic noise leaves no law here, or none in closed form
   std::vector<std::string> components = {};  ///< names of all of them; none: mu_1, mu_2, …
+  std::string in_cpp_header = {};            ///< polhode/systems/….hpp of `body`; none: that of the system's name
+  bool in_cpp_sized = false;                 ///< the size of its state is known when the program runs
+  std::vector<known_marginal> gibbs_marginals = {};
 };
 
 }  // namespace polhode

@@ -9,10 +9,6 @@ namespace {
 
 constexpr std::string_view energy_name = "energy", squared = "^2";
 
-std::string component_name(const subject& s, std::size_t k) {
-  return s.offers->components.empty() ? fmt::format("mu_{}", k + 1) : s.offers->components[k];
-}
-
 state_function component(std::size_t k) {
   return [k](std::span<const double> mu) { return mu[k]; };
 }
@@ -21,6 +17,10 @@ state_function square(std::size_t k) {
 }
 
 }  // namespace
+
+std::string component_name(const subject& s, std::size_t k) {
+  return s.offers->components.empty() ? fmt::format("mu_{}", k + 1) : s.offers->components[k];
+}
 
 std::optional<state_function> observable_of(const subject& s, std::string_view name) {
   if (name == energy_name) return [model = s.model](std::span<const double> mu) { return model->energy(mu); };

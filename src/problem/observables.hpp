@@ -19,6 +19,9 @@ struct observable {
   state_function value;
 };
 
+/// The system's own name of the k-th component, from 0 on; else mu_1, mu_2, ….
+std::string component_name(const subject&, std::size_t k);
+
 /// "energy"; a component by the system's own name (capabilities::components) or as mu_1, mu_2, …; its square, "pi1^2";
 /// and on a sphere what named_observable knows besides. Nothing for another name.
 std::optional<state_function> observable_of(const subject&, std::string_view name);

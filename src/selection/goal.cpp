@@ -9,6 +9,19 @@
 
 namespace polhode {
 
+namespace {
+
+std::unique_ptr<goal> averages_of(const context& c, const goal_question& q) {
+  if (c.subject.sphere()) return make_averages_goal(c, q);
+  return q.name == "weak" ? make_sampled_weak_goal(c, q) : make_sampled_stationary_goal(c, q);
+}
+
+}  // namespace
+
+std::string goal::dear_check(const candidate&, double dt) const {
+  return fmt::format("needs about {:.1e} steps to be checked", longest_step() / dt);
+}
+
 std::unique_ptr<goal> make_goal(const context& c, const goal_question& q) {
   const auto& s = c.subject;
   const auto refuse = [&](const std::string& fault) {
@@ -22,8 +35,7 @@ std::unique_ptr<goal> make_goal(const context& c, const goal_question& q) {
   if (!averages && q.observable != all_observables)
     throw input_error(fmt::format("--observable '{}': of --goal weak and stationary; goal {} is asked of the {}",
                                   q.observable, q.name, q.name == "strong" ? "path" : "energy"));
-  if (averages && !s.sphere()) refuse(std::string(no_exact_law) + "; ask --goal strong");
-  auto made = averages ? make_averages_goal(c, q) : q.name == "strong" ? make_path_goal(c, q) : make_energy_goal(c, q);
+  auto made = averages ? averages_of(c, q) : q.name == "strong" ? make_path_goal(c, q) : make_energy_goal(c, q);
   if (q.tolerance < 10 * made->floor())
     throw input_error(
         fmt::format("--tolerance '{:g}': below what double precision can show here; accepted: {:.1g} or "

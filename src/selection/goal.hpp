@@ -48,6 +48,8 @@ class goal {
   virtual int rungs() const { return 8; }
   /// Can the error at dt be measured in seconds?
   virtual bool affordable(const candidate&, double dt) const { return longest_step() / dt <= 2e6; }
+  /// What stands in the way where it cannot.
+  virtual std::string dear_check(const candidate&, double dt) const;
   /// Normals beyond the scheme's own that a step of it needs: for Levy areas that belong to the path.
   virtual double further_normals(const candidate&, double) const { return 0; }
   /// On what a step is priced: where the question is of the motion without noise, without it.
@@ -71,8 +73,10 @@ struct goal_question {
 std::unique_ptr<goal> make_goal(const context&, const goal_question&);
 
 // One a source.
-std::unique_ptr<goal> make_averages_goal(const context&, const goal_question&);  ///< weak and stationary
-std::unique_ptr<goal> make_path_goal(const context&, const goal_question&);      ///< strong
+std::unique_ptr<goal> make_averages_goal(const context&, const goal_question&);      ///< weak and stationary
+std::unique_ptr<goal> make_sampled_weak_goal(const context&, const goal_question&);  ///< both off the sphere
+std::unique_ptr<goal> make_sampled_stationary_goal(const context&, const goal_question&);
+std::unique_ptr<goal> make_path_goal(const context&, const goal_question&);  ///< strong
 std::unique_ptr<goal> make_energy_goal(const context&, const goal_question&);
 
 }  // namespace polhode

@@ -156,7 +156,7 @@ std::optional<choice> search::check(const prospect& p, std::string& fault) const
   double dt = p.dt;
   for (int i = 0, lengthened = 0; i < most_tries; ++i) {
     if (!goal_.affordable(p.who, dt)) {
-      if (!good) fault = fmt::format("needs about {:.1e} steps to be checked", goal_.longest_step() / dt);
+      if (!good) fault = goal_.dear_check(p.who, dt);
       break;
     }
     const auto seen = look_below(p.who, dt, context_.seed + 1 + static_cast<std::uint64_t>(i));

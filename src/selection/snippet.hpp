@@ -7,8 +7,8 @@
 
 namespace polhode {
 
-/// Mean energy of a thousand paths after `time`; cells: increments a step, where areas are asked
-/// for.
+/// Mean energy of a thousand paths after `time`; cells: increments a step that Levy areas are made of, where the scheme
+/// asks for them (1: they are drawn).
 std::string snippet(const subject&, const candidate&, double dt, double time, int cells);
 
 }  // namespace polhode

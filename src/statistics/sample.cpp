@@ -17,7 +17,7 @@ interval_estimate mean_interval(std::span<const double> values) {
   return {mean, mean - half, mean + half};
 }
 
-interval_estimate ks_distance(std::span<const double> values, const std::function<double(double)>& cdf) {
+interval_estimate ks_distance(std::span<const double> values, const std::function<double(double)>& cdf, double worth) {
   std::vector<double> sorted(values.begin(), values.end());
   std::ranges::sort(sorted);
   const auto n = static_cast<double>(sorted.size());
@@ -26,7 +26,7 @@ interval_estimate ks_distance(std::span<const double> values, const std::functio
     const double f = cdf(sorted[i]);
     distance = std::max({distance, f - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - f});
   }
-  const double half = std::sqrt(std::log(2 / 0.05) / (2 * n));
+  const double half = std::sqrt(std::log(2 / 0.05) / (2 * (worth > 0 ? worth : n)));
   return {distance, std::max(0.0, distance - half), distance + half};
 }
 

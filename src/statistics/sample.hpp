@@ -15,7 +15,9 @@ interval_estimate mean_interval(std::span<const double> values);
 
 /// Kolmogorov-Smirnov distance sup |F_n - F| of independent values, with the 95 % interval that the
 /// Dvoretzky-Kiefer-Wolfowitz inequality (Massart's constant, Ann. Probab. 18 (1990) 1269-1283) gives for the distance
-/// of the law sampled: [D - e, D + e], e = sqrt(ln(2/0.05) / 2n).
-interval_estimate ks_distance(std::span<const double> values, const std::function<double(double)>& cdf);
+/// of the law sampled: [D - e, D + e], e = sqrt(ln(2/0.05) / 2n). Of values that are not quite independent n is the
+/// number of independent ones that they are worth; 0: all of them.
+interval_estimate ks_distance(std::span<const double> values, const std::function<double(double)>& cdf,
+                              double worth = 0);
 
 }  // namespace polhode

@@ -74,11 +74,30 @@ heavy_top_gibbs gibbs_of(const report::scene& s, double strength) {
           .beta = 2 * dissipation_of(s) / (strength * strength)};
 }
 
+/// At fixed Gamma, Pi is normal in two directions, so that beta times what its energy has beyond the least that
+/// Pi.Gamma allows, k^2 / (2 Gamma.I Gamma), is the half of a chi squared of two degrees: 1 - exp(-x).
+known_marginal law_of_kinetic_energy(const heavy_top_gibbs& law) {
+  return {"kinetic energy beyond that of Pi.Gamma",
+          [=](std::span<const double> mu) {
+            double kinetic = 0, along = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+              const double i = law.inertia[static_cast<Eigen::Index>(k)];
+              kinetic += mu[k] * mu[k] / (2 * i);
+              along += i * mu[k + 3] * mu[k + 3];
+            }
+            return kinetic - law.along * law.along / (2 * along);
+          },
+          [beta = law.beta](double x) { return -std::expm1(-beta * std::max(0.0, x)); }};
+}
+
 capabilities offers(const report::scene& s) {
   capabilities out{.rates = rates_of(s)};
   const double strength = isotropic_strength(s);
-  if (strength > 0 && dissipation_of(s) > 0)
-    out.gibbs_mean = [law = gibbs_of(s, strength)](std::string_view observable) { return law.mean(observable); };
+  if (strength > 0 && dissipation_of(s) > 0) {
+    const auto law = gibbs_of(s, strength);
+    out.gibbs_mean = [law](std::string_view observable) { return law.mean(observable); };
+    out.gibbs_marginals = {law_of_kinetic_energy(law)};
+  }
   out.no_gibbs_mean = "without dissipation nothing holds |Pi| on an orbit that is not compact";
   out.components = {"pi1", "pi2", "pi3", "gamma1", "gamma2", "gamma3"};
   out.in_cpp = in_cpp(s);

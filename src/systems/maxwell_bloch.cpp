@@ -6,6 +6,7 @@
 
 #include <gsl/gsl_sf_bessel.h>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,12 @@ std::optional<reference_value> gibbs_mean(double radius, double beta, std::strin
   return std::nullopt;
 }
 
+/// x_1 alone: a normal number of variance 1/beta.
+known_marginal law_of_the_field(double beta) {
+  return {"x1", [](std::span<const double> mu) { return mu[0]; },
+          [root = std::sqrt(beta / 2)](double x) { return 0.5 * std::erfc(-root * x); }};
+}
+
 std::string in_cpp(const report::scene& s) {
   std::vector<std::string> vectors;
   for (const auto& v : noise_vectors_of(s)) vectors.push_back(fmt::format("{{{{{}}}}}", fmt::join(v, ", ")));
@@ -85,6 +92,7 @@ capabilities offers(const report::scene& s) {
   if (strength > 0 && dissipation_of(s) > 0)
     out.gibbs_mean = [radius = radius_of(s), beta = 2 * dissipation_of(s) / (strength * strength)](
                          std::string_view name) { return gibbs_mean(radius, beta, name); };
+  if (out.gibbs_mean) out.gibbs_marginals = {law_of_the_field(2 * dissipation_of(s) / (strength * strength))};
   out.no_gibbs_mean = "without dissipation nothing holds x_1 on an orbit that is not compact";
   out.components = {"x1", "x2", "x3"};
   out.in_cpp = in_cpp(s);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "problem/vectors.hpp"
+#include "systems/cpp_text.hpp"
 #include "systems/system_source.hpp"
 #include "systems/systems.hpp"
 
@@ -65,8 +66,15 @@ rate_bounds rates_of(const report::scene& s) {
   return out;
 }
 
+std::string in_cpp(const report::scene& s) {
+  return fmt::format("{}  const sine_euler body({}, {}, sine_euler::from_vectors(sigma, {}));\n", noise_in_cpp(s),
+                     rows_of(s), dissipation_of(s), s.momentum.size());
+}
+
 capabilities offers(const report::scene& s) {
   capabilities out{.rates = rates_of(s)};
+  out.in_cpp = in_cpp(s);
+  out.in_cpp_sized = true;
   out.in_unit = [=](int power) { return with_momentum_unit(s, power); };
   return out;
 }

@@ -120,7 +120,8 @@ capabilities offers(const report::scene& s) {
                  greatest_anisotropy,     [=](double factor) { return with_anisotropy(s, factor); },
                  "next to no anisotropy", with_anisotropy(s, next_to_none)};
   out.in_unit = [=](int power) { return in_unit(s, power); };
-  if (!has_state_noise(s)) out.in_cpp = in_cpp(s);
+  out.in_cpp = has_state_noise(s) ? varying_in_cpp(s, p) : in_cpp(s);
+  if (has_state_noise(s)) out.in_cpp_header = varying_in_cpp_header;
   out.components = {"pi1", "pi2", "pi3"};
   return out;
 }

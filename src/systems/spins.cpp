@@ -15,6 +15,7 @@
 #include "problem/momentum_pair.hpp"
 #include "problem/vectors.hpp"
 #include "sphere/closed_forms/chain_gibbs.hpp"
+#include "systems/cpp_text.hpp"
 #include "systems/system_source.hpp"
 #include "systems/systems.hpp"
 #include "systems/vortices/circulations.hpp"
@@ -81,8 +82,35 @@ rate_bounds rates_of(const report::scene& s) {
   return out;
 }
 
+std::string matrix_in_cpp(const char* name, const number_rows& rows) {
+  std::vector<double> entries;
+  for (const auto& row : rows) entries.insert(entries.end(), row.begin(), row.end());
+  return fmt::format("  Eigen::MatrixXd {0}({1}, {1});\n  {0} << {2};\n", name, rows.size(), fmt::join(entries, ", "));
+}
+
+std::string in_cpp(const report::scene& s) {
+  return matrix_in_cpp("quadratic", s.vectors("quadratic")) + matrix_in_cpp("exchange", s.vectors("exchange")) +
+         noise_in_cpp(s) +
+         fmt::format("  const spins body(quadratic, {}, exchange, {}, spins::from_vectors(sigma, {}));\n",
+                     list_in_cpp(s.vector("field")), dissipation_of(s), s.momentum.size());
+}
+
+/// Of two spins bound by exchange alone: J u, u = S_1.S_2, has the density exp(-beta J u) on |u| <= |S_1| |S_2|.
+known_marginal law_of_a_bond(double most, double beta, const report::scene& s) {
+  const double exchange = s.vectors("exchange")[0][1];
+  return {"energy",
+          [exchange](std::span<const double> mu) { return exchange * (mu[0] * mu[3] + mu[1] * mu[4] + mu[2] * mu[5]); },
+          [most, beta](double e) {
+            const double at = std::clamp(e, -most, most);
+            return beta * most < 1e-9 ? (at + most) / (2 * most)
+                                      : std::expm1(-beta * (at + most)) / std::expm1(-2 * beta * most);
+          }};
+}
+
 capabilities offers(const report::scene& s) {
   capabilities out{.rates = rates_of(s)};
+  out.in_cpp = in_cpp(s);
+  out.in_cpp_sized = true;
   const double strength = isotropic_strength(s);
   chain_gibbs law{.sites = {},
                   .exchange = matrix_of(s.vectors("exchange")),
@@ -93,6 +121,10 @@ capabilities offers(const report::scene& s) {
   if (count_of(s) == 2) out.pair = momentum_pair(s, {quadratic, quadratic}, field, law.exchange(0, 1));
   if (strength > 0 && law.solvable())
     out.gibbs_mean = [law](std::string_view observable) { return law.mean(observable); };
+  const double bond =
+      law.sites.size() == 2 ? std::fabs(law.exchange(0, 1)) * law.sites[0].length * law.sites[1].length : 0;
+  if (strength > 0 && bond > 0 && quadratic.isZero(0) && law.sites[0].field.isZero(0))
+    out.gibbs_marginals = {law_of_a_bond(bond, law.beta, s)};
   out.no_gibbs_mean = "bonds that form neither chains nor rings: no closed form of the law's means";
   for (std::size_t i = 1; i <= count_of(s); ++i)
     for (int k = 1; k <= 3; ++k) out.components.push_back(fmt::format("s{}_{}", i, k));

@@ -3,6 +3,9 @@
 
 #include <polhode/systems/varying_spin.hpp>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,6 +13,7 @@
 
 #include "problem/noise_covariance.hpp"
 #include "problem/vectors.hpp"
+#include "systems/cpp_text.hpp"
 #include "systems/system_source.hpp"
 #include "systems/systems.hpp"
 
@@ -91,6 +95,18 @@ report::scene in_momentum_unit(report::scene s, int power) {
   const bool quadratic = has_state_noise(s) && form_of(s) == state_noise::quadratic;
   s = with_momentum_unit(std::move(s), power);
   return quadratic ? with_noise_times(std::move(s), std::ldexp(1.0, -2 * power)) : s;
+}
+
+std::string varying_in_cpp(const report::scene& s, const sphere_problem& p) {
+  std::vector<std::string> vectors;
+  for (const auto& v : noise_vectors_of(s)) vectors.push_back(fmt::format("{{{}}}", list_in_cpp(v)));
+  const Eigen::Matrix3d& q = p.quadratic;
+  return fmt::format(
+      "  Eigen::Matrix3d quadratic;\n  quadratic << {};\n  const std::vector<vec<double, 3>> sigma{{{}}};\n"
+      "  const varying_spin body(spin(quadratic, {}, {}, spin::from_vectors(sigma)), state_noise::{});\n",
+      fmt::join(q.data(), q.data() + q.size(), ", "), fmt::join(vectors, ", "),
+      list_in_cpp({p.field.data(), p.field.data() + 3}), p.damping,
+      form_of(s) == state_noise::damped ? "damped" : "quadratic");
 }
 
 subject bind_varying_spin(const report::scene& s) { return POLHODE_BOUND_BY_ISA(varying_spin)(s); }

@@ -26,6 +26,10 @@ sphere_problem with_noise_of(const report::scene&, sphere_problem);
 /// drives.hpp, with_momentum_unit, for every form of noise.
 report::scene in_momentum_unit(report::scene, int power);
 
+/// Its declaration in C++, a system of varying_in_cpp_header.
+inline constexpr const char* varying_in_cpp_header = "varying_spin";
+std::string varying_in_cpp(const report::scene&, const sphere_problem&);
+
 /// The system on the sphere that the scene names, with noise that depends on the state.
 subject bind_varying_spin(const report::scene&);
 

@@ -66,13 +66,21 @@ class Select(unittest.TestCase):
                 # The mean of a thousand paths: true value 0.2812, standard deviation below 0.2.
                 self.assertAlmostEqual(float(self.compiled_and_run(r['snippet']).split()[-1]), 0.2812, delta=0.02)
 
-    # Every system whose state has a fixed size says how to declare it; the others answer without a program.
+    # Noise that varies, and states whose size the program knows when it runs, too.
     def test_programs_of_other_systems_run(self):
-        for scene in ('spin', 'so4', 'heavy_top', 'maxwell_bloch'):
+        for scene in ('heavy_top', 'random_inertia', 'spin_pair', 'vortex_pair'):
             with self.subTest(scene=scene):
                 r = self.answer('--goal', 'energy', '--tolerance', '1e-2', scene=scene)
                 self.assertRegex(self.compiled_and_run(r['snippet']), r'\Amean energy after [\d.]+: -?\d+\.\d+\n\Z')
-        self.assertEqual(self.answer('--goal', 'energy', '--tolerance', '1e-2', scene='spin_pair')['snippet'], '')
+
+    def test_averages_off_the_sphere_are_sampled(self):
+        r = self.answer('--goal', 'weak', '--tolerance', '2e-2', '--require', 'casimir-exact,explicit,no-areas', scene='spin_pair')
+        self.assertLessEqual(r['bound'], 2e-2)
+        self.assertLess(r['checked'], r['bound'])  # by the sampling error
+        self.assertGreater(r['worst_observable']['time'], 0)
+        self.assertIn('sampled', r['notes'][0])
+        self.refused('so4', '--goal', 'weak', '--tolerance', '2e-7', names=['so4', '2e-07', 'accepted: '])
+        self.refused('sine_euler', '--goal', 'stationary', '--tolerance', '1e-1', names=['sine_euler', 'Gibbs law', 'weak'])
 
     def test_one_observable_says_of_what_it_is_silent(self):
         args = ('--goal', 'weak', '--tolerance', '1e-3', '--observable', 'energy', '--require', 'casimir-exact,explicit,no-areas')

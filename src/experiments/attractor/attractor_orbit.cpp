@@ -10,6 +10,7 @@
 #include "experiments/common/progress_counter.hpp"
 #include "experiments/lyapunov/orbit_runs.hpp"
 #include "experiments/lyapunov/orbit_verdicts.hpp"
+#include "problem/observables.hpp"
 #include "problem/vectors.hpp"
 
 namespace polhode {
@@ -89,8 +90,9 @@ void report_orbits_kept(const context& c, const orbit_frame& f, const std::vecto
   }
 }
 
-std::string parts_named(int first) {
-  return fmt::format("direction of (mu_{}, mu_{}, mu_{}), one noise path", first + 1, first + 2, first + 3);
+std::string parts_named(const subject& s, int first) {
+  const auto name = [&](int k) { return component_name(s, static_cast<std::size_t>(first + k)); };
+  return fmt::format("direction of ({}, {}, {}), one noise path", name(0), name(1), name(2));
 }
 
 }  // namespace
@@ -121,10 +123,10 @@ void report_orbit_attractor(const context& c, report::results& out) {
   }
   const auto last = part_of(c, 0.8, 1);
   if (const auto first = kept_vector(*c.subject.model))
-    report_snapshots(
-        last,
-        {parts_named(*first), -1 / mean_of(equation.divergence).value, 4 * frame.dt, ensemble_start::orbit, *first},
-        log, out);
+    report_snapshots(last,
+                     {parts_named(c.subject, *first), -1 / mean_of(equation.divergence).value, 4 * frame.dt,
+                      ensemble_start::orbit, *first},
+                     log, out);
   else
     out.skipped.push_back({"attractor", "", "densities: the system has no vector of constant length"});
   log.report("attractor", out);

@@ -1,11 +1,8 @@
 #include "experiments/gibbs/gibbs_on_orbits.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <optional>
 
 #include "ensemble/noise/paths.hpp"
@@ -14,7 +11,9 @@
 #include "experiments/common/noise_verdict.hpp"
 #include "experiments/common/sequential.hpp"
 #include "experiments/common/undecided.hpp"
-#include "experiments/gibbs/gibbs_moments.hpp"
+#include "experiments/gibbs/known_means.hpp"
+#include "experiments/gibbs/long_runs.hpp"
+#include "experiments/gibbs/marginal_laws.hpp"
 #include "experiments/gibbs/relaxation.hpp"
 #include "problem/observables.hpp"
 
@@ -24,11 +23,6 @@ namespace {
 constexpr double forgetting = 10, averaging = 20;  // autocorrelation times
 constexpr int looks = 256;                         // at a path while it is averaged
 constexpr double tight_share = 1.0 / 3;            // of a margin: the half-width at which sampling stops
-
-struct known_mean {
-  double exact, deviation;
-  double margin() const { return moment_margin * deviation; }
-};
 
 struct design {
   double dt = 0;
@@ -54,11 +48,18 @@ design design_for(const subject& s, double dt, const std::vector<observable>& al
   return out;
 }
 
-using averages = std::vector<std::vector<double>>;  ///< in time, of one scheme: [observable][path]
+/// Of one scheme.
+struct sample {
+  std::vector<std::vector<double>> averages;  ///< in time: [observable][path]
+  marginal_samples values;
+};
+struct finding {
+  std::vector<interval_estimate> means, distances;
+};
 
 void run_block(const context& c, const design& d, std::span<const scheme_entry> schemes,
                std::span<const std::unique_ptr<kernel>> kernels, std::span<const int> open, int block,
-               std::vector<averages>& out, noise_log& log) {
+               std::vector<sample>& out, noise_log& log) {
   constexpr std::int64_t chunk = 200;
   const std::vector<std::size_t> indices(open.begin(), open.end());
   const bool areas = std::ranges::any_of(indices, [&](std::size_t k) { return schemes[k].needs_areas; });
@@ -82,101 +83,55 @@ void run_block(const context& c, const design& d, std::span<const scheme_entry> 
       for (int lane = 0; lane < block_lanes; ++lane) {
         const auto mu = lane_of(states[k], lane, c.subject.model->dimension());
         for (std::size_t f = 0; f < d.observables.size(); ++f)
-          out[k][f][first_path + static_cast<std::size_t>(lane)] += d.observables[f].value(mu) / looks;
+          out[k].averages[f][first_path + static_cast<std::size_t>(lane)] += d.observables[f].value(mu) / looks;
+        out[k].values.keep(mu, first_path + static_cast<std::size_t>(lane), i, looks);
       }
   }
 }
 
-std::vector<interval_estimate> means_of(const averages& a, int paths) {
-  std::vector<interval_estimate> out;
-  for (const auto& f : a) out.push_back(mean_interval(std::span(f).first(static_cast<std::size_t>(paths))));
+finding find(const sample& s, int paths) {
+  finding out{{}, s.values.distances(paths, averaging)};
+  for (const auto& f : s.averages)
+    out.means.push_back(mean_interval(std::span(f).first(static_cast<std::size_t>(paths))));
   return out;
 }
 
-bool tight(const design& d, const std::vector<interval_estimate>& found) {
-  for (std::size_t f = 0; f < found.size(); ++f)
-    if (!(half_width(found[f]) <= tight_share * d.means[f].margin())) return false;
-  return true;
-}
-
-/// Observables of one claim: of the energy, of components, of squares.
-std::string claim_on(const std::string& observable) {
-  return observable == "energy"       ? "mean of energy"
-         : observable.ends_with("^2") ? "means of squares of components"
-                                      : "means of components";
-}
-
-/// A claim holds if it holds of each of its means; the mean that decides is named.
-void report_means(const design& d, const std::vector<interval_estimate>& found, recorder& record) {
-  struct finding {
-    report::verdict worst;
-    double distance = -1;                          ///< of the interval's far end, in margins
-    std::vector<report::series_id> evidence = {};  ///< the mean that decides, as the expected value is its own
-    int count = 0;
-  };
-  std::map<std::string, finding> claims;
-  double least = HUGE_VAL;
-  for (std::size_t f = 0; f < found.size(); ++f) {
-    const auto& name = d.observables[f].name;
-    const auto& [exact, deviation] = d.means[f];
-    const double effective = std::pow(1.96 * deviation / half_width(found[f]), 2);
-    least = std::min(least, effective);
-    auto& claim = claims[claim_on(name)];
-    const auto written = record.value({"mean", name, "", "sampled"}, at_dt(d.dt), found[f]);
-    ++claim.count;
-    // An interval that lies beyond its margin counts for more than a wide one, one that is not finite for most.
-    const double beyond = std::max(found[f].low - exact, exact - found[f].high) / d.means[f].margin(),
-                 reach = std::max(found[f].high - exact, exact - found[f].low) / d.means[f].margin(),
-                 distance = !std::isfinite(reach) ? HUGE_VAL
-                            : beyond > 1          ? 1e9 + beyond
-                                                  : reach;
-    if (distance <= claim.distance) continue;
-    claim.distance = distance;
-    claim.evidence = {written};
-    claim.worst = judge_mean(exact, d.means[f].margin(), found[f]);
-    claim.worst.reason = fmt::format("{}: {}; worth {:.2g} independent samples", name, claim.worst.reason, effective);
-  }
-  record.value({"effective sample size", "the slowest mean", "", "sampled"}, at_dt(d.dt), least);
-  for (auto& [claim, f] : claims) {
-    if (f.count > 1) f.worst.reason += fmt::format("; the farthest of {}", f.count);
-    record.verdict(claim, std::move(f.worst), f.evidence);
-  }
+bool tight(const design& d, const finding& found) {
+  for (std::size_t f = 0; f < found.means.size(); ++f)
+    if (!(half_width(found.means[f]) <= tight_share * d.means[f].margin())) return false;
+  return tight_distances(found.distances);
 }
 
 void report_samples(const context& c, const std::vector<scheme_entry>& schemes, const design& d,
                     const sampling_plan& paths, report::results& out) {
   std::vector<std::unique_ptr<kernel>> kernels;
-  for (const auto& scheme : schemes) kernels.push_back(scheme.make(d.dt));
+  for (const auto& e : schemes) kernels.push_back(e.make(d.dt));
   const std::vector<double> room(static_cast<std::size_t>(blocks_of(paths.most) * block_lanes));
-  std::vector<averages> samples(kernels.size(), averages(d.observables.size(), room));
+  std::vector<sample> samples(kernels.size(), {std::vector(d.observables.size(), room),
+                                               marginal_samples(c.subject, static_cast<int>(room.size()))});
   noise_log log(*c.subject.model, blocks_of(paths.most));
-  std::vector<std::vector<interval_estimate>> found(kernels.size());
+  std::vector<finding> found(kernels.size());
   const auto sizes = sample_until_tight(
       c, paths, static_cast<int>(kernels.size()),
       [&](int block, std::span<const int> open) { run_block(c, d, schemes, kernels, open, block, samples, log); },
       [&](int scheme, int so_far) {
         const auto k = static_cast<std::size_t>(scheme);
-        found[k] = means_of(samples[k], so_far);
+        found[k] = find(samples[k], so_far);
         return tight(d, found[k]);
       });
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     recorder record("gibbs", schemes[k].info.name, out);
-    report_means(d, found[k], record);
+    report_known_means(d.observables, d.means, d.dt, found[k].means, record);
+    report_marginals(c.subject, d.dt, found[k].distances, record);
     record.remark(sizes[k].text());
   }
   log.report("gibbs", out);
 }
 
-std::optional<std::string> no_law(const subject& s) {
-  if (s.model->noise() != noise_class::isotropic) return "the noise is not isotropic: no Gibbs law is claimed for it";
-  if (s.offers->gibbs_mean) return std::nullopt;
-  return s.offers->no_gibbs_mean.empty() ? "the system knows no means of a Gibbs law" : s.offers->no_gibbs_mean;
-}
-
 }  // namespace
 
 void report_sampled_means(const context& c, report::results& out) {
-  if (const auto reason = no_law(c.subject)) {
+  if (const auto reason = no_gibbs_means(c.subject)) {
     out.skipped.push_back({"gibbs", "", "sampled law: " + *reason});
     return;
   }

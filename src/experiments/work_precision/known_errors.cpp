@@ -56,6 +56,14 @@ unit_of_row by_observable(const subject& s, std::string quantity) {
   };
 }
 
+/// Off the sphere: what `weak` samples of all observables together, each in units of its own size already.
+unit_of_row all_together() {
+  return [](const report::measurement& m) {
+    const bool is_one = m.quantity == "difference" && m.observable == "all, in their sizes";
+    return is_one ? std::optional(1.0) : std::nullopt;
+  };
+}
+
 /// Root mean square of the relative change of the Casimirs of one block of paths, with its standard error twice either
 /// side; not less than one rounding.
 known_error casimir_change(const context& c, const scheme_entry& scheme, int steps, double dt) {
@@ -109,17 +117,17 @@ std::vector<error_kind> known_errors(const context& c) {
   const auto& before = *c.before;
   const double momentum = length(s.scene.momentum);
   std::vector<error_kind> kinds{{"strong", "strong", "|Pi_0|", false, true},
-                                {"weak", "weak", "size of the observable"},
+                                {"weak", "weak", s.sphere() ? "size of the observable" : "sizes of all observables"},
                                 {"stationary", "gibbs", "size of the observable"},
                                 {"energy_law", "energy", "h_0", true},
                                 {"casimir", "casimir", "relative"}};
   gather(before, kinds[0], constant("error", momentum));
-  gather(before, kinds[1], by_observable(s, "error"));
+  gather(before, kinds[1], s.sphere() ? by_observable(s, "error") : all_together());
   gather(before, kinds[2], by_observable(s, "bias"));
   gather(before, kinds[4], constant("drift", 1));
   constexpr double accuracy = 1e-12;  // of the truth
   operator_store kept(s);
-  if (!kinds[1].errors.empty())
+  if (s.sphere() && !kinds[1].errors.empty())
     measure_on_the_sphere(c, weak_law(s, s.scene.horizon, accuracy, &kept), s.scene.horizon, kinds[1]);
   if (!kinds[2].errors.empty()) {
     const equilibrium_law law(s, accuracy, &kept);

@@ -176,7 +176,10 @@ experiment work_precision_experiment() {
         "of this run, in units of |Pi_0|, of the observable's root mean square over the sphere, of h_0, and relative; "
         "of several observables the worst. Of schemes that keep the sphere weak and stationary errors are those of the "
         "goals of select (at every step up to the horizon; at equilibrium), at longer steps too, and between two steps "
-        "where the error hardly falls from one to the other. The energy law is found without noise, and priced "
+        "where the error hardly falls from one to the other. Off the sphere the weak error is that "
+        "of all observables together, as sampled by experiment weak at the time that it says; of stationary laws no "
+        "error over dt is sampled (select --goal stationary does that). The energy law is found without noise, and "
+        "priced "
         "without. Schemes that keep the Casimirs are run here over the same levels, 64 paths each.",
         "On the Pareto front: no other point is as cheap and as accurate, and better in one of the two. A point whose "
         "error is not clear of its uncertainty is neither on the front nor beats anything.",

@@ -77,7 +77,8 @@ capabilities offers(const report::scene& s) {
                greatest_ratio,        [=](double ratio) { return with_ratio(s, ratio); },
                "near-equal inertias", with_ratio(s, 1 + 1e-8)};
   out.in_unit = [=](int power) { return in_momentum_unit(s, power); };
-  if (!has_state_noise(s)) out.in_cpp = in_cpp(s);
+  out.in_cpp = has_state_noise(s) ? varying_in_cpp(s, on_sphere) : in_cpp(s);
+  if (has_state_noise(s)) out.in_cpp_header = varying_in_cpp_header;
   out.components = {"pi1", "pi2", "pi3"};
   out.gibbs = [=] { return gibbs_law(inertia, c, 2 * theta / q(0, 0)); };
   return out;

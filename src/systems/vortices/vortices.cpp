@@ -13,6 +13,7 @@
 
 #include "problem/noise_covariance.hpp"
 #include "problem/vectors.hpp"
+#include "systems/cpp_text.hpp"
 #include "systems/system_source.hpp"
 #include "systems/systems.hpp"
 #include "systems/vortices/circulations.hpp"
@@ -65,6 +66,25 @@ std::optional<double> mean_energy_of_two(double product, double beta) {
   return -factor * (std::numbers::ln2 - 1 / (a + 1));
 }
 
+/// Of the same two: w = (1 - u)/2 has the distribution w^(a + 1), and h = -product/4 pi log(2 w).
+known_marginal energy_of_two(double product, double beta) {
+  const double factor = product / (4 * std::numbers::pi), power = beta * factor + 1;
+  return {"energy",
+          [factor, size = std::fabs(product)](std::span<const double> mu) {
+            const double sign = factor > 0 ? 1 : -1;
+            return -factor * std::log1p(-sign * (mu[0] * mu[3] + mu[1] * mu[4] + mu[2] * mu[5]) / size);
+          },
+          [factor, power](double h) {
+            const double below = std::pow(std::min(1.0, 0.5 * std::exp(-h / factor)), power);
+            return factor > 0 ? 1 - below : below;
+          }};
+}
+
+std::string in_cpp(const report::scene& s) {
+  return fmt::format("{}  const spins body = vortices({}, {}, spins::from_vectors(sigma, {}));\n", noise_in_cpp(s),
+                     list_in_cpp(circulations_of(s)), dissipation_of(s), s.momentum.size());
+}
+
 report::scene in_unit(report::scene s, int power) {
   for (double& strength : s.vector("strengths")) strength = std::ldexp(strength, 2 * power);
   return with_momentum_unit(std::move(s), power);
@@ -75,14 +95,18 @@ capabilities offers(const report::scene& s) {
   const auto strengths = circulations_of(s);
   const double strength = isotropic_strength(s);
   if (strengths.size() == 2 && strength > 0) {
-    const double product = strengths[0] * strengths[1];
-    if (const auto mean = mean_energy_of_two(product, 2 * dissipation_of(s) / (strength * strength)))
+    const double product = strengths[0] * strengths[1], beta = 2 * dissipation_of(s) / (strength * strength);
+    if (const auto mean = mean_energy_of_two(product, beta)) {
+      out.gibbs_marginals = {energy_of_two(product, beta)};
       out.gibbs_mean = [=](std::string_view observable) -> std::optional<reference_value> {
         if (observable != "energy") return std::nullopt;
         return reference_value{*mean, 1e-15 * std::fabs(product)};
       };
+    }
   }
   out.in_unit = [=](int power) { return in_unit(s, power); };
+  out.in_cpp = in_cpp(s);
+  out.in_cpp_sized = true;
   return out;
 }
 
