@@ -20,8 +20,7 @@ struct program {
   std::size_t size() const { return of.scene.momentum.size(); }
   bool sized() const { return of.offers->in_cpp_sized; }
   bool areas() const { return who.scheme.needs_areas; }
-  /// `integrate` draws increments alone, of as many channels as a type says.
-  bool own_loop() const { return areas() || sized(); }
+  bool own_loop() const { return areas(); }  ///< `integrate` draws increments alone
 };
 
 std::string includes_of(const program& p) {

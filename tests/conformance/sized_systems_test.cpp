@@ -2,6 +2,7 @@
 // of bodies, one as the spin, the body in three dimensions as the rigid body, that in four as a pair.
 #include <gtest/gtest.h>
 
+#include <polhode/integrate.hpp>
 #include <polhode/systems/sine_euler.hpp>
 #include <polhode/systems/son_body.hpp>
 #include <polhode/systems/spins.hpp>
@@ -62,6 +63,16 @@ double apart(const Fixed& fixed, const Sized& open, vec<double, N> mu, double dt
     for (int k = 0; k < N; ++k) worst = std::max(worst, std::fabs(mu[k] - other[k]));
   }
   return worst;
+}
+
+TEST(SizedPaths, HaveTheNoiseOfTheirAddress) {
+  const vec<double, 6> start{{0.6, 0.48, 0.64, 0.64, 0.48, 0.6}};
+  const auto one = integrate<lie_heun>(two_bodies(), start, 0.05, 20, {.seed = 3});
+  const auto other = integrate<lie_heun>(two_spins(), sized<group::dimension>(start), 0.05, 20, {.seed = 3});
+  for (int k = 0; k < 6; ++k) EXPECT_NEAR(one[k], other[k], 1e-13);
+  EXPECT_GT(
+      std::fabs(integrate<lie_heun>(two_spins(), sized<group::dimension>(start), 0.05, 20, {.seed = 4})[0] - one[0]),
+      1e-3);
 }
 
 template <class Scheme>

@@ -10,9 +10,16 @@
 namespace polhode {
 
 /// The Wiener increments of (seed, path) at `step`. `active`: how many channels the system uses; the rest is zero.
+/// `channels`: how many there are, where M < 0 leaves that to the program.
 template <int M>
-wiener<double, M> wiener_at(const noise_address& address, double dt, int active = M) {
-  return {dt, std::sqrt(dt) * normals<M>(address, active)};
+wiener<double, M> wiener_at(const noise_address& address, double dt, int active = M, int channels = M) {
+  auto dw = zeros<vec<double, M>>(channels);
+  for (int i = 0; i < active; i += 2) {
+    const auto pair = normal_pair(address, static_cast<std::uint32_t>(i / 2));
+    dw[i] = std::sqrt(dt) * pair[0];
+    if (i + 1 < active) dw[i + 1] = std::sqrt(dt) * pair[1];
+  }
+  return {dt, dw};
 }
 
 /// State after `steps` steps of size dt from mu. For schemes that ask for Wiener increments alone: areas of a single
@@ -25,7 +32,7 @@ requires scheme_on<Scheme, System> &&
   const auto stepped = prepared<Scheme>(system, dt);
   const int active = system.active_channels();
   for (std::uint64_t i = 0; i < steps; ++i, ++address.step)
-    mu = Scheme::step(stepped, mu, wiener_at<System::channels>(address, dt, active));
+    mu = Scheme::step(stepped, mu, wiener_at<System::channels>(address, dt, active, mu.size));
   return mu;
 }
 

@@ -19,7 +19,7 @@ inline vec<double, 2> normal_pair(const noise_address& a, std::uint32_t pair, no
 
 /// The first `wanted` of N independent standard normals; the others are zero and are not computed.
 template <int N>
-vec<double, N> normals(const noise_address& address, int wanted = N, noise_source source = {}) {
+requires(N >= 0) vec<double, N> normals(const noise_address& address, int wanted = N, noise_source source = {}) {
   vec<double, N> out{};
   for (int i = 0; i < wanted; i += 2) {
     const auto pair = normal_pair(address, static_cast<std::uint32_t>(i / 2), source);
