@@ -52,9 +52,11 @@ struct midpoint_solver {
     const S size = dot(mu, mu);
     auto way = times(back, S(0.5) * at.value);  // m - mu
     const auto correction = [&] { return times(back, way - S(0.5) * Rule::motion(system, mu + way, w)); };
-    // What is left is about the last correction times its ratio to the one before.
+    // What is left is about the last correction times its ratio to the one before, which where corrections run away to
+    // infinity is none.
     const auto done = [&](const S& last, const S& before) {
-      return last <= S(rounding * rounding) * size || last * last <= S(tolerance * tolerance) * before * size;
+      const S least = select(before < size, before, size);
+      return last <= S(rounding * rounding) * size || last * last <= S(tolerance * tolerance) * least * size;
     };
     S before = size, last = size;
     for (int i = 0; i < usual_corrections<System, S>; ++i) {
