@@ -57,6 +57,12 @@ class model_of final : public model {
     const auto x = state(mu);
     std::ranges::copy(System::algebra::coad(system_.generator(x), x), out.begin());
   }
+  POLHODE_FLATTEN void drifts(std::span<const double> states, std::span<double> out) const override {
+    for (int lane = 0; lane < block_lanes; lane += static_cast<int>(pack::size())) {
+      const auto mu = load_lanes<pack, n>(states.data() + lane, dimension());
+      store_lanes(System::algebra::coad(system_.generator(mu), mu), out.data() + lane);
+    }
+  }
   void coadjoint(std::span<const double> xi, std::span<const double> mu, std::span<double> out) const override {
     std::ranges::copy(System::algebra::coad(state(xi), state(mu)), out.begin());
   }

@@ -4,7 +4,8 @@ import re
 # A room is a file or a folder; the longest path that matches a file names its room.
 INSTALLED = 'integrators/include/polhode/'
 ROOMS = {
-    'helpers':       [INSTALLED + name for name in ('vec.hpp', 'scalar.hpp', 'simd.hpp', 'dual.hpp', 'solve.hpp', 'increment.hpp', 'chebyshev.hpp')],
+    'helpers':       [INSTALLED + name for name in ('vec.hpp', 'scalar.hpp', 'simd.hpp', 'dual.hpp', 'solve.hpp', 'increment.hpp', 'chebyshev.hpp',
+                                             'called.hpp')],
     'lie':           [INSTALLED + 'lie/'],
     'noise':         [INSTALLED + 'noise/'],
     'concepts':      [INSTALLED + 'systems/lie_poisson.hpp'],

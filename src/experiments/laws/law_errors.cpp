@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "algebra/dense_algebra.hpp"
@@ -68,8 +69,11 @@ namespace {
 void add_means(const Eigen::MatrixXd& matrix, Eigen::MatrixXd law, const Eigen::MatrixXd& coefficients,
                const std::vector<std::int64_t>& after, Eigen::MatrixXd& out) {
   const auto stride = after.front(), times = static_cast<std::int64_t>(after.size());
-  const double squarings = 2 * std::log2(static_cast<double>(stride)) * static_cast<double>(matrix.rows());
-  const bool in_strides = squarings < static_cast<double>((stride - 1) * times);
+  constexpr double cheaper = 4;  // a number in a product of matrices, which waits for no memory, than in a law's next
+  const auto bits = static_cast<std::uint64_t>(stride);
+  const int products = static_cast<int>(std::bit_width(bits)) + std::popcount(bits) - 2;
+  const bool in_strides =
+      products * static_cast<double>(matrix.rows()) / cheaper < static_cast<double>((stride - 1) * times);
   const Eigen::MatrixXd far = in_strides ? power_of(matrix, stride) : Eigen::MatrixXd();
   Eigen::MatrixXd next_law(1, law.cols());
   const auto take = [&](const Eigen::MatrixXd& steps) {

@@ -39,19 +39,23 @@ double orbit_geometry::log_density(const Eigen::VectorXd& mu) const {
   return -0.5 * std::log(std::fabs(form.determinant()));
 }
 
-double orbit_geometry::divergence(const Eigen::VectorXd& mu) const {
-  const double h = difference_step * mu.norm();
-  const auto n = static_cast<std::size_t>(mu.size());
-  Eigen::VectorXd x = mu, out(mu.size());
-  double sum = 0;
-  for (Eigen::Index k = 0; k < mu.size(); ++k) {
-    const auto at = [&](double by) {
-      x[k] = mu[k] + by;
-      model_.drift({x.data(), n}, {out.data(), n});
-      return out[k];
+Eigen::VectorXd orbit_geometry::divergences(std::span<const double> states) const {
+  using lanes = Eigen::Array<double, block_lanes, 1>;
+  std::vector<double> moved(states.begin(), states.end()), drift(states.size());
+  const Eigen::Map<const Eigen::Array<double, block_lanes, Eigen::Dynamic>> mu(states.data(), block_lanes,
+                                                                               model_.dimension());
+  const lanes h = difference_step * mu.square().rowwise().sum().sqrt();
+  lanes sum = lanes::Zero();
+  for (Eigen::Index k = 0; k < mu.cols(); ++k) {
+    Eigen::Map<lanes> own(moved.data() + k * block_lanes);
+    const Eigen::Map<const lanes> found(drift.data() + k * block_lanes);
+    const auto at = [&](double steps) -> lanes {
+      own = mu.col(k) + steps * h;
+      model_.drifts(moved, drift);
+      return found;
     };
-    sum += (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
-    x[k] = mu[k];
+    sum += (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * h);
+    own = mu.col(k);
   }
   return sum;
 }

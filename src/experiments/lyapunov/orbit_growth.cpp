@@ -22,9 +22,10 @@ all_lanes lanes_of(std::vector<double>& vectors, int which, std::size_t size) {
 }  // namespace
 
 orbit_block::orbit_block(const orbit_geometry& g, const orbit_start& start, std::uint64_t seed,
-                         std::uint64_t first_path, int vectors)
+                         std::uint64_t first_path, int vectors, bool volume)
     : geometry_(g),
       vectors_(vectors),
+      volume_(volume),
       states_(start.block(seed, first_path)),
       tangents_(states_.size() * static_cast<std::size_t>(vectors)) {
   for (std::uint64_t i = 0; i < tangents_.size(); ++i) {
@@ -42,13 +43,21 @@ void orbit_block::advance(const tangent_flow& flow, const increment_view& view) 
   orthonormalise();
   const double passed = view.steps * flow.dt();
   time_ += passed;
+  if (volume_) follow_divergence(passed);
+}
+
+void orbit_block::follow_divergence(double passed) {
   passed_ += passed / 2 * divergence_;
-  for (int lane = 0; lane < block_lanes; ++lane) divergence_[lane] = geometry_.divergence(state(lane));
+  divergence_ = geometry_.divergences(states_);
   passed_ += passed / 2 * divergence_;
 }
 
 orbit_rates orbit_block::read() {
-  orbit_rates out{grown_ / time_, (grown_.rowwise().sum() + log_densities() - density_) / time_, passed_ / time_};
+  orbit_rates out{grown_ / time_, {}, {}};
+  if (volume_) {
+    out.volume = (grown_.rowwise().sum() + log_densities() - density_) / time_;
+    out.divergence = passed_ / time_;
+  }
   begin();
   return out;
 }
@@ -93,11 +102,9 @@ void orbit_block::orthonormalise() {
 void orbit_block::begin() {
   time_ = 0;
   grown_.setZero(lanes, vectors_);
+  if (!volume_) return;
   density_ = log_densities();
-  if (divergence_.size() == 0) {
-    divergence_.resize(lanes);
-    for (int lane = 0; lane < block_lanes; ++lane) divergence_[lane] = geometry_.divergence(state(lane));
-  }
+  if (divergence_.size() == 0) divergence_ = geometry_.divergences(states_);
   passed_.setZero(lanes);
 }
 

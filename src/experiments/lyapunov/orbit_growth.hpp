@@ -14,7 +14,7 @@ namespace polhode {
 /// Of a block of paths over a time, per unit of it. `rates`, [lane][k]: the logarithmic growth of the k-th vector of an
 /// orthonormal basis that the flow carries on (Benettin et al. 1980), which tends to lambda_k. `volume`: that of
 /// Liouville's volume; `divergence`: the mean of the drift's along the path. Of the flow itself both are equal, path by
-/// path and whatever the start, as the noise keeps the volume.
+/// path and whatever the start, as the noise keeps the volume. Both empty where nobody looks at them.
 struct orbit_rates {
   Eigen::MatrixXd rates;
   Eigen::VectorXd volume, divergence;
@@ -26,7 +26,9 @@ class orbit_block {
   static constexpr int chunk = 8;          ///< steps between two looks at the tangents
   static constexpr int projected_at = 32;  ///< chunks after which what rounding puts beside the orbit is taken out
 
-  orbit_block(const orbit_geometry&, const orbit_start&, std::uint64_t seed, std::uint64_t first_path, int vectors);
+  /// volume: whether it is followed, which takes four drifts a component and chunk.
+  orbit_block(const orbit_geometry&, const orbit_start&, std::uint64_t seed, std::uint64_t first_path, int vectors,
+              bool volume = true);
 
   /// Through a chunk of steps.
   void advance(const tangent_flow&, const increment_view&);
@@ -43,9 +45,11 @@ class orbit_block {
   void project();
   void orthonormalise();
   void begin();
+  void follow_divergence(double passed);
 
   const orbit_geometry& geometry_;
   int vectors_;
+  bool volume_;
   std::vector<double> states_, tangents_;
   std::int64_t chunks_ = 0;
   // Since `begin`:

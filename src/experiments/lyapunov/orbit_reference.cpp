@@ -116,6 +116,7 @@ bool orbit_frame::affordable(const context& c, std::span<const scheme_entry> sch
 void observed_rates::keep(int block, const orbit_rates& found) {
   const auto at = static_cast<Eigen::Index>(block) * block_lanes;
   rates.middleRows(at, block_lanes) = found.rates;
+  if (found.volume.size() == 0) return;
   volume.segment(at, block_lanes) = found.volume;
   divergence.segment(at, block_lanes) = found.divergence;
 }

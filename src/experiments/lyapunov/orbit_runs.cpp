@@ -40,7 +40,8 @@ scheme_paths::scheme_paths(const context& c, const orbit_frame& f, const std::ve
       schemes_(schemes),
       of_equation_(of_equation),
       vectors_(vectors),
-      found_(schemes.size(), observed_rates(f.paths, vectors)) {
+      found_(schemes.size(), observed_rates(f.paths, vectors)),
+      last_states_(schemes.size()) {
   for (const auto& scheme : schemes) flows_.push_back(flow(scheme));
 }
 
@@ -66,7 +67,7 @@ void scheme_paths::run(int block, std::span<const int> open) {
   for (const int k : open) {
     areas = areas || schemes_[static_cast<std::size_t>(k)].needs_areas;
     blocks.emplace_back(frame_.geometry, frame_.start, context_.seed, static_cast<std::uint64_t>(block) * block_lanes,
-                        vectors_);
+                        vectors_, false);
   }
   auto noise = noise_for(context_, areas);
   for (std::int64_t i = 0; i < of_equation_.forgetting + of_equation_.observed; ++i) {
@@ -76,7 +77,11 @@ void scheme_paths::run(int block, std::span<const int> open) {
       blocks[k].advance(*flows_[static_cast<std::size_t>(open[k])], view);
     }
   }
-  for (std::size_t k = 0; k < open.size(); ++k) found_[static_cast<std::size_t>(open[k])].keep(block, blocks[k].read());
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    const auto scheme = static_cast<std::size_t>(open[k]);
+    found_[scheme].keep(block, blocks[k].read());
+    if (block == 0) last_states_[scheme].assign(blocks[k].states().begin(), blocks[k].states().end());
+  }
 }
 
 Eigen::VectorXd volume_defects(const context& c, const orbit_frame& f, const scheme_entry& scheme) {

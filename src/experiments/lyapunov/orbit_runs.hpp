@@ -24,6 +24,8 @@ class scheme_paths {
   /// [path][k]: a scheme's exponent less that of the equation on the same path.
   Eigen::MatrixXd differences(std::size_t scheme, int paths) const;
   Eigen::MatrixXd rates(std::size_t scheme, int paths) const { return found_[scheme].rates.topRows(paths); }
+  /// [component][lane] of the first block, where its paths end.
+  std::span<const double> last_states(std::size_t scheme) const { return last_states_[scheme]; }
 
  private:
   void run(int block, std::span<const int> open);
@@ -35,6 +37,7 @@ class scheme_paths {
   int vectors_;
   std::vector<std::unique_ptr<tangent_flow>> flows_;  // [scheme]
   std::vector<observed_rates> found_;                 // the same
+  std::vector<std::vector<double>> last_states_;      // the same
   std::vector<sample_size> sizes_;
 };
 

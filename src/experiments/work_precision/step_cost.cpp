@@ -16,8 +16,8 @@
 namespace polhode {
 namespace {
 
-// Of a run; a fixed amount of work, so that what is counted does not depend on it. Steps without noise are short.
-constexpr int chunk = 16, noisy_chunks = 32, silent_chunks = 128;
+// Of a run; a fixed amount of work, so that what is counted does not depend on it.
+constexpr int chunk = 16, noisy_chunks = 32, silent_chunks = 128, least_chunks = 4;
 constexpr int slots = 9, end = 1;  // the second of nine and the last but one hold their median in 96 of 100 cases
 constexpr int runs = 2;            // of a slot: the quicker one counts
 
@@ -26,6 +26,14 @@ double thread_time() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
+}
+
+/// Of a run. Steps of a body without noise are short; those of more components cost about the square of their number.
+int chunks_for(const subject& s, bool implicit) {
+  constexpr int few = 3;
+  const int n = s.model->dimension();
+  if (n > few) return std::max(least_chunks, noisy_chunks * few * few / (n * n));
+  return s.model->layout().silent() && !implicit ? silent_chunks : noisy_chunks;
 }
 
 /// States at a place of their own in a page for each slot, all over it: loads and stores a page apart look alike to the
@@ -53,7 +61,7 @@ class timed_block {
         silent_(c.subject.model->layout().silent()),
         stepper_(scheme.make(dt)),
         noise_(*c.subject.model, chunk, scheme.needs_areas, {c.generator, noise_quality::fast}),
-        chunks_(silent_ && !scheme.info.implicit ? silent_chunks : noisy_chunks),
+        chunks_(chunks_for(c.subject, scheme.info.implicit)),
         start_(replicated(c.subject.scene.momentum)),
         states_(start_.size(), slot),
         chunks_to_horizon_(

@@ -18,6 +18,21 @@ double up(int l, int m) { return std::sqrt((square(l) - square(m)) / (4 * square
 // |J_+ |l m>| / |l m+1>
 double ladder(int l, int m) { return std::sqrt(l * (l + 1.0) - m * (m + 1.0)); }
 
+/// P_mm over sin P_{m-1,m-1}.
+double highest_ratio(int m) { return std::sqrt((2 * m + 1.0) / (2 * m)) * (m == 1 ? std::numbers::sqrt2 : 1); }
+
+/// At the k-th of n angles, [k][degree + m]: cos(m phi) for m >= 0, sin(|m| phi) for m < 0.
+Eigen::MatrixXd waves_on_a_ring(int n, int degree) {
+  Eigen::MatrixXd out(n, 2 * degree + 1);
+  for (int k = 0; k < n; ++k)
+    for (int m = 0; m <= degree; ++m) {
+      const double angle = 2 * std::numbers::pi * ((k * m) % n) / n;
+      out(k, degree - m) = std::sin(angle);
+      out(k, degree + m) = std::cos(angle);
+    }
+  return out;
+}
+
 sparse_matrix assemble(int size, const triplets& entries) {
   sparse_matrix a(size, size);
   a.setFromTriplets(entries.begin(), entries.end());
@@ -62,7 +77,7 @@ Eigen::MatrixXd harmonics(const points_on_sphere& x, int degree) {
       const Eigen::ArrayXd turned = cosine * x.col(0).array() - sine * x.col(1).array();
       sine = cosine * x.col(1).array() + sine * x.col(0).array();
       cosine = turned;
-      highest *= std::sqrt((2 * m + 1.0) / (2 * m)) * (m == 1 ? std::numbers::sqrt2 : 1);
+      highest *= highest_ratio(m);
     }
     Eigen::ArrayXd before = Eigen::ArrayXd::Zero(x.rows()), p = Eigen::ArrayXd::Constant(x.rows(), highest);
     for (int l = m; l <= degree; ++l) {
@@ -100,16 +115,29 @@ sphere_rule sphere_quadrature(int degree) {
   return rule;
 }
 
+// Ring by ring the waves in phi first, then the sums over the rings: as many operations as points times degree.
 Eigen::VectorXd harmonic_coefficients(const std::function<double(const Eigen::Vector3d& x)>& f, int degree) {
   const sphere_rule rule = sphere_quadrature(2 * degree + 2);
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(harmonic_count(degree)), values(rule.per_ring);
-  for (Eigen::Index start = 0; start < rule.weights.size();
-       start += rule.per_ring) {  // a ring at a time: little memory
-    const points_on_sphere ring = rule.points.middleRows(start, rule.per_ring);
-    for (Eigen::Index i = 0; i < ring.rows(); ++i) values[i] = rule.weights[start + i] * f(ring.row(i).transpose());
-    sum.noalias() += harmonics(ring, degree).transpose() * values;
+  const Eigen::Index rings = rule.weights.size() / rule.per_ring;
+  Eigen::MatrixXd values(rings, rule.per_ring);
+  for (Eigen::Index i = 0; i < rule.weights.size(); ++i)
+    values(i / rule.per_ring, i % rule.per_ring) = rule.weights[i] * f(rule.points.row(i).transpose());
+  const Eigen::MatrixXd waves = values * waves_on_a_ring(rule.per_ring, degree);
+  const Eigen::ArrayXd z = rule.points(Eigen::seqN(0, rings, rule.per_ring), 2), radius = ((1 - z) * (1 + z)).sqrt();
+  Eigen::VectorXd out(harmonic_count(degree));
+  Eigen::ArrayXd highest = Eigen::ArrayXd::Constant(rings, std::sqrt(0.25 / std::numbers::pi));  // P_mm
+  for (int m = 0; m <= degree; ++m) {
+    if (m > 0) highest *= radius * highest_ratio(m);
+    Eigen::ArrayXd before = Eigen::ArrayXd::Zero(rings), p = highest;
+    for (int l = m; l <= degree; ++l) {
+      out[harmonic_index(l, m)] = waves.col(degree + m).dot(p.matrix());
+      if (m > 0) out[harmonic_index(l, -m)] = waves.col(degree - m).dot(p.matrix());
+      const Eigen::ArrayXd next = (z * p - (l > m ? up(l, m) : 0) * before) / up(l + 1, m);
+      before = p;
+      p = next;
+    }
   }
-  return sum;
+  return out;
 }
 
 std::array<sparse_matrix, 3> rotation_generators(int degree) {

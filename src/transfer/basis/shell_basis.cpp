@@ -53,9 +53,9 @@ std::vector<int> functions_of(const std::vector<int>& harmonics, int radial) {
   return out;
 }
 
-/// Those of degrees that many operators have are kept: 50 MB together.
+/// Those of degrees that operators have (transfer_refine.cpp) are kept: 100 MB together.
 std::shared_ptr<const shell_basis::tables> tables_of(int degree) {
-  constexpr int most_kept = 32;
+  constexpr int most_kept = 40;
   static std::mutex one_at_a_time;
   static std::map<int, std::shared_ptr<const shell_basis::tables>> kept;
   if (degree > most_kept) return std::make_shared<shell_basis::tables>(degree);

@@ -243,6 +243,18 @@ TEST(Su, ActsByConjugationOfComplexMatrices) {
   expect_conjugation<24>();
 }
 
+/// The same rounding step after step would let the orbit drift like the number of steps, here by 1e-13.
+TEST(Su, ProjectionsOfManyStepsDoNotLeaveTheOrbit) {
+  using three = on<su, 8>;
+  const auto orbit = su::casimirs(three::state()), size_of = su::casimir_sizes(three::state());
+  auto mu = three::state();
+  for (std::uint64_t i = 0; i < 100'000; ++i) {
+    const auto xi = three::some(i, 0.1), first = su::coad(xi, mu);
+    mu = su::orbit_projection(mu + 0.5 * (first + su::coad(xi, mu + first)), mu);
+  }
+  for (int k = 0; k < orbit.size; ++k) EXPECT_NEAR(su::casimirs(mu)[k], orbit[k], 4e-14 * size_of[k]) << k;
+}
+
 /// A lane's own number of squarings.
 TEST(Son, LanesDoNotSeeEachOther) {
   using three = on<son, 6>;

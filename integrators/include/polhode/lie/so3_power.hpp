@@ -2,6 +2,7 @@
 // the size of a vector over three.
 #pragma once
 
+#include <polhode/called.hpp>
 #include <polhode/lie/so3.hpp>
 
 namespace polhode {
@@ -27,27 +28,27 @@ struct so3_power {
     return each([](const auto& a, const auto& b) { return so3::bracket(a, b); }, xi, eta);
   }
   template <class S>
-  [[gnu::noinline]] static element<S> coad(const element<S>& xi, const element<S>& mu) {
+  POLHODE_CALLED static element<S> coad(const element<S>& xi, const element<S>& mu) {
     return each([](const auto& a, const auto& b) { return so3::coad(a, b); }, xi, mu);
   }
   template <class S>
-  [[gnu::noinline]] static element<S> exp_action(const element<S>& xi, const element<S>& mu) {
+  POLHODE_CALLED static element<S> exp_action(const element<S>& xi, const element<S>& mu) {
     return each([](const auto& a, const auto& b) { return so3::exp_action(a, b); }, xi, mu);
   }
   template <class S>
-  [[gnu::noinline]] static element<S> cayley_action(const element<S>& xi, const element<S>& mu) {
+  POLHODE_CALLED static element<S> cayley_action(const element<S>& xi, const element<S>& mu) {
     return each([](const auto& a, const auto& b) { return so3::cayley_action(a, b); }, xi, mu);
   }
   template <class S>
-  [[gnu::noinline]] static element<S> sandwich(const element<S>& xi, const element<S>& mu) {
+  POLHODE_CALLED static element<S> sandwich(const element<S>& xi, const element<S>& mu) {
     return each([](const auto& a, const auto& b) { return so3::sandwich(a, b); }, xi, mu);
   }
   template <class S>
-  [[gnu::noinline]] static element<S> dexp_inv(const element<S>& u, const element<S>& v) {
+  POLHODE_CALLED static element<S> dexp_inv(const element<S>& u, const element<S>& v) {
     return each([](const auto& a, const auto& b) { return so3::dexp_inv(a, b); }, u, v);
   }
   template <class S>
-  [[gnu::noinline]] static element<S> orbit_projection(const element<S>& mu, const element<S>& onto) {
+  POLHODE_CALLED static element<S> orbit_projection(const element<S>& mu, const element<S>& onto) {
     return each([](const auto& a, const auto& b) { return so3::orbit_projection(a, b); }, mu, onto);
   }
 

@@ -92,14 +92,13 @@ struct su : sine_basis {
   }
 
   /// A point of the orbit of `onto` next to mu: H + sum_k c_k H^k, k = 0 … n-1, its c_k by Newton's method. Where
-  /// eigenvalues coincide |mu| alone is put right.
+  /// eigenvalues coincide |mu| alone is put right. Written as what is added to mu, as in so3.hpp.
   template <class S>
   [[gnu::noinline]] static element<S> orbit_projection(const element<S>& mu, const element<S>& onto) {
     const S size = square_root(dot(onto, onto)), unit = S(1.0) / size;
-    const auto asked = traces_of(unit * onto, rows_of(mu.size));
     return at_size(mu.size, [&](auto n) {
-      const auto first = hermitian<n>(unit * mu);
-      return mu + size * modes_of(with_traces(first, asked) - first);
+      return mu + size * modes_of(towards(hermitian<n>(unit * mu), hermitian<n>(unit * onto),
+                                          hermitian<n>(unit * (onto - mu))));
     });
   }
 
@@ -138,29 +137,49 @@ struct su : sine_basis {
   [[gnu::noinline]] static traces<S> traces_of(const element<S>& mu, int last) {
     return at_size(mu.size, [&](auto n) { return power_traces(hermitian<n>(mu), last); });
   }
-  /// The polynomial of h that has the traces that are asked for.
+  /// The polynomial of h that, added to h, gives it the traces of a. apart = a - h.
   template <class S, int n>
-  static complex_matrix<S, n> with_traces(complex_matrix<S, n> h, const traces<S>& asked) {
+  static complex_matrix<S, n> towards(complex_matrix<S, n> h, const complex_matrix<S, n>& a,
+                                      complex_matrix<S, n> apart) {
     constexpr int corrections = 5;
     const auto one = complex_matrix<S, n>::identity(n);
+    complex_matrix<S, n> whole;
     for (int i = 0; i < corrections; ++i) {
-      const auto c = correction(power_traces(h, 2 * n - 2), asked, n);
+      const auto c = correction(power_traces(h, 2 * n - 2), trace_differences(h, a, apart), n);
       auto sum = c[n - 1] * h + c[n - 2] * one;
       for (int k = n - 3; k >= 0; --k) sum = sum * h + c[k] * one;
       h = h + sum;
+      apart = apart - sum;
+      whole = whole + sum;
     }
-    return h;
+    return whole;
   }
-  /// Of the c_k: tr H^j / n = q_j is asked to be a_j, and changes by j sum_k q_(j-1+k) c_k, j = 1 … n.
+  /// (tr A^j - tr H^j) / n, j = 1 … n, as tr (A - H) T_j / n, T_1 = 1, T_(j+1) = H T_j + A^j: the difference of two
+  /// traces would be rounded like each of them, and the same way at every step.
+  template <class S, int n>
+  static vec<S, -most_rows> trace_differences(const complex_matrix<S, n>& h, const complex_matrix<S, n>& a,
+                                              const complex_matrix<S, n>& apart) {
+    auto out = zeros<vec<S, -most_rows>>(n);  // the first is zero
+    auto power = a, t = h + a;
+    for (int j = 2; j <= n; ++j) {
+      out[j - 1] = S(1.0 / n) * real_product(apart, t);
+      if (j == n) break;
+      power = power * a;
+      t = h * t + power;
+    }
+    return out;
+  }
+  /// Of the c_k: tr H^j / n is asked to change by d_j, and does so by j sum_k q_(j-1+k) c_k, q_j = tr H^j / n, j = 1 …
+  /// n.
   template <class S>
-  static vec<S, -most_rows> correction(const traces<S>& q, const traces<S>& asked, int n) {
+  static vec<S, -most_rows> correction(const traces<S>& q, const vec<S, -most_rows>& asked, int n) {
     using numbers = vec<S, -most_rows>;
     auto slopes = zeros<polhode::matrix<S, -most_rows>>(n);
     auto missing = zeros<numbers>(n), scaling = missing;
     for (int j = 0; j < n; ++j) {
       slopes[j] = numbers(n);
       for (int k = 0; k < n; ++k) slopes[j][k] = q[j + k];
-      missing[j] = S(1.0 / (j + 1)) * (asked[j + 1] - q[j + 1]);
+      missing[j] = S(1.0 / (j + 1)) * asked[j];
     }
     scaling[1] = missing[1] / q[2];
     const auto c = times(inverse(slopes), missing);

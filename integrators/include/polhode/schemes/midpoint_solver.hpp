@@ -52,9 +52,11 @@ struct midpoint_solver {
     const S size = dot(mu, mu);
     auto way = times(back, S(0.5) * at.value);  // m - mu
     const auto correction = [&] { return times(back, way - S(0.5) * Rule::motion(system, mu + way, w)); };
-    // What is left is about the last correction times its ratio to the one before.
+    // What is left is about the last correction times its ratio to the one before, which where corrections run away to
+    // infinity is none.
     const auto done = [&](const S& last, const S& before) {
-      return last <= S(rounding * rounding) * size || last * last <= S(tolerance * tolerance) * before * size;
+      const S least = select(before < size, before, size);
+      return last <= S(rounding * rounding) * size || last * last <= S(tolerance * tolerance) * least * size;
     };
     S before = size, last = size;
     for (int i = 0; i < usual_corrections<System, S>; ++i) {
@@ -121,7 +123,7 @@ struct midpoint_solver {
       iterate(system, mu, w, m, pending);
     return solution<decltype(m), decltype(pending)>{m, pending};
   }
-  /// The same of duals, whose slopes settle at the rate of the values.
+  /// The same of duals: values first, then slopes, which settle at the same rate.
   template <class System, class V, int slopes>
   requires(System::dimension < 0) static auto midpoint(const System& system,
                                                        const vec<dual<V, slopes>, System::dimension>& mu,
@@ -133,9 +135,32 @@ struct midpoint_solver {
       return out;
     };
     const auto solved = midpoint(system, values(mu), wiener<V, System::channels>{w.dt, values(w.dw)});
-    auto m = constant_of<number>(solved.m);
-    for (int i = 0; i < most_repetitions; ++i) m = mu + number(0.5) * Rule::motion(system, m, w);
+    auto m = mu;
+    for (int k = 0; k < m.size; ++k) m[k].value = solved.m[k];
+    auto pending = !solved.failed;
+    for (int i = 0; i < most_repetitions && any(V(0.0), pending); ++i) {
+      const auto next = mu + number(0.5) * Rule::motion(system, m, w);
+      const auto open = pending && !slopes_settled(m, next);
+      for (int k = 0; k < m.size; ++k)
+        for (int t = 0; t < slopes; ++t) m[k].slope[t] = select(pending, next[k].slope[t], m[k].slope[t]);
+      pending = open;
+    }
     return solution<decltype(m), decltype(solved.failed)>{m, solved.failed};
+  }
+
+  /// Whether no direction has changed by more than rounding.
+  template <class V, int slopes, int N>
+  static auto slopes_settled(const vec<dual<V, slopes>, N>& before, const vec<dual<V, slopes>, N>& now) {
+    vec<V, slopes> change{}, size{};
+    for (int k = 0; k < now.size; ++k)
+      for (int t = 0; t < slopes; ++t) {
+        const V moved = now[k].slope[t] - before[k].slope[t];
+        change[t] = change[t] + moved * moved;
+        size[t] = size[t] + now[k].slope[t] * now[k].slope[t];
+      }
+    auto settled = change[0] <= V(rounding * rounding) * size[0];
+    for (int t = 1; t < slopes; ++t) settled = settled && change[t] <= V(rounding * rounding) * size[t];
+    return settled;
   }
 
   /// Without a question in between: a branch that packs take or do not would cost more than one too many.

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <utility>
 
+#include <polhode/called.hpp>
 #include <polhode/lie/so3.hpp>
 #include <polhode/systems/double_bracket.hpp>
 #include <polhode/systems/principal_quadratic.hpp>
@@ -59,7 +60,7 @@ struct spin : double_bracket<spin, so3> {
   /// The dissipation alone: exact where there is no field or nothing but a field, else both flows in a palindrome, to
   /// second order.
   template <class S>
-  [[gnu::noinline]] vec<S, 3> dissipation_flow(const vec<S, 3>& pi, double t) const {
+  POLHODE_CALLED vec<S, 3> dissipation_flow(const vec<S, 3>& pi, double t) const {
     if (theta == 0) return pi;
     if (!has_field_) return kept(damped(pi, t), pi);
     if (principal_.spherical()) return kept(aligned_with_field(pi, t), pi);
@@ -69,18 +70,18 @@ struct spin : double_bracket<spin, so3> {
   /// The motion without dissipation, to second order: half the turn about the field, that of the quadratic part, half
   /// the turn about the field.
   template <class S>
-  [[gnu::noinline]] vec<S, 3> free_flow(const vec<S, 3>& pi, double t) const {
+  POLHODE_CALLED vec<S, 3> free_flow(const vec<S, 3>& pi, double t) const {
     return around(pi, t, [&](const vec<S, 3>& x) { return principal_.free_flow(x, t); });
   }
 
   /// The same in the fewest turns: the first about a principal axis, exact; the last a palindrome of the rest.
   template <class S>
-  [[gnu::noinline]] vec<S, 3> first_turn(const vec<S, 3>& pi, double t) const {
+  POLHODE_CALLED vec<S, 3> first_turn(const vec<S, 3>& pi, double t) const {
     if (principal_.spherical()) return pi;
     return kept(in_axes(pi, [&](const vec<S, 3>& x) { return principal_.first_turn(x, t); }), pi);
   }
   template <class S>
-  [[gnu::noinline]] vec<S, 3> last_turn(const vec<S, 3>& pi, double t) const {
+  POLHODE_CALLED vec<S, 3> last_turn(const vec<S, 3>& pi, double t) const {
     if (principal_.odd_axis() >= 0) return has_field_ ? kept(about_field(pi, t), pi) : pi;
     return around(pi, t, [&](const vec<S, 3>& x) { return principal_.last_turn(x, t); });
   }

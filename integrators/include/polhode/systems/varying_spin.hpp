@@ -12,6 +12,7 @@
 
 #include <utility>
 
+#include <polhode/called.hpp>
 #include <polhode/systems/spin.hpp>
 
 namespace polhode {
@@ -23,7 +24,10 @@ struct varying_spin : spin {
   varying_spin(spin body, state_noise form) : spin(std::move(body)), form_(form) {
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k) v_[i][k] = sigma()(k, i);
-    for (int i = 0; i < 3; ++i) length_[i] = square_root(dot(v_[i], v_[i]));
+    for (int i = 0; i < 3; ++i) {
+      length_[i] = square_root(dot(v_[i], v_[i]));
+      if (length_[i] > 0) unit_[i] = (1 / length_[i]) * v_[i];
+    }
   }
 
   // What rests on constant vectors.
@@ -76,25 +80,57 @@ struct varying_spin : spin {
   /// The flow of every V_i for its dW^i, each exact, in a palindrome: in one order alone the brackets of the V_i would
   /// add areas of the size of those that are left out.
   template <class S>
-  [[gnu::noinline]] vec<S, 3> noise_flow(const vec<S, 3>& pi, const wiener<S, 3>& w) const {
+  POLHODE_CALLED vec<S, 3> noise_flow(const vec<S, 3>& pi, const wiener<S, 3>& w) const {
     const int last = active_channels() - 1;
     if (last < 0) return pi;
-    auto next = pi;
-    for (int i = 0; i < last; ++i) next = along(i, next, S(S(0.5) * w.dw[i]));
-    next = along(last, next, w.dw[last]);
-    for (int i = last - 1; i >= 0; --i) next = along(i, next, S(S(0.5) * w.dw[i]));
-    return so3::orbit_projection(next, pi);
+    const auto share = [&](int i) { return i == last ? w.dw[i] : S(S(0.5) * w.dw[i]); };
+    if (form_ == state_noise::quadratic)
+      return palindrome(pi, last, [&](int i, const vec<S, 3>& x) { return turned_by_itself(i, x, share(i)); });
+    const S length = square_root(dot(pi, pi)), inverse = S(1.0) / length;
+    vec<spiral<S>, 3> spirals;
+    for (int i = 0; i <= last; ++i) spirals[i] = spiral_of(i, share(i), length);
+    return palindrome(pi, last, [&](int i, const vec<S, 3>& x) { return wound(i, x, spirals[i], length, inverse); });
   }
 
  private:
-  /// The flow of V_i for a time t.
+  /// What a flow of damped noise does wherever it starts: the sine and cosine of its angle, E of `aligned` and its
+  /// root.
   template <class S>
-  vec<S, 3> along(int i, const vec<S, 3>& pi, const S& t) const {
-    if (length_[i] == 0) return pi;
-    if (form_ == state_noise::quadratic)
-      return so3::exp_action(S(t * dot(lifted<S>(v_[i]), pi) / S(length_[i])) * lifted<S>(v_[i]), pi);
-    return aligned(so3::exp_action(t * lifted<S>(v_[i]), pi), lifted<S>((1 / length_[i]) * v_[i]),
-                   S(S(theta * length_[i]) * t));
+  struct spiral {
+    S sin, cos, root, square;
+  };
+  template <class S>
+  spiral<S> spiral_of(int i, const S& t, const S& length) const {
+    const S angle = S(length_[i]) * t;
+    const auto [sin, cos] = sincos(angle);
+    const S root = exponential(S(S(-theta) * angle * length));
+    return {sin, cos, root, root * root};
+  }
+
+  /// flow(i, pi): that of V_i, for the share of dW^i that it has there.
+  template <class S, class Flow>
+  static vec<S, 3> palindrome(const vec<S, 3>& pi, int last, Flow flow) {
+    auto next = pi;
+    for (int i = 0; i < last; ++i) next = flow(i, next);
+    for (int i = last; i >= 0; --i) next = flow(i, next);
+    return so3::orbit_projection(next, pi);
+  }
+  /// Of damped noise, |pi| = length: the turn about v_i and the approach to it (`aligned`) at once, as they commute.
+  template <class S>
+  vec<S, 3> wound(int i, const vec<S, 3>& pi, const spiral<S>& by, const S& length, const S& inverse) const {
+    const auto e = lifted<S>(unit_[i]);
+    const S along = dot(pi, e), z = along * inverse;
+    const S over = S(1.0) / ((S(1.0) - z) + by.square * (S(1.0) + z)), shrunk = S(2.0) * by.root * over;
+    return S(shrunk * by.cos) * (pi - along * e) + S(shrunk * by.sin) * cross(pi, e) +
+           S(length * over * (z * (S(1.0) + by.square) - (S(1.0) - by.square))) * e;
+  }
+  /// Of quadratic noise for a time t: the turn about v_i by an angle that it keeps.
+  template <class S>
+  vec<S, 3> turned_by_itself(int i, const vec<S, 3>& pi, const S& t) const {
+    const auto e = lifted<S>(unit_[i]);
+    const S along = dot(pi, e);
+    const auto [sin, cos] = sincos(S(S(length_[i]) * t * along));
+    return along * e + (cos * (pi - along * e) + sin * cross(pi, e));
   }
   template <class S, class Vector>
   static vec<S, 3> combined(const vec<S, 3>& by, Vector vector) {
@@ -114,7 +150,7 @@ struct varying_spin : spin {
   }
 
   state_noise form_;
-  vec<vec<double, 3>, 3> v_{};
+  vec<vec<double, 3>, 3> v_{}, unit_{};
   vec<double, 3> length_{};
 };
 
