@@ -1,6 +1,7 @@
 // A system as it is, in the forms in which the loops of kernel_of need it.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,47 @@
 #include "ensemble/kernel.hpp"
 
 namespace polhode {
+
+/// A system of constant noise vectors in one step whose noise all paths share: sum sigma_i dW^i and sum A^ij [sigma_i,
+/// sigma_j] are computed once, and what the noise alone does to a state is a matrix, Ad*_exp(sum sigma_i dW^i) - 1.
+template <class System>
+struct under_shared_noise : System {
+  static constexpr int n = System::dimension;
+  static constexpr bool has_matrix = n > 0 && n <= 6;  // worth its size
+  using element = vec<double, n>;
+
+  explicit under_shared_noise(const System& system) : System(system) {}
+
+  const double *b = nullptr, *area = nullptr, *change = nullptr;  ///< of the step; `change` row by row
+
+  template <class S>
+  vec<S, n> noise(const vec<S, System::channels>&) const {
+    return lifted<S>(b);
+  }
+  template <class S>
+  vec<S, n> area_noise(const vec<S, pairs_of<System::channels>>&) const {
+    return lifted<S>(area);
+  }
+  template <class S>
+  vec<S, n> noise_flow(const vec<S, n>& mu, const wiener<S, System::channels>& w) const {
+    if constexpr (has_matrix) {
+      auto out = mu;
+      for (int i = 0; i < n; ++i)
+        for (int k = 0; k < n; ++k) out[i] = out[i] + S(change[n * i + k]) * mu[k];
+      return out;
+    } else {
+      return System::algebra::exp_action(noise(w.dw), mu);
+    }
+  }
+
+ private:
+  template <class S>
+  vec<S, n> lifted(const double* from) const {
+    auto out = zeros<vec<S, n>>(dimension_of<System>(*this));
+    for (int k = 0; k < out.size; ++k) out[k] = S(from[k]);
+    return out;
+  }
+};
 
 /// The forms of any system: increments as they come, one branch-free zero where there is no noise.
 template <class System>
@@ -29,33 +71,79 @@ class plain_forms {
   }
 
   shared_steps share(const increment_view& path) const {
-    const std::size_t channels = this->channels(), pairs = this->pairs();
-    shared_steps out{channels + pairs, {}};
-    out.table.resize(static_cast<std::size_t>(path.steps) * out.words);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(path.steps); ++i) {
-      for (std::size_t k = 0; k < channels && !path.dw.empty(); ++k)
-        out.table[i * out.words + k] = path.dw[i * channels + k];
-      for (std::size_t k = 0; k < pairs && !path.area.empty(); ++k)
-        out.table[i * out.words + channels + k] = path.area[i * pairs + k];
+    const int channels = channels_of(system_), pairs = pairs_among(channels);
+    const std::size_t steps = static_cast<std::size_t>(path.steps);
+    shared_steps out{words(), std::vector<double>(steps * words())};
+    for (std::size_t i = 0; i < steps; ++i) {
+      wiener_levy<double, System::channels> w;
+      w.dw = row_of<decltype(w.dw)>(path.dw, i, channels);
+      w.area = row_of<decltype(w.area)>(path.area, i, pairs);
+      auto at = out.table.begin() + static_cast<std::ptrdiff_t>(i * out.words);
+      if constexpr (constant_noise_system<System>)
+        write(system_.noise(w.dw), system_.area_noise(w.area), at);
+      else
+        std::ranges::copy(w.area, std::ranges::copy(w.dw, at).out);
     }
     return out;
   }
-  const System& common() const { return system_; }
-  template <class S>
-  wiener_levy<S, System::channels> enter(const System&, const double* row, double dt) const {
-    const int m = static_cast<int>(channels()), areas = static_cast<int>(pairs());
+
+  auto common() const {
+    if constexpr (constant_noise_system<System>)
+      return under_shared_noise<System>(system_);
+    else
+      return system_;
+  }
+  template <class S, class Entered>
+  wiener_levy<S, System::channels> enter(Entered& system, const double* row, double dt) const {
     wiener_levy<S, System::channels> w;
     w.dt = dt;
-    w.dw = zeros<decltype(w.dw)>(m);
-    w.area = zeros<decltype(w.area)>(areas);
-    for (int k = 0; k < m; ++k) w.dw[k] = S(row[k]);
-    for (int k = 0; k < areas; ++k) w.area[k] = S(row[m + k]);
+    if constexpr (constant_noise_system<System>) {
+      const int n = dimension_of(system_);
+      system.b = row;
+      system.area = row + n;
+      system.change = row + 2 * n;
+    } else {
+      const int channels = channels_of(system_), pairs = pairs_among(channels);
+      w.dw = zeros<decltype(w.dw)>(channels);
+      w.area = zeros<decltype(w.area)>(pairs);
+      for (int k = 0; k < channels; ++k) w.dw[k] = S(row[k]);
+      for (int k = 0; k < pairs; ++k) w.area[k] = S(row[channels + k]);
+    }
     return w;
   }
 
  private:
-  std::size_t channels() const { return static_cast<std::size_t>(channels_of(system_)); }
-  std::size_t pairs() const { return static_cast<std::size_t>(pairs_among(channels_of(system_))); }
+  std::size_t words() const {
+    if constexpr (constant_noise_system<System>) {
+      const auto n = static_cast<std::size_t>(dimension_of(system_));
+      return under_shared_noise<System>::has_matrix ? n * (n + 2) : 2 * n;
+    } else {
+      const int channels = channels_of(system_);
+      return static_cast<std::size_t>(channels + pairs_among(channels));
+    }
+  }
+
+  /// Row i of `all`; zeros of an empty one.
+  template <class Vector>
+  static Vector row_of(std::span<const double> all, std::size_t i, int size) {
+    auto out = zeros<Vector>(size);
+    if (!all.empty()) std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(i) * size, size, out.begin());
+    return out;
+  }
+
+  template <class Element, class Area, class Place>
+  void write(const Element& b, const Area& area, Place at) const {
+    const int n = dimension_of(system_);
+    std::ranges::copy(b, at);
+    std::ranges::copy(area, at + n);
+    if constexpr (under_shared_noise<System>::has_matrix)
+      for (int k = 0; k < n; ++k) {
+        Element e{};
+        e[k] = 1;
+        const auto turned = System::algebra::exp_action(b, e) - e;
+        for (int i = 0; i < n; ++i) at[2 * n + n * i + k] = turned[i];
+      }
+  }
 
   System system_;
 };

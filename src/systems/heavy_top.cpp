@@ -15,6 +15,11 @@
 #include "systems/system_source.hpp"
 #include "systems/systems.hpp"
 
+#if defined(POLHODE_ISA)
+#include "systems/heavy_top/heavy_top_at.hpp"
+#include "systems/kernels_in_registers.hpp"
+#endif
+
 namespace polhode {
 namespace {
 
@@ -26,6 +31,15 @@ namespace {
 }
 
 }  // namespace
+
+#if defined(POLHODE_ISA)
+template <class Scheme>
+std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const heavy_top& system, const std::vector<double>& momentum,
+                                   double dt) {
+  return kernel_in_registers<Scheme, heavy_top_at>(system, momentum, dt);
+}
+#endif
+
 }  // namespace polhode
 
 POLHODE_MEETS_SCHEMES(heavy_top, polhode::make_heavy_top);

@@ -16,6 +16,11 @@
 #include "systems/system_source.hpp"
 #include "systems/systems.hpp"
 
+#if defined(POLHODE_ISA)
+#include "systems/kernels_in_registers.hpp"
+#include "systems/so4_body/so4_body_at.hpp"
+#endif
+
 namespace polhode {
 namespace {
 
@@ -28,6 +33,15 @@ namespace {
 }
 
 }  // namespace
+
+#if defined(POLHODE_ISA)
+template <class Scheme>
+std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const so4_body& system, const std::vector<double>& momentum,
+                                   double dt) {
+  return kernel_in_registers<Scheme, so4_body_at>(system, momentum, dt);
+}
+#endif
+
 }  // namespace polhode
 
 POLHODE_MEETS_SCHEMES(so4_body, polhode::make_so4_body);

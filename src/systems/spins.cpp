@@ -16,6 +16,7 @@
 #include "problem/vectors.hpp"
 #include "sphere/closed_forms/chain_gibbs.hpp"
 #include "systems/cpp_text.hpp"
+#include "systems/spins/spins_of.hpp"
 #include "systems/system_source.hpp"
 #include "systems/systems.hpp"
 #include "systems/vortices/circulations.hpp"
@@ -23,17 +24,8 @@
 namespace polhode {
 namespace {
 
-Eigen::MatrixXd matrix_of(const report::number_rows& rows) {
-  const auto n = static_cast<Eigen::Index>(rows.size());
-  Eigen::MatrixXd out(n, n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    out.row(i) = Eigen::Map<const Eigen::RowVectorXd>(rows[static_cast<std::size_t>(i)].data(), n);
-  return out;
-}
-
 [[maybe_unused]] spins make_spins(const report::scene& s) {
-  return {matrix_of(s.vectors("quadratic")), three(s.vector("field")), matrix_of(s.vectors("exchange")),
-          dissipation_of(s), spins::from_vectors(noise_vectors_of(s), static_cast<int>(s.momentum.size()))};
+  return spins_of<spins>(s, spins::from_vectors(noise_vectors_of(s), static_cast<int>(s.momentum.size())));
 }
 [[maybe_unused]] spins make_vortices(const report::scene& s) {
   return vortices(circulations_of(s), dissipation_of(s),
@@ -45,6 +37,7 @@ Eigen::MatrixXd matrix_of(const report::number_rows& rows) {
 
 POLHODE_MEETS_SCHEMES(spins, polhode::make_spins);
 POLHODE_MEETS_SCHEMES(vortices, polhode::make_vortices);
+POLHODE_DECLARE_ENTRIES(polhode_bind_spin_pair_, const polhode::report::scene&, polhode::subject&);
 
 #if POLHODE_COMPILED_ONCE
 namespace polhode {
@@ -217,6 +210,13 @@ std::vector<observable_entry> observables() {
           {"s1_3^2", "its square; so for every spin and component"}};
 }
 
+subject bind_to_schemes(const report::scene& s) {
+  subject out;
+  const bool pair = s.momentum.size() == 6;
+  (pair ? by_isa(POLHODE_ENTRIES(polhode_bind_spin_pair_)) : by_isa(POLHODE_ENTRIES(polhode_bind_spins_)))(s, out);
+  return out;
+}
+
 }  // namespace
 
 system_entry spins_system();
@@ -237,7 +237,7 @@ system_entry spins_system() {
                      dissipation_strength("1 / momentum", "dissipation: dh/dt = -theta sum |S_i x Omega_i|^2"),
                      noise_rule()},
       .observables = observables(),
-      .bind = POLHODE_BOUND_BY_ISA(spins),
+      .bind = bind_to_schemes,
       .offers = offers,
       .momentum = states_rule()};
 }

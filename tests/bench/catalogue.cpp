@@ -2,6 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/counted_flops.hpp"
 #include "bench/ensemble_loop.hpp"
 #include "bench/yardsticks.hpp"
 #include "scene/scene.hpp"
@@ -31,6 +32,14 @@ void add_schemes() {
     for (const auto noise : all_noises)
       for (std::size_t i = 1; i < features.size(); ++i)
         add_one(std::string(scheme), noise, features[i], usable_isas().back());
+}
+
+void add_other_systems() {
+  for (const auto name : other_scenes)
+    for (const auto scheme : main_schemes)
+      for (const isa level : usable_isas())
+        add(scheme_key(scheme, ensemble_noise::common, name, level),
+            [=] { return scheme_loop(level, load_scene(std::string(name)), scheme, ensemble_noise::common); });
 }
 
 template <class F>
@@ -99,6 +108,7 @@ std::vector<std::string> scheme_names() {
 void register_everything() {
   add_peaks();
   add_schemes();
+  add_other_systems();
   add_yardsticks();
   add_normals();
   add_threads();

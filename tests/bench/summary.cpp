@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "bench/catalogue.hpp"
+#include "bench/counted_flops.hpp"
 #include "bench/nominal_flops.hpp"
 
 namespace polhode::bench {
@@ -24,6 +25,7 @@ class summary {
         "dt=0.01.\n");
     peaks();
     schemes();
+    other_systems();
     features();
     instruction_sets();
     normals();
@@ -87,6 +89,25 @@ class summary {
           row(scheme, noise);
           fmt::print("\n");
         }
+  }
+
+  /// Counted operations over the time at the peak.
+  void other_systems() const {
+    fmt::print(
+        "\nOther systems, common noise: ns a path and step (share: counted operations of the step over the FMA peak of "
+        "each)\n");
+    for (const auto scene : other_scenes)
+      for (const auto scheme : main_schemes) {
+        if (!t_.of(scheme_key(scheme, ensemble_noise::common, scene, widest_))) continue;
+        fmt::print("{:<18}{:<12}", scene, scheme);
+        for (const isa level : usable_isas()) {
+          const auto time = cpu(scheme_key(scheme, ensemble_noise::common, scene, level));
+          const auto peak = over(100.0, over(time, cpu(peak_key(level))));
+          const auto share = peak ? std::optional(counted_flops(scheme, scene) * *peak) : std::nullopt;
+          fmt::print("  {}{} ({})", name_of(level), cell(over(time, 1e-9), 8, 3), cell(share, 6, 1, "%"));
+        }
+        fmt::print("\n");
+      }
   }
 
   void features() const {

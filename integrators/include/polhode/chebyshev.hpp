@@ -14,10 +14,10 @@ using polynomial = std::array<double, static_cast<std::size_t>(degree) + 1>;
 
 namespace detail {
 
-/// sum_k (-q)^k / (2k + first)!: cos sqrt(q) for first = 0, sinc sqrt(q) for 1, (1 - cos sqrt(q))/q for 2. q of
-/// order 1.
+/// sum_k (-q)^k / (2k + first)!: cos sqrt(q) for first = 0, sinc sqrt(q) for 1, (1 - cos sqrt(q))/q for 2,
+/// (1 - sinc sqrt(q))/q for 3. q of order 1.
 constexpr long double cosine_series(long double q, int first) {
-  long double term = first == 2 ? 0.5L : 1, sum = 0;
+  long double term = first == 3 ? 1 / 6.0L : first == 2 ? 0.5L : 1, sum = 0;
   for (int k = 0; k < 24; ++k) {
     sum += term;
     term *= -q / ((2 * k + first + 1) * (2 * k + first + 2));

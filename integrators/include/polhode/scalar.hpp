@@ -49,12 +49,12 @@ namespace detail {
 // 1980, ch. 8; minimax coefficients as in FreeBSD msun k_sin.c and k_cos.c.)
 inline constexpr double reduction_limit = 1e5;
 
+/// Below this no argument needs a reduction: round(2 x / pi) is 0.
+inline constexpr double unreduced_limit = 0.785;
+
+/// For |x| < pi/4 and a little more.
 template <class S>
-sine_cosine<S> sincos_reduced(const S& x) {
-  constexpr double round_to_integer = 0x1.8p52;
-  const S quotient = (x * S(0.63661977236758134308) + S(round_to_integer)) - S(round_to_integer);
-  const S r = ((x - quotient * S(1.57079632673412561417e+00)) - quotient * S(6.07710050630396597660e-11)) -
-              quotient * S(2.02226624879595063154e-21);
+sine_cosine<S> sincos_near(const S& r) {
   const S z = r * r;
   const S sin = r + r * z *
                         (S(-1.66666666666666324348e-01) +
@@ -71,7 +71,16 @@ sine_cosine<S> sincos_reduced(const S& x) {
   // 1 - z/2 + tail, with the rounding of 1 - z/2 given back.
   const S half = S(0.5) * z;
   const S head = S(1.0) - half;
-  const S cos = head + (((S(1.0) - head) - half) + tail);
+  return {sin, head + (((S(1.0) - head) - half) + tail)};
+}
+
+template <class S>
+sine_cosine<S> sincos_reduced(const S& x) {
+  constexpr double round_to_integer = 0x1.8p52;
+  const S quotient = (x * S(0.63661977236758134308) + S(round_to_integer)) - S(round_to_integer);
+  const S r = ((x - quotient * S(1.57079632673412561417e+00)) - quotient * S(6.07710050630396597660e-11)) -
+              quotient * S(2.02226624879595063154e-21);
+  const auto [sin, cos] = sincos_near(r);
   // Quadrant from quotient mod 4, in floating point: q in {-2, -1, 0, 1, 2}.
   const S q = quotient - S(4.0) * ((quotient * S(0.25) + S(round_to_integer)) - S(round_to_integer));
   const auto odd = magnitude(q) == S(1.0);
@@ -140,13 +149,25 @@ template <class S>
 
 }  // namespace detail
 
-/// Sine and cosine of any finite argument.
+namespace detail {
+
+/// Out of line, as is what follows it: steps of some length alone have such angles.
+template <class S>
+[[gnu::noinline]] sine_cosine<S> sincos_far(const S& x) {
+  auto result = sincos_reduced(x);
+  if (any(x, magnitude(x) > S(reduction_limit))) [[unlikely]]
+    correct_far(x, result);
+  return result;
+}
+
+}  // namespace detail
+
+/// Sine and cosine of any finite argument. Where all lanes are near 0 nothing is reduced, with the same bits.
 template <class S>
 sine_cosine<S> sincos(const S& x) {
-  auto result = detail::sincos_reduced(x);
-  if (any(x, magnitude(x) > S(detail::reduction_limit))) [[unlikely]]
-    detail::correct_far(x, result);
-  return result;
+  if (any(x, magnitude(x) > S(detail::unreduced_limit))) [[unlikely]]
+    return detail::sincos_far(x);
+  return detail::sincos_near(x);
 }
 
 }  // namespace polhode

@@ -29,16 +29,7 @@ struct se3 {
   template <class S>
   static vec<S, 6> exp_action(const vec<S, 6>& xi, const vec<S, 6>& mu) {
     const auto w = turn(xi), v = shift(xi);
-    const S square = dot(w, w);
-    const S half = S(0.5) * square_root(square);
-    const auto [sin, cos] = sincos(half);
-    const S sinc = select(half == S(0.0), S(1.0), S(sin / half));
-    const S first = sinc * cos, second = S(0.5) * sinc * sinc;
-    // (1 - sinc(t)) / t^2; its series is exact to rounding below t^2 = 0.04, where the closed form cancels.
-    const S series =
-        S(1.0 / 6) -
-        square * (S(1.0 / 120) - square * (S(1.0 / 5040) - square * (S(1.0 / 362880) - square * S(1.0 / 39916800))));
-    const S third = select(square < S(0.04), series, S((S(1.0) - first) / square));
+    const auto [first, second, third] = rotation_series<7, 1.0, 3>::of(dot(w, w));
     const auto wv = cross(w, v);
     const auto after = rotated(first, second, w, gamma(mu));
     return joined(rotated(first, second, w, pi(mu)) + cross(after, v - second * wv + third * cross(w, wv)), after);

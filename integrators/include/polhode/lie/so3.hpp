@@ -5,6 +5,7 @@
 //   C(eta) C(xi) - C(xi) C(eta) = C([xi, eta])  with C(xi) = coad(xi, .): the sign on which every area term rests
 #pragma once
 
+#include <polhode/lie/rotation_series.hpp>
 #include <polhode/scalar.hpp>
 #include <polhode/vec.hpp>
 
@@ -26,13 +27,11 @@ struct so3 {
   static zero_vector coad(zero_vector, const auto&) { return {}; }
 
   /// Ad*_exp(xi) mu = mu + sinc(t) mu x xi + (1 - cos t)/t^2 (mu x xi) x xi, t = |xi| (Rodrigues). Any finite xi whose
-  /// square is finite. (1 - cos t)/t^2 is taken as sinc(t/2)^2 / 2, which does not cancel.
+  /// square is finite.
   template <class S>
   static vec<S, 3> exp_action(const vec<S, 3>& xi, const vec<S, 3>& mu) {
-    const S half = S(0.5) * square_root(dot(xi, xi));
-    const auto [sin, cos] = sincos(half);
-    const S sinc = select(half == S(0.0), S(1.0), S(sin / half));
-    return rotated(S(sinc * cos), S(S(0.5) * sinc * sinc), xi, mu);
+    const auto [first, second] = rotation_series<7, 1.0>::of(dot(xi, xi));
+    return rotated(first, second, xi, mu);
   }
 
   template <class S>
@@ -83,17 +82,29 @@ struct so3 {
     const S own = dot(mu, mu);
     const S square = select(own == S(0.0), S(1.0), own);
     const S excess = dot(onto - mu, onto + mu) / square;  // |onto|^2/|mu|^2 - 1
-    const S correction = excess / (S(1.0) + square_root(S(1.0) + excess));
-    const S factor = square_root(dot(onto, onto) / square);
-    vec<S, 3> out;
-    for (int k = 0; k < 3; ++k)
-      out[k] = select(magnitude(excess) < S(0.1), S(mu[k] + correction * mu[k]), S(factor * mu[k]));
+    // sqrt(1 + excess) - 1
+    const S correction = excess * (S(0.5) - excess * (S(0.125) - excess * (S(0.0625) - excess * S(5.0 / 128))));
+    auto out = mu + correction * mu;
+    if (any(excess, magnitude(excess) > S(near_orbit))) [[unlikely]]
+      project_far(mu, S(dot(onto, onto) / square), excess, out);
     return out;
   }
 
   template <class S>
   static vec<S, 3> cayley_action(zero_vector, const vec<S, 3>& mu) {
     return mu;
+  }
+
+ private:
+  static constexpr double near_orbit = 1e-3;  ///< the next term of the series is below rounding
+  template <class S>
+  [[gnu::cold, gnu::noinline]] static void project_far(const vec<S, 3>& mu, const S& ratio, const S& excess,
+                                                       vec<S, 3>& out) {
+    const S correction = excess / (S(1.0) + square_root(S(1.0) + excess)), factor = square_root(ratio);
+    for (int k = 0; k < 3; ++k) {
+      const S there = select(magnitude(excess) < S(0.1), S(mu[k] + correction * mu[k]), S(factor * mu[k]));
+      out[k] = select(magnitude(excess) > S(near_orbit), there, out[k]);
+    }
   }
 
  protected:

@@ -13,6 +13,10 @@ struct so4 {
     return {{v[3 * which], v[3 * which + 1], v[3 * which + 2]}};
   }
   template <class S>
+  static void set_part(vec<S, 6>& v, int which, const vec<S, 3>& x) {
+    for (int k = 0; k < 3; ++k) v[3 * which + k] = x[k];
+  }
+  template <class S>
   static vec<S, 6> joined(const vec<S, 3>& a, const vec<S, 3>& b) {
     return {{a[0], a[1], a[2], b[0], b[1], b[2]}};
   }

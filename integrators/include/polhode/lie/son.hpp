@@ -6,8 +6,12 @@
 // Of n = 3 this is lie/so3.hpp with M = mu^, the matrix of mu x: M_12 = -mu_3, M_13 = mu_2, M_23 = -mu_1.
 #pragma once
 
+#include <type_traits>
+
 #include <polhode/lie/bracket_series.hpp>
+#include <polhode/lie/fixed_matrix.hpp>
 #include <polhode/lie/matrix_functions.hpp>
+#include <polhode/lie/skew_exponential.hpp>
 #include <polhode/lie/small_matrix.hpp>
 #include <polhode/scalar.hpp>
 #include <polhode/solve.hpp>
@@ -42,8 +46,8 @@ struct son {
       }
     return out;
   }
-  template <class S>
-  static element<S> above_diagonal(const matrix<S>& m) {
+  template <class Matrix, class S = typename Matrix::scalar>
+  static element<S> above_diagonal(const Matrix& m) {
     element<S> out(m.n * (m.n - 1) / 2);
     int k = 0;
     for (int i = 0; i < m.n; ++i)
@@ -51,19 +55,41 @@ struct son {
     return out;
   }
 
+  /// The same of n rows known to the compiler; and f of that number.
+  template <int n, class S>
+  static fixed_matrix<S, n> skew(const element<S>& v) {
+    fixed_matrix<S, n> out;
+    int k = 0;
+    for (int i = 0; i < n; ++i) {
+      out(i, i) = S(0.0);
+      for (int j = i + 1; j < n; ++j, ++k) {
+        out(i, j) = v[k];
+        out(j, i) = -v[k];
+      }
+    }
+    return out;
+  }
+  template <class F>
+  static auto of_rows(int components, F f) {
+    switch (components) {
+      case 3: return f(std::integral_constant<int, 3>{});
+      case 6: return f(std::integral_constant<int, 4>{});
+      case 10: return f(std::integral_constant<int, 5>{});
+      default: return f(std::integral_constant<int, 6>{});
+    }
+  }
+
   /// X Y - Y X.
   template <class S>
   [[gnu::noinline]] static element<S> bracket(const element<S>& xi, const element<S>& eta) {
-    const auto x = as_matrix(xi), y = as_matrix(eta);
-    element<S> out(xi.size);
-    int place = 0;
-    for (int i = 0; i < x.n; ++i)
-      for (int j = i + 1; j < x.n; ++j, ++place) {
-        S sum(0.0);
-        for (int k = 0; k < x.n; ++k) sum = sum + (x(i, k) * y(k, j) - y(i, k) * x(k, j));
-        out[place] = sum;
-      }
-    return out;
+    return of_rows(xi.size, [&]<int n>(std::integral_constant<int, n>) {
+      const auto x = skew<n>(xi), y = skew<n>(eta);
+      element<S> out(xi.size);
+      int place = 0;
+      for (int i = 0; i < n; ++i)
+        for (int j = i + 1; j < n; ++j) out[place++] = product_entry(x, y, i, j) - product_entry(y, x, i, j);
+      return out;
+    });
   }
   template <class S>
   static element<S> coad(const element<S>& xi, const element<S>& mu) {
@@ -71,7 +97,9 @@ struct son {
   }
   template <class S>
   [[gnu::noinline]] static element<S> exp_action(const element<S>& xi, const element<S>& mu) {
-    return mu + above_diagonal(conjugation(exponential_less_one(as_matrix(xi)), as_matrix(mu)));
+    return of_rows(xi.size, [&]<int n>(std::integral_constant<int, n>) {
+      return mu + above_diagonal(skew_conjugation(skew_exponential_less_one(skew<n>(xi)), skew<n>(mu)));
+    });
   }
   /// By the orthogonal matrix (1 - X/2)^-1 (1 + X/2). Of n = 3 the Cayley transform of the coadjoint operator; of n > 3
   /// that one would keep quadratic Casimirs alone.

@@ -47,8 +47,7 @@ struct heavy_top : double_bracket<heavy_top, se3> {
   /// exponential.
   template <class S>
   [[gnu::noinline]] vec<S, 6> dissipation_flow(const vec<S, 6>& mu, double t) const {
-    if (theta == 0) return mu;
-    return averaged_flow<se3>([&](const vec<S, 6>& x) { return S(theta * t) * se3::coad(omega(x), x); }, mu);
+    return damped(mu, t);
   }
   /// The motion without dissipation, to second order: half a pull, a palindrome of turns, half a pull.
   template <class S>
@@ -58,12 +57,28 @@ struct heavy_top : double_bracket<heavy_top, se3> {
   /// Gravity alone, exact: Pi' = weight Gamma x axis, while Gamma stays.
   template <class S>
   [[gnu::noinline]] vec<S, 6> first_turn(const vec<S, 6>& mu, double t) const {
-    return se3::joined(se3::pi(mu) + S(t) * cross(se3::gamma(mu), pulled<S>()), se3::gamma(mu));
+    return fallen(mu, t);
   }
   /// The kinetic energy alone: turns about the axes 1, 2 (half the time), 3 (all of it), 2, 1 (half), each the exact
   /// flow of its part of h.
   template <class S>
-  [[gnu::noinline]] vec<S, 6> last_turn(vec<S, 6> mu, double t) const {
+  [[gnu::noinline]] vec<S, 6> last_turn(const vec<S, 6>& mu, double t) const {
+    return turned(mu, t);
+  }
+
+ protected:
+  // The same for whoever wants them inlined.
+  template <class S>
+  vec<S, 6> damped(const vec<S, 6>& mu, double t) const {
+    if (theta == 0) return mu;
+    return averaged_flow<se3>([&](const vec<S, 6>& x) { return S(theta * t) * se3::coad(omega(x), x); }, mu);
+  }
+  template <class S>
+  vec<S, 6> fallen(const vec<S, 6>& mu, double t) const {
+    return se3::joined(se3::pi(mu) + S(t) * cross(se3::gamma(mu), pulled<S>()), se3::gamma(mu));
+  }
+  template <class S>
+  vec<S, 6> turned(vec<S, 6> mu, double t) const {
     turn<0>(mu, t / 2);
     turn<1>(mu, t / 2);
     turn<2>(mu, t);

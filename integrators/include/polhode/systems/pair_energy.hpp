@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include <polhode/lie/rotation_series.hpp>
 #include <polhode/scalar.hpp>
 #include <polhode/vec.hpp>
 
@@ -45,5 +46,13 @@ struct pair_energy {
     return S(0.5) * dot(apart, apart);
   }
 };
+
+/// What a gains, and b loses, where both turn about their sum: Ad*_exp(k (a + b)) of each. The sum stays.
+template <class S>
+vec<S, 3> gained_about_sum(const S& k, const vec<S, 3>& a, const vec<S, 3>& b) {
+  const auto axis = k * (a + b), across = k * cross(a, b);  // a x axis, and axis x b
+  const auto [first, second] = rotation_series<7, 1.0>::of(dot(axis, axis));
+  return first * across + second * cross(across, axis);
+}
 
 }  // namespace polhode

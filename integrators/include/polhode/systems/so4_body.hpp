@@ -13,6 +13,7 @@
 
 #include <polhode/lie/so4.hpp>
 #include <polhode/systems/double_bracket.hpp>
+#include <polhode/systems/pair_energy.hpp>
 #include <polhode/systems/principal_quadratic.hpp>
 
 namespace polhode {
@@ -56,13 +57,22 @@ struct so4_body : double_bracket<so4_body, so4> {
   template <class S>
   [[gnu::noinline]] vec<S, 6> first_turn(const vec<S, 6>& mu, double t) const {
     if (coupling == 0) return mu;
-    const auto axis = S(t * coupling) * (so4::part(mu, 0) + so4::part(mu, 1));
-    return so4::exp_action(so4::joined(axis, axis), mu);
+    return about_the_sum(mu, t * coupling);
   }
-  /// Both bodies by themselves, each a palindrome of turns about its axes.
+  /// Both bodies by themselves, each a palindrome of three turns.
   template <class S>
   [[gnu::noinline]] vec<S, 6> last_turn(const vec<S, 6>& mu, double t) const {
-    return bodies(mu, [&](int which, const vec<S, 3>& x) { return body(which).free_flow(x, t); });
+    return bodies(mu, [&](int which, const vec<S, 3>& x) {
+      const auto b = body(which);
+      return b.spherical() ? x : b.first_turn(b.last_turn(b.first_turn(x, t / 2), t), t / 2);
+    });
+  }
+
+ protected:
+  template <class S>
+  static vec<S, 6> about_the_sum(const vec<S, 6>& mu, double k) {
+    const auto a = so4::part(mu, 0), b = so4::part(mu, 1), gained = gained_about_sum(S(k), a, b);
+    return so4::joined(a + gained, b - gained);
   }
 
  private:

@@ -75,16 +75,18 @@ struct son_body : double_bracket<son_body, son> {
   }
 
  private:
-  /// The flow of M_ij^2 / 2 (lambda_i + lambda_j): M_ij stays, the rows i and j of M turn at its rate.
+  /// The flow of M_ij^2 / 2 (lambda_i + lambda_j): M_ij stays, the rows i and j of M turn at its rate. Written as what
+  /// is added to them: a rounded cosine would shrink all entries alike.
   template <class S>
   void turn(state<S>& mu, int i, int j, double t) const {
     const int own = son::place(rows, i, j);
-    const auto [sin, cos] = sincos(S(S(t * inverse_inertia[own]) * mu[own]));
+    const auto [half_sin, half_cos] = sincos(S(S(t / 2 * inverse_inertia[own]) * mu[own]));
+    const S sin = S(2.0) * half_sin * half_cos, less = S(2.0) * half_sin * half_sin;  // 1 - cos
     for (int k = 0; k < rows; ++k) {
       if (k == i || k == j) continue;
       const S a = entry(mu, i, k), b = entry(mu, j, k);
-      set_entry(mu, i, k, S(a * cos - b * sin));
-      set_entry(mu, j, k, S(b * cos + a * sin));
+      set_entry(mu, i, k, S(a - (less * a + sin * b)));
+      set_entry(mu, j, k, S(b - (less * b - sin * a)));
     }
   }
   template <class S>

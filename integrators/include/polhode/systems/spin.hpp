@@ -47,6 +47,10 @@ struct spin : double_bracket<spin, so3> {
 
   vec<double, 3> field;
 
+  /// The anisotropy in its own axes, and whether these are the axes 1, 2, 3.
+  const principal_quadratic& principal() const { return principal_; }
+  bool diagonal() const { return diagonal_; }
+
   template <class S>
   vec<S, 3> omega(const vec<S, 3>& pi) const {
     return linear(pi) + lifted<S>(field);

@@ -1,0 +1,94 @@
+// Square matrices of n rows, n known to the compiler: loops over them are written out, and a product of the size of a
+// step stays near the registers.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace polhode {
+
+template <class S, int rows>
+struct fixed_matrix {
+  using scalar = S;
+  static constexpr int n = rows;
+  std::array<S, static_cast<std::size_t>(n* n)> entries;
+
+  fixed_matrix() {}  // its entries are not set
+
+  S& operator()(int i, int j) { return entries[static_cast<std::size_t>(n * i + j)]; }
+  const S& operator()(int i, int j) const { return entries[static_cast<std::size_t>(n * i + j)]; }
+
+  friend fixed_matrix operator+(fixed_matrix a, const fixed_matrix& b) {
+    for (std::size_t k = 0; k < a.entries.size(); ++k) a.entries[k] = a.entries[k] + b.entries[k];
+    return a;
+  }
+  friend fixed_matrix operator*(const S& s, fixed_matrix a) {
+    for (auto& entry : a.entries) entry = s * entry;
+    return a;
+  }
+};
+
+/// Entry (i, j) of a b.
+template <class S, int n>
+S product_entry(const fixed_matrix<S, n>& a, const fixed_matrix<S, n>& b, int i, int j) {
+  S sum = a(i, 0) * b(0, j);
+  for (int k = 1; k < n; ++k) sum = sum + a(i, k) * b(k, j);
+  return sum;
+}
+
+namespace detail {
+
+/// Row i of a b from column `first` on: the sums of a row side by side, in registers.
+template <int first, class S, int n>
+[[gnu::always_inline]] inline void product_row(const fixed_matrix<S, n>& a, const fixed_matrix<S, n>& b, int i,
+                                               fixed_matrix<S, n>& out) {
+  if constexpr (first < n) {
+    std::array<S, static_cast<std::size_t>(n - first)> sums;
+    for (std::size_t j = 0; j < sums.size(); ++j) sums[j] = a(i, 0) * b(0, first + static_cast<int>(j));
+    for (int k = 1; k < n; ++k)
+      for (std::size_t j = 0; j < sums.size(); ++j) sums[j] = sums[j] + a(i, k) * b(k, first + static_cast<int>(j));
+    for (std::size_t j = 0; j < sums.size(); ++j) out(i, first + static_cast<int>(j)) = sums[j];
+  }
+}
+
+}  // namespace detail
+
+template <class S, int n>
+[[gnu::noinline]] fixed_matrix<S, n> operator*(const fixed_matrix<S, n>& a, const fixed_matrix<S, n>& b) {
+  fixed_matrix<S, n> out;
+  [&]<int... i>(std::integer_sequence<int, i...>) { (detail::product_row<0>(a, b, i, out), ...); }
+  (std::make_integer_sequence<int, n>());
+  return out;
+}
+
+/// a b where it is known to be symmetric (sign 1) or skew (sign -1): half of the entries are computed.
+template <int sign, class S, int n>
+[[gnu::noinline]] fixed_matrix<S, n> product_of_sign(const fixed_matrix<S, n>& a, const fixed_matrix<S, n>& b) {
+  fixed_matrix<S, n> out;
+  [&]<int... i>(std::integer_sequence<int, i...>) { (detail::product_row<(sign > 0 ? i : i + 1)>(a, b, i, out), ...); }
+  (std::make_integer_sequence<int, n>());
+  for (int i = 0; i < n; ++i) {
+    if (sign < 0) out(i, i) = S(0.0);
+    for (int j = i + 1; j < n; ++j) out(j, i) = sign > 0 ? out(i, j) : S(-out(i, j));
+  }
+  return out;
+}
+
+/// The sum of a_ij b_ij.
+template <class S, int n>
+S inner_product(const fixed_matrix<S, n>& a, const fixed_matrix<S, n>& b) {
+  S sum = a.entries[0] * b.entries[0];
+  for (std::size_t k = 1; k < a.entries.size(); ++k) sum = sum + a.entries[k] * b.entries[k];
+  return sum;
+}
+
+template <class S, int n>
+fixed_matrix<S, n> transposed(const fixed_matrix<S, n>& a) {
+  fixed_matrix<S, n> out;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) out(i, j) = a(j, i);
+  return out;
+}
+
+}  // namespace polhode
