@@ -68,6 +68,10 @@ void report_orbits_kept(const context& c, const orbit_frame& f, const std::vecto
     const double drift = drift_of(*c.subject.model, start, paths.last_states(k));
     recorder record("attractor", schemes[k].info.name, out);
     const auto row = record.value({"largest drift", "casimir", "relative", "sampled"}, at_dt(f.dt), drift);
+    if (!std::isfinite(drift)) {
+      record.verdict(orbit_claim, {.expected = 0.0, .reason = "not finite: a step of the scheme fails"}, {row});
+      continue;
+    }
     record.verdict(orbit_claim,
                    judge_distance({drift, drift, drift}, drift_bound,
                                   fmt::format("{} bodies from all over the orbit, {} steps: a Casimir changes by {:.1e}",

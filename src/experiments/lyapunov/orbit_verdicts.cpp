@@ -42,6 +42,7 @@ report::verdict judge_all(const Eigen::MatrixXd& values, double margin,
 }
 
 report::verdict judge_sign(const interval_estimate& found) {
+  if (!std::isfinite(found.value)) return {.reason = "not finite: a step of the scheme fails"};
   report::verdict v{.estimate = found.value, .low = found.low, .high = found.high};
   const auto text = fmt::format("lambda_1 = {:.4f} [{:.4f}, {:.4f}]", found.value, found.low, found.high);
   if (found.low > 0 || found.high < 0) v.kind = report::verdict_kind::holds;
