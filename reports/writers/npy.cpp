@@ -60,6 +60,8 @@ std::string to_npy_rows(std::span<const double> columns, std::size_t count) {
   return out;
 }
 
+std::string npy_header_of_doubles(std::initializer_list<std::size_t> shape) { return header("<f8", shape); }
+
 std::string to_npy(std::span<const std::uint32_t> values, std::initializer_list<std::size_t> shape) {
   return array("<u4", values, shape);
 }

@@ -11,6 +11,7 @@ command add_reference(CLI::App&);
 command add_select(CLI::App&);
 command add_compare(CLI::App&);
 command add_reproduce(CLI::App&);
+command add_check(CLI::App&);
 command add_list(CLI::App&);
 
 }  // namespace polhode::cli

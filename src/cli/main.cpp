@@ -17,7 +17,7 @@ int guarded(int argc, char** argv) noexcept {
   try {
     return run_command(argc, argv, [](CLI::App& app) {
       return std::vector<command>{add_verify(app),  add_simulate(app),  add_reference(app), add_select(app),
-                                  add_compare(app), add_reproduce(app), add_list(app)};
+                                  add_compare(app), add_reproduce(app), add_check(app),     add_list(app)};
     });
   } catch (const input_error& fault) {
     print_error(fault.what());

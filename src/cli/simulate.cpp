@@ -16,6 +16,7 @@
 #include "reports/model/text.hpp"
 #include "reports/writers/colour_map.hpp"
 #include "reports/writers/numbers.hpp"
+#include "reports/writers/recording_file.hpp"
 #include "reports/writers/simulation_folder.hpp"
 #include "reports/writers/simulation_json.hpp"
 #include "scene/nearest.hpp"
@@ -26,9 +27,9 @@ namespace {
 constexpr std::uint64_t most_bodies = std::numeric_limits<std::uint32_t>::max();  // what a bin of a histogram can count
 
 struct arguments {
-  std::string scene = "paper", scheme, dt, bodies, noise, start, snapshots;
+  std::string scene = "paper", scheme, dt, bodies, noise, start, snapshots, record;
   std::string out = "simulation", threads, seed = "1", isa = "auto", generator = "philox", normals = "fast",
-              format = "text", colour_map = "viridis", histogram = "npy";
+              format = "text", colour_map = "viridis", histogram = "npy", recording;
   bool quiet = false;
 };
 
@@ -48,6 +49,11 @@ simulate_options checked_options(const arguments& given) {
   options.start = given.start;
   for (const auto& time : list_option("--snapshots", given.snapshots))
     options.snapshots.push_back(positive_option("--snapshots", time));
+  if (!given.record.empty()) options.record_every = positive_option("--record", given.record);
+  static const std::vector<std::string> kinds{"npy", "csv"};
+  if (!given.recording.empty()) choose("--recording", given.recording, kinds);
+  if (!given.recording.empty() && given.record.empty())
+    throw input_error(fmt::format("--recording '{}': nothing is recorded; accepted with --record", given.recording));
   options.threads = threads_option(given.threads);
   options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
   options.isa = given.isa;
@@ -95,6 +101,46 @@ report::simulation run_it(const scene& s, const simulate_options& options, bool 
   return simulate(s, options, [&](double share, std::string_view what) { progress.show(share, what); });
 }
 
+/// The run, its states streamed into the folder.
+report::simulation record_it(const scene& s, simulate_options options, const arguments& given, bool as_text,
+                             const std::filesystem::path& folder) {
+  const auto plan = planned_recording(s, options);
+  const report::recording_file::shape shape{static_cast<std::uint64_t>(plan.bodies),
+                                            static_cast<std::uint64_t>(plan.records), plan.components.size()};
+  const std::filesystem::path out{given.out}, array = folder / report::recorded_npy;
+  report::recording_file file(array, shape, out / report::recorded_npy);
+  options.record = [&](const recorded_bodies& b) {
+    const auto each = static_cast<std::size_t>(b.records) * shape.components;
+    for (int i = 0; i < b.bodies; ++i)
+      file.write(static_cast<std::uint64_t>(b.first_body + i), static_cast<std::uint64_t>(b.first_record),
+                 std::span(b.values).subspan(static_cast<std::size_t>(i) * each, each));
+  };
+  auto result = run_it(s, options, given.quiet);
+  file.close();
+  if (as_text) {
+    report::write_recording_csv(array, shape, plan.dt, plan.components, folder / report::recorded_csv,
+                                out / report::recorded_csv);
+    std::filesystem::remove(array);
+  }
+  return result;
+}
+
+report::simulation recorded(const scene& s, const simulate_options& options, const arguments& given,
+                            const report::snapshot_style& style) {
+  const bool as_text = given.recording == "csv";
+  return report::write_simulation(
+      given.out, [&](const std::filesystem::path& folder) { return record_it(s, options, given, as_text, folder); },
+      style);
+}
+
+report::simulation whole(const scene& s, const simulate_options& options, const arguments& given,
+                         const report::snapshot_style& style) {
+  auto result = run_it(s, options, given.quiet);
+  const defer_signals until_written;
+  report::write_simulation(given.out, result, style);
+  return result;
+}
+
 int run(const arguments& given) {
   const auto output = format_option(given.format);
   const auto options = checked_options(given);
@@ -105,11 +151,8 @@ int run(const arguments& given) {
   const std::filesystem::path out{given.out};
   report::check_simulation_folder(out);
 
-  const auto result = run_it(scene, options, given.quiet);
-  {
-    const defer_signals whole;
-    report::write_simulation(out, result, style);
-  }
+  const auto result =
+      options.record_every > 0 ? recorded(scene, options, given, style) : whole(scene, options, given, style);
   if (output == format::json)
     print(report::to_json(result));
   else if (!given.quiet)
@@ -142,6 +185,8 @@ command add_simulate(CLI::App& app) {
   add_option(parser, "--snapshots", given->snapshots, "Times to count and picture", "T1,T2");
   add_option(parser, "--colour-map", given->colour_map, "viridis, magma, cividis [viridis]", "NAME");
   add_option(parser, "--histogram", given->histogram, "Of a snapshot: npy, csv [npy]", "K");
+  add_option(parser, "--record", given->record, "Time from record to record of every state", "EVERY");
+  add_option(parser, "--recording", given->recording, "Of the records: npy, csv [npy]", "K");
   add_option(parser, "--start", given->start, "uniform, momentum, orbit [by the noise]", "K");
   add_common(parser, *given);
   return {&parser, [given] { return run(*given); }};

@@ -60,6 +60,15 @@ std::vector<std::int64_t> checked_snapshots(const scene& s, const simulate_optio
   return stops;
 }
 
+std::int64_t checked_interval(const simulate_options& o, std::int64_t steps) {
+  if (o.record_every == 0) return 0;
+  const double n = std::round(o.record_every / o.dt);
+  if (!(n >= 1) || !(std::fabs(n * o.dt - o.record_every) <= 1e-9 * o.record_every) || n > static_cast<double>(steps))
+    refuse("--record", fmt::format("{}", o.record_every),
+           fmt::format("accepted: a multiple of --dt = {}, up to the horizon", o.dt));
+  return static_cast<std::int64_t>(n);
+}
+
 void check_memory(const simulation_plan& p, const model& m) {
   // The files of the final states are made in memory, too.
   const double needed = simulation_bytes(m, p) + 8.0 * m.dimension() * static_cast<double>(p.bodies);
@@ -94,6 +103,8 @@ prepared_run prepare(const scene& s, const simulate_options& o) {
   if (o.bodies < 1) refuse("--bodies", fmt::format("{}", o.bodies), "accepted: a positive integer");
   p.bodies = o.bodies;
   p.snapshots = checked_snapshots(s, o, p.steps);
+  p.record_every = checked_interval(o, p.steps);
+  p.record = o.record;
   p.with_areas = r.scheme->needs_areas;
   p.seed = o.seed;
   p.source = {generator_named(o.generator),
@@ -180,6 +191,15 @@ report::simulation frame_of(const scene& s, const simulate_options& o, const pre
 }  // namespace
 
 void check_simulation(const scene& s, const simulate_options& o) { prepare(s, o); }
+
+recording_plan planned_recording(const scene& s, const simulate_options& o) {
+  const auto r = prepare(s, o);
+  recording_plan out{r.plan.bodies, r.plan.records(), r.subject.offers->components, 0};
+  for (std::size_t k = out.components.size(); k < s.momentum.size(); ++k)
+    out.components.push_back(fmt::format("mu_{}", k + 1));
+  out.dt = static_cast<double>(r.plan.record_every) * o.dt;
+  return out;
+}
 
 report::simulation simulate(const scene& s, const simulate_options& o, const progress_sink& progress) {
   const auto r = prepare(s, o);

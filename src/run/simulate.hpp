@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "ensemble/simulation.hpp"
 #include "reports/model/simulation.hpp"
 #include "run/progress_sink.hpp"
 #include "scene/scene.hpp"
@@ -15,7 +17,9 @@ struct simulate_options {
   std::string scheme, noise, start;  ///< start empty: uniform, but where all start alike for independent noise
   double dt = 0;
   std::int64_t bodies = 0;
-  std::vector<double> snapshots;  ///< times; each is moved to the nearest step
+  std::vector<double> snapshots;                            ///< times; each is moved to the nearest step
+  double record_every = 0;                                  ///< time, a multiple of dt; 0: nothing is recorded
+  std::function<void(const recorded_bodies&)> record = {};  ///< is told of it, by several threads at once
   std::uint64_t seed = 1;
   int threads = 1;
   std::string isa = "auto", generator = "philox";  ///< as in verify_options
@@ -24,6 +28,15 @@ struct simulate_options {
 
 /// Throws input_error, before any work, on what cannot be run.
 void check_simulation(const scene&, const simulate_options&);
+
+/// What will be recorded, for who makes room for it.
+struct recording_plan {
+  std::int64_t bodies = 0, records = 0;
+  std::vector<std::string> components;
+  double dt = 0;  ///< from record to record
+};
+/// Throws as check_simulation.
+recording_plan planned_recording(const scene&, const simulate_options&);
 
 report::simulation simulate(const scene&, const simulate_options&, const progress_sink& = {});
 

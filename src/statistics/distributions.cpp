@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/poisson.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -11,6 +12,10 @@ namespace polhode {
 namespace law = boost::math;
 
 double normal_deviate(double tail) { return law::quantile(law::complement(law::normal(), std::max(tail, 1e-300))); }
+
+double normal_tail(double x) { return law::cdf(law::complement(law::normal(), x)); }
+
+double chi_squared_tail(double x, double degrees) { return law::cdf(law::complement(law::chi_squared(degrees), x)); }
 
 double student_t_quantile(double probability, double degrees) {
   return law::quantile(law::students_t(degrees), probability);

@@ -5,6 +5,11 @@ namespace polhode {
 
 /// x with P(X > x) = tail, X standard normal; 1e-300 where the tail is less.
 double normal_deviate(double tail);
+/// P(X > x) of the same.
+double normal_tail(double x);
+
+/// P(X > x), X chi squared of `degrees` > 0 degrees of freedom.
+double chi_squared_tail(double x, double degrees);
 
 /// x with P(X <= x) = probability, X with Student's law of `degrees` > 0 degrees of freedom.
 double student_t_quantile(double probability, double degrees);

@@ -1,0 +1,110 @@
+// polhode check: recorded data against a scene's equation.
+#include "run/check.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "cli/commands.hpp"
+#include "cli/options/arguments.hpp"
+#include "cli/options/opened_scene.hpp"
+#include "cli/terminal/layout.hpp"
+#include "cli/terminal/signals.hpp"
+#include "cli/terminal/summary.hpp"
+#include "cli/terminal/terminal.hpp"
+#include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
+#include "reports/writers/folder.hpp"
+
+namespace polhode::cli {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+struct arguments {
+  std::string data, scene, format = "text";
+  std::optional<std::string> dt, out;
+  bool quiet = false;
+};
+
+json json_of(const report::verdict& v) {
+  const auto maybe = [](const std::optional<double>& x) { return x ? json(*x) : json(); };
+  return {{"claim", v.claim},
+          {"verdict", report::name_of(v.kind)},
+          {"expected", maybe(v.expected)},
+          {"estimate", maybe(v.estimate)},
+          {"low", maybe(v.low)},
+          {"high", maybe(v.high)},
+          {"reason", v.reason}};
+}
+
+std::string json_of(const checked_recording& checked) {
+  json verdicts = json::array(), estimates = json::object();
+  for (const auto& v : checked.results.verdicts) verdicts.push_back(json_of(v));
+  for (const auto& p : checked.equation.parameters)
+    estimates[p.name] = {{"value", p.value.value},
+                         {"low", p.value.low},
+                         {"high", p.value.high},
+                         {"scene", p.in_scene},
+                         {"held", p.held}};
+  const json out{{"verdicts", verdicts}, {"estimates", estimates}};
+  return out.dump(2) + '\n';
+}
+
+std::string text_of(const checked_recording& checked) {
+  const auto width = terminal_width(STDOUT_FILENO);
+  std::string out;
+  for (const auto& v : checked.results.verdicts)
+    out += wrapped(fmt::format("{}: {} ({})", v.claim, report::name_of(v.kind), v.reason), width) + '\n';
+  if (checked.equation.parameters.empty()) return out;
+  out += fmt::format("\n{:<16} {:>12} {:>12} {:>12} {:>12}\n", "the data follow", "value", "low", "high", "scene");
+  for (const auto& p : checked.equation.parameters)
+    out += p.held ? fmt::format("{:<16} {:>12} {:>25} {:>12.6g}\n", p.name, "held", "", p.in_scene)
+                  : fmt::format("{:<16} {:>12.6g} {:>12.6g} {:>12.6g} {:>12.6g}\n", p.name, p.value.value, p.value.low,
+                                p.value.high, p.in_scene);
+  return out;
+}
+
+int run(const arguments& given) {
+  const auto output = format_option(given.format);
+  if (given.data.empty()) throw input_error("DATA is missing; accepted: a file of recorded states, .csv or .npy");
+  if (given.scene.empty()) throw input_error("--scene is missing; accepted: a built-in name or a TOML file");
+  std::optional<double> dt;
+  if (given.dt) dt = positive_option("--dt", *given.dt);
+  if (given.out) {
+    if (given.out->empty()) throw input_error("--out '': accepted: the folder to be written");
+    report::check_output_folder(*given.out);
+  }
+  const auto checked = check(opened_scene(given.scene), given.data, dt);
+  const std::span one(&checked.results, 1);
+  if (given.out) {
+    const defer_signals whole;
+    report::write_report(*given.out, one);
+  }
+  if (output == format::json)
+    print(json_of(checked));
+  else if (!given.quiet)
+    print(text_of(checked));
+  return exit_code(one);
+}
+
+}  // namespace
+
+command add_check(CLI::App& app) {
+  const auto given = std::make_shared<arguments>();
+  auto& parser = add_command(app, "check", "Hold recorded data against a scene's equation");
+  add_option(parser, "DATA", given->data, "Recorded states: .csv ([path,]t,mu_1,…) or .npy [path, time, component]",
+             "");
+  add_option(parser, "--scene", given->scene, "A built-in name or a TOML file", "SCENE");
+  add_option(parser, "--dt", given->dt, "Time from state to state, of an .npy", "H");
+  add_option(parser, "--out", given->out, "Write the report of it", "DIR");
+  add_option(parser, "--format", given->format, "On standard output: text, json [text]", "F");
+  add_flag(parser, "-q,--quiet", given->quiet, "No summary");
+  return {&parser, [given] { return run(*given); }};
+}
+
+}  // namespace polhode::cli

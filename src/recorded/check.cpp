@@ -1,0 +1,83 @@
+#include "recorded/check.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "experiments/common/experiment.hpp"
+#include "experiments/common/recorder.hpp"
+#include "recorded/casimir_drift.hpp"
+#include "recorded/recorded_law.hpp"
+#include "recorded/transition_report.hpp"
+#include "recorded/transitions.hpp"
+#include "reports/model/errors.hpp"
+
+namespace polhode {
+namespace {
+
+std::vector<std::string> names_of_components(const subject& s) {
+  auto names = s.offers->components;
+  for (std::size_t k = names.size(); k < s.scene.momentum.size(); ++k) names.push_back(fmt::format("mu_{}", k + 1));
+  return names;
+}
+
+void report_elsewhere(recorder& record) {
+  for (const char* claim : {"transition law", "energy law", "stationary law"})
+    record.verdict(claim, {.kind = report::verdict_kind::skipped, .reason = no_exact_law});
+}
+
+}  // namespace
+
+checked_recording check_recording(const subject& s, const std::filesystem::path& file, std::optional<double> dt) {
+  const recording from{file, names_of_components(s), dt};
+  casimir_drift drift(*s.model);
+  std::optional<transition_report> law;
+  std::optional<recorded_law> stationary;
+  if (s.sphere()) {
+    law.emplace(s);
+    stationary.emplace(s);
+  }
+  transitions pairs(from, [&](const recorded_transition& t) {
+    drift.add(t);
+    if (!law) return;
+    law->add(t);
+    stationary->add(t);
+  });
+  const auto size = read_recording(from, [&](const recorded_state& state) { pairs.add(state); });
+  if (pairs.count() == 0)
+    throw input_error(
+        fmt::format("{}: {} states, no two of one path; accepted: two of a path, or more", file.string(), size.states));
+  checked_recording out;
+  recorder record(recorded_experiment, recorded_scheme, out.results);
+  record.value({"states", "", "", "recorded"}, static_cast<double>(size.states));
+  record.value({"paths", "", "", "recorded"}, static_cast<double>(pairs.paths()));
+  for (const auto& [interval, count] : pairs.intervals())
+    record.value({"transitions", "", "", "recorded"}, {"interval", interval, "time"}, static_cast<double>(count));
+  drift.report(size.resolution, record);
+  if (law) {
+    out.equation = law->report(record);
+    stationary->report(record);
+  } else {
+    report_elsewhere(record);
+  }
+  out.results.experiments.push_back(
+      {recorded_experiment,
+       "Do the recorded states follow the scene's equation?",
+       {fmt::format("Transition law: P = exp(D L) is known exactly for the interval D between states, so [f(X') - (P "
+                    "f)(X)] g(X) has mean "
+                    "zero and a known conditional variance for any f and g: z-tests over harmonics f up to degree {} "
+                    "and g up to {}, "
+                    "whatever wrote the data and whatever step it took inside. Their largest |z|, and their sum of "
+                    "squares by the "
+                    "exact covariance, each with half of the budget of false alarms, {:g}. A pass would have seen a "
+                    "noise 10 % off.",
+                    degree_after, degree_before, false_alarms),
+        "Parameters that the data follow: the same moment equations solved for the strengths of noise and dissipation "
+        "and for the numbers of the energy (generalised method of moments, 95 % intervals from the observed "
+        "covariance). A parameter whose effect the ones before it have too is held at the scene's value.",
+        "Stationary law: the first five relaxation times of every path are left out, the rest is cut into pieces of "
+        "ten; Student's intervals over their means against the exact stationary means."}});
+  return out;
+}
+
+}  // namespace polhode
