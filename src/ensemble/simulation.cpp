@@ -9,6 +9,7 @@
 
 #include "ensemble/noise/paths.hpp"
 #include "ensemble/noise/shared_increments.hpp"
+#include "ensemble/observing/block_record.hpp"
 #include "ensemble/observing/direction_bins.hpp"
 #include "ensemble/observing/sphere_bins.hpp"
 #include "ensemble/orbit_start.hpp"
@@ -19,7 +20,6 @@ namespace {
 
 constexpr int chunk = 16;                       // steps of a block's own increments: they stay in the nearest caches
 constexpr std::int64_t longest_slice = 65'536;  // steps between two words on progress
-constexpr int records_at_once = 64;             // of a block, before they are handed over
 
 std::int64_t blocks_of(const simulation_plan& p) { return (p.bodies + block_lanes - 1) / block_lanes; }
 
@@ -30,47 +30,6 @@ std::int64_t blocks_a_piece(const simulation_plan& p) { return std::clamp<std::i
 double shared_bytes(const model& m, const simulation_plan& p) {
   return shared_increments::bytes(m, p.steps, p.with_areas) + static_cast<double>(p.steps) * sizeof(shared_step);
 }
-
-/// Gathers the records of one block after another.
-class block_record {
- public:
-  block_record(const model& m, const simulation_plan& p) : dimension_(m.dimension()), plan_(p) {}
-
-  /// Of so many bodies, whose first record follows.
-  void start(std::int64_t first_body, int bodies) {
-    held_ = {first_body, 0, bodies, 0,
-             std::vector<double>(static_cast<std::size_t>(bodies * records_at_once * dimension_))};
-  }
-  void add(std::span<const double> states) {
-    for (int body = 0; body < held_.bodies; ++body)
-      for (int k = 0; k < dimension_; ++k)
-        held_.values[static_cast<std::size_t>((body * records_at_once + held_.records) * dimension_ + k)] =
-            states[static_cast<std::size_t>(k * block_lanes + body)];
-    if (++held_.records == records_at_once) hand_over();
-  }
-  void hand_over() {
-    if (held_.records == 0) return;
-    if (held_.records < records_at_once) close_ranks();
-    plan_.record(held_);
-    held_.first_record += held_.records;
-    held_.records = 0;
-    held_.values.resize(static_cast<std::size_t>(held_.bodies * records_at_once * dimension_));
-  }
-
- private:
-  void close_ranks() {
-    const auto row = static_cast<std::size_t>(held_.records * dimension_),
-               room = static_cast<std::size_t>(records_at_once * dimension_);
-    for (std::size_t body = 1; body < static_cast<std::size_t>(held_.bodies); ++body)
-      std::copy_n(held_.values.begin() + static_cast<std::ptrdiff_t>(body * room), row,
-                  held_.values.begin() + static_cast<std::ptrdiff_t>(body * row));
-    held_.values.resize(static_cast<std::size_t>(held_.bodies) * row);
-  }
-
-  int dimension_;
-  const simulation_plan& plan_;
-  recorded_bodies held_;
-};
 
 /// Everything that the pieces share.
 class ensemble_run {
@@ -105,7 +64,7 @@ class ensemble_run {
     ensemble_observer observer(model_, plan_.momentum);
     auto states = replicated(plan_.momentum);
     std::vector<double> seen;
-    block_record recorded(model_, plan_);
+    block_record recorded(model_.dimension(), plan_.record);
     const bool records = plan_.record_every > 0;
     auto& moments = moments_[static_cast<std::size_t>(piece)];
     const std::int64_t first = piece * blocks_a_piece(plan_);

@@ -9,6 +9,7 @@
 
 #include "ensemble/kernel.hpp"
 #include "ensemble/model.hpp"
+#include "ensemble/observing/block_record.hpp"
 #include "ensemble/observing/observation.hpp"
 
 namespace polhode {
@@ -16,13 +17,6 @@ namespace polhode {
 enum class ensemble_noise { common, independent, none };
 /// uniform: on the sphere of the momentum; orbit: all over its coadjoint orbit (orbit_start.hpp); momentum: all there.
 enum class ensemble_start { uniform, momentum, orbit };
-
-/// Successive records of the bodies of a block: [body][record][component].
-struct recorded_bodies {
-  std::int64_t first_body = 0, first_record = 0;
-  int bodies = 0, records = 0;
-  std::vector<double> values;
-};
 
 struct simulation_plan {
   ensemble_noise noise = ensemble_noise::none;
@@ -36,9 +30,9 @@ struct simulation_plan {
   std::uint64_t seed = 0;
   std::uint64_t path = 0;  ///< whose noise is common to all
   int threads = 1;
-  std::function<void(const increment_view&)> hear = {};     ///< is told of a common noise before it is used
-  std::int64_t record_every = 0;                            ///< steps; 0: nothing is recorded. The start is record 0
-  std::function<void(const recorded_bodies&)> record = {};  ///< by several threads at once, each of other bodies
+  std::function<void(const increment_view&)> hear = {};  ///< is told of a common noise before it is used
+  std::int64_t record_every = 0;                         ///< steps; 0: nothing is recorded. The start is record 0
+  record_sink record = {};                               ///< by several threads at once, each of other bodies
 
   std::int64_t records() const { return record_every > 0 ? steps / record_every + 1 : 0; }
 };

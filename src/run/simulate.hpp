@@ -17,9 +17,9 @@ struct simulate_options {
   std::string scheme, noise, start;  ///< start empty: uniform, but where all start alike for independent noise
   double dt = 0;
   std::int64_t bodies = 0;
-  std::vector<double> snapshots;                            ///< times; each is moved to the nearest step
-  double record_every = 0;                                  ///< time, a multiple of dt; 0: nothing is recorded
-  std::function<void(const recorded_bodies&)> record = {};  ///< is told of it, by several threads at once
+  std::vector<double> snapshots;  ///< times; each is moved to the nearest step
+  double record_every = 0;        ///< time, a multiple of dt; 0: nothing is recorded
+  record_sink record = {};        ///< is told of it, by several threads at once
   std::uint64_t seed = 1;
   int threads = 1;
   std::string isa = "auto", generator = "philox";  ///< as in verify_options
