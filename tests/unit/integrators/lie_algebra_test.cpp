@@ -255,6 +255,17 @@ TEST(Su, ProjectionsOfManyStepsDoNotLeaveTheOrbit) {
   for (int k = 0; k < orbit.size; ++k) EXPECT_NEAR(su::casimirs(mu)[k], orbit[k], 4e-14 * size_of[k]) << k;
 }
 
+TEST(Son, ProjectionsOfManyStepsDoNotLeaveTheOrbit) {
+  using five = on<son, 10>;
+  const auto orbit = son::casimirs(five::state());
+  auto mu = five::state();
+  for (std::uint64_t i = 0; i < 100'000; ++i) {
+    const auto xi = five::some(i % 16, 0.02), first = son::coad(xi, mu);
+    mu = son::orbit_projection(mu + 0.5 * (first + son::coad(xi, mu + first)), mu);
+  }
+  for (int k = 0; k < orbit.size; ++k) EXPECT_NEAR(son::casimirs(mu)[k], orbit[k], 4e-14 * orbit[k]) << k;
+}
+
 /// A lane's own number of squarings.
 TEST(Son, LanesDoNotSeeEachOther) {
   using three = on<son, 6>;

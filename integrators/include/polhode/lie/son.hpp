@@ -133,25 +133,26 @@ struct son {
   }
 
   /// A point of the orbit of `onto` next to mu: M sum_k c_k (M^T M)^k, its c_k by Newton's method from (1, 0, …). Where
-  /// eigenvalues coincide |mu| alone is put right.
+  /// eigenvalues coincide |mu| alone is put right. Written as what is added to mu, and Casimirs as their differences,
+  /// so that both round to their own size.
   template <class S>
   [[gnu::noinline]] static element<S> orbit_projection(const element<S>& mu, const element<S>& onto) {
     constexpr int corrections = 6;
-    const int n = rows_of(mu.size), casimirs = n / 2;
-    const auto asked = power_traces(as_matrix(onto), casimirs);
-    auto m = as_matrix(mu);
+    const int casimirs = rows_of(mu.size) / 2;
+    const auto target = as_matrix(onto), start = as_matrix(mu), way = as_matrix(onto - mu);
+    auto added = as_matrix(zeros<element<S>>(mu.size));
     for (int i = 0; i < corrections; ++i) {
+      const auto m = start + added;
       const auto square = S(-1.0) * (m * m);
-      const auto c = correction(power_traces(m, 2 * casimirs), asked, casimirs);
+      const auto c = correction(power_traces(m, 2 * casimirs),
+                                trace_changes(m, target, way + S(-1.0) * added, casimirs), casimirs);
       auto power = m;
-      auto next = m;
       for (int k = 0; k < casimirs; ++k) {
-        next = next + c[k] * power;
+        added = added + c[k] * power;
         power = power * square;
       }
-      m = next;
     }
-    return above_diagonal(m);
+    return mu + above_diagonal(added);
   }
 
  private:
@@ -174,16 +175,33 @@ struct son {
     return out;
   }
 
-  /// Of the c_k: q_k (k = 1 …) is asked to be a_k, and changes by sum_j 2 k q_(k+j-1) dc_j.
+  /// What tr (M^T M)^k / 2 change by from m to t = m + way, k = 1 … count: with P = M^T M, of t and of m,
+  /// tr P_t^k - P_m^k = tr (P_t - P_m) sum_j P_t^(k-1-j) P_m^j, and P_m - P_t = way t + m way.
   template <class S>
-  static vec<S, -most_casimirs> correction(const traces<S>& q, const traces<S>& asked, int count) {
+  static traces<S> trace_changes(const matrix<S>& m, const matrix<S>& t, const matrix<S>& way, int count) {
+    const auto square_m = S(-1.0) * (m * m), square_t = S(-1.0) * (t * t), change = S(-1.0) * (way * t + m * way);
+    auto powers = matrix<S>::identity(m.n), power = powers;
+    traces<S> out(count);
+    for (int k = 0; k < count; ++k) {
+      if (k > 0) {
+        power = power * square_t;
+        powers = powers * square_m + power;
+      }
+      out[k] = S(0.5) * dot(change.entries, powers.entries);
+    }
+    return out;
+  }
+
+  /// Of the c_k: q_k (k = 1 …) is to change by change_k, and changes by sum_j 2 k q_(k+j-1) dc_j.
+  template <class S>
+  static vec<S, -most_casimirs> correction(const traces<S>& q, const traces<S>& change, int count) {
     using numbers = vec<S, -most_casimirs>;
     auto slopes = zeros<polhode::matrix<S, -most_casimirs>>(count);
     numbers missing(count), scaling(count);
     for (int k = 0; k < count; ++k) {
       slopes[k] = numbers(count);
       for (int j = 0; j < count; ++j) slopes[k][j] = S(2.0 * (k + 1)) * q[k + j];
-      missing[k] = asked[k] - q[k];
+      missing[k] = change[k];
     }
     scaling[0] = missing[0] / (S(2.0) * q[0]);
     const auto c = times(inverse(slopes), missing);

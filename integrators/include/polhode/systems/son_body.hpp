@@ -60,33 +60,36 @@ struct son_body : double_bracket<son_body, son> {
   }
   /// The turn in the plane (1, 2), exact.
   template <class S>
-  [[gnu::noinline]] state<S> first_turn(state<S> mu, double t) const {
-    turn(mu, 0, 1, t);
-    return mu;
+  [[gnu::noinline]] state<S> first_turn(const state<S>& mu, double t) const {
+    auto added = zeros<state<S>>(mu.size);
+    turn(mu, added, 0, 1, t);
+    return mu + added;
   }
   /// The turns in all other planes.
   template <class S>
-  [[gnu::noinline]] state<S> last_turn(state<S> mu, double t) const {
+  [[gnu::noinline]] state<S> last_turn(const state<S>& mu, double t) const {
+    auto added = zeros<state<S>>(mu.size);
     for (int i = 0; i < rows; ++i)
-      for (int j = std::max(i + 1, 2); j < rows; ++j) turn(mu, i, j, t / 2);
+      for (int j = std::max(i + 1, 2); j < rows; ++j) turn(mu, added, i, j, t / 2);
     for (int i = rows - 1; i >= 0; --i)
-      for (int j = rows - 1; j >= std::max(i + 1, 2); --j) turn(mu, i, j, t / 2);
-    return mu;
+      for (int j = rows - 1; j >= std::max(i + 1, 2); --j) turn(mu, added, i, j, t / 2);
+    return mu + added;
   }
 
  private:
-  /// The flow of M_ij^2 / 2 (lambda_i + lambda_j): M_ij stays, the rows i and j of M turn at its rate. Written as what
-  /// is added to them: a rounded cosine would shrink all entries alike.
+  /// The flow of M_ij^2 / 2 (lambda_i + lambda_j) from mu + added: M_ij stays, the rows i and j of M turn at its rate.
+  /// What turns add is summed apart from mu, so that each rounds to the size of what it adds; a rounded cosine would
+  /// shrink all entries alike.
   template <class S>
-  void turn(state<S>& mu, int i, int j, double t) const {
+  void turn(const state<S>& mu, state<S>& added, int i, int j, double t) const {
     const int own = son::place(rows, i, j);
-    const auto [half_sin, half_cos] = sincos(S(S(t / 2 * inverse_inertia[own]) * mu[own]));
+    const auto [half_sin, half_cos] = sincos(S(S(t / 2 * inverse_inertia[own]) * (mu[own] + added[own])));
     const S sin = S(2.0) * half_sin * half_cos, less = S(2.0) * half_sin * half_sin;  // 1 - cos
     for (int k = 0; k < rows; ++k) {
       if (k == i || k == j) continue;
-      const S a = entry(mu, i, k), b = entry(mu, j, k);
-      set_entry(mu, i, k, S(a - (less * a + sin * b)));
-      set_entry(mu, j, k, S(b - (less * b - sin * a)));
+      const S a = entry(mu, i, k) + entry(added, i, k), b = entry(mu, j, k) + entry(added, j, k);
+      add_to_entry(added, i, k, S(-(less * a + sin * b)));
+      add_to_entry(added, j, k, S(sin * a - less * b));
     }
   }
   template <class S>
@@ -94,11 +97,9 @@ struct son_body : double_bracket<son_body, son> {
     return i < j ? mu[son::place(rows, i, j)] : S(-mu[son::place(rows, j, i)]);
   }
   template <class S>
-  void set_entry(state<S>& mu, int i, int j, const S& x) const {
-    if (i < j)
-      mu[son::place(rows, i, j)] = x;
-    else
-      mu[son::place(rows, j, i)] = -x;
+  void add_to_entry(state<S>& mu, int i, int j, const S& x) const {
+    auto& here = mu[i < j ? son::place(rows, i, j) : son::place(rows, j, i)];
+    here = i < j ? S(here + x) : S(here - x);
   }
 };
 
