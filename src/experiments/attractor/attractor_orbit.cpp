@@ -72,11 +72,12 @@ void report_orbits_kept(const context& c, const orbit_frame& f, const std::vecto
       record.verdict(orbit_claim, {.expected = 0.0, .reason = "not finite: a step of the scheme fails"}, {row});
       continue;
     }
-    record.verdict(orbit_claim,
-                   judge_distance({drift, drift, drift}, drift_bound,
-                                  fmt::format("{} bodies from all over the orbit, {} steps: a Casimir changes by {:.1e}",
-                                              block_lanes, steps, drift)),
-                   {row});
+    record.verdict(
+        orbit_claim,
+        judge_distance({drift, drift, drift}, drift_bound,
+                       fmt::format("{} bodies from all over the orbit, {} steps: a Casimir changes by {:.1e}",
+                                   block_lanes, steps, drift)),
+        {row});
   }
 }
 

@@ -28,11 +28,11 @@ class orbit_geometry {
   /// log of Liouville's volume over Euclid's at a state.
   double log_density(const Eigen::VectorXd& mu) const;
 
-  /// Of a block of states: of the drift ad*_a(mu) mu with respect to Liouville's volume: the trace of its derivative in the space of all
-  /// momenta, by differences of fourth order, exact to rounding for polynomials of degree four. Both agree where the
-  /// algebra is unimodular (tr ad = 0): Lebesgue's and Liouville's volume then are both invariant under every ad*_xi,
-  /// so they differ by a function of the Casimirs. For the same reason the Hamiltonian part of the drift and the noise
-  /// add nothing.
+  /// Of a block of states: of the drift ad*_a(mu) mu with respect to Liouville's volume: the trace of its derivative in
+  /// the space of all momenta, by differences of fourth order, exact to rounding for polynomials of degree four. Both
+  /// agree where the algebra is unimodular (tr ad = 0): Lebesgue's and Liouville's volume then are both invariant under
+  /// every ad*_xi, so they differ by a function of the Casimirs. For the same reason the Hamiltonian part of the drift
+  /// and the noise add nothing.
   Eigen::VectorXd divergences(std::span<const double> states) const;
 
  private:

@@ -129,11 +129,14 @@ TEST(Scalar, ExponentialIsGoodToTheLastPlace) {
   EXPECT_EQ(exponential(1e6), INFINITY);
 }
 
+template <int degree, double reach>
+rotation_series<degree, reach> series_of(so3_near<degree, reach>);
+
 /// By how much a rotation with these polynomials changes the square of a length, at most, beyond what the rounding of
 /// their coefficients and long double allow.
 template <rotation_size size>
 double excess_of_length() {
-  using algebra = typename rotations<size>::algebra;
+  using series = decltype(series_of(typename rotations<size>::algebra{}));
   const auto exactly = [](const auto& p, long double q) {
     long double sum = 0;
     for (std::size_t k = p.size(); k-- > 0;) sum = sum * q + p[k];
@@ -142,7 +145,7 @@ double excess_of_length() {
   long double worst = -1;
   for (int i = 0; i <= 1000; ++i) {
     const long double angle = rotations<size>::bounds.generator * i / 1000, q = angle * angle;
-    const long double f = exactly(algebra::sinc, q), s = 1 - q * exactly(algebra::cosc, q);
+    const long double f = exactly(series::sinc, q), s = 1 - q * exactly(series::cosc, q);
     worst = std::max(worst, std::fabs(s * s + q * f * f - 1) - (3e-19L + 1e-17L * q * q));
   }
   return static_cast<double>(worst);
