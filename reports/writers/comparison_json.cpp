@@ -23,8 +23,8 @@ json to_value(const change& c) {
 }
 
 json to_value(const comparison& c) {
-  json out{{"schema", schema_of(schema, 1)}, {"scene", c.scene},     {"settings", c.settings},
-           {"claims", c.claims},          {"numbers", c.numbers}, {"timings", c.timings}};
+  json out{{"schema", schema_of(schema, 1)}, {"scene", c.scene},    {"settings", c.settings}, {"claims", c.claims},
+           {"numbers", c.numbers},           {"timings", c.timings}};
   out["without_interval"] = c.without_interval;
   out["timings_left_out"] = c.timings_left_out.empty() ? json() : json(c.timings_left_out);
   out["changes"] = json::array();

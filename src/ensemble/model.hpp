@@ -27,7 +27,7 @@ class model {
   /// Both for a block, [component][lane]: energies [lane], Casimirs [casimir][lane].
   virtual void conserved(std::span<const double> states, std::span<double> energies,
                          std::span<double> casimirs) const = 0;
-  virtual void drift(std::span<const double> mu, std::span<double> out) const = 0;  ///< ad*_a(mu) mu
+  virtual void drift(std::span<const double> mu, std::span<double> out) const = 0;       ///< ad*_a(mu) mu
   virtual void drifts(std::span<const double> states, std::span<double> out) const = 0;  ///< of a block
   /// ad*_xi mu: linear in both; over unit vectors xi the columns of the Lie-Poisson bracket at mu.
   virtual void coadjoint(std::span<const double> xi, std::span<const double> mu, std::span<double> out) const = 0;

@@ -12,50 +12,61 @@
 
 namespace polhode {
 
+namespace detail {
+
+template <class Vector>
+Vector lifted(const double* from, int size) {
+  auto out = zeros<Vector>(size);
+  for (int k = 0; k < size; ++k) out[k] = typename Vector::scalar(from[k]);
+  return out;
+}
+
+/// mu + change mu, `change` row by row.
+template <class S, int n>
+vec<S, n> changed(const vec<S, n>& mu, const double* change) {
+  auto out = mu;
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k) out[i] = out[i] + S(change[n * i + k]) * mu[k];
+  return out;
+}
+
+}  // namespace detail
+
 /// A system of constant noise vectors in one step whose noise all paths share: sum sigma_i dW^i and sum A^ij [sigma_i,
-/// sigma_j] are computed once, and what the noise alone does to a state is a matrix, Ad*_exp(sum sigma_i dW^i) - 1.
+/// sigma_j] are computed once, and what the noise alone does to a state is a matrix, Ad*_exp(sum sigma_i dW^i) - 1. For
+/// schemes that ask the system alone what an increment does: there is nothing in it here.
 template <class System>
 struct under_shared_noise : System {
   static constexpr int n = System::dimension;
   static constexpr bool has_matrix = n > 0 && n <= 6;  // worth its size
-  using element = vec<double, n>;
 
   explicit under_shared_noise(const System& system) : System(system) {}
 
-  const double *b = nullptr, *area = nullptr, *change = nullptr;  ///< of the step; `change` row by row
+  const double *b = nullptr, *area = nullptr, *change = nullptr;  ///< of the step
 
   template <class S>
   vec<S, n> noise(const vec<S, System::channels>&) const {
-    return lifted<S>(b);
+    return detail::lifted<vec<S, n>>(b, dimension_of<System>(*this));
   }
   template <class S>
   vec<S, n> area_noise(const vec<S, pairs_of<System::channels>>&) const {
-    return lifted<S>(area);
+    return detail::lifted<vec<S, n>>(area, dimension_of<System>(*this));
   }
   template <class S>
   vec<S, n> noise_flow(const vec<S, n>& mu, const wiener<S, System::channels>& w) const {
-    if constexpr (has_matrix) {
-      auto out = mu;
-      for (int i = 0; i < n; ++i)
-        for (int k = 0; k < n; ++k) out[i] = out[i] + S(change[n * i + k]) * mu[k];
-      return out;
-    } else {
+    if constexpr (has_matrix)
+      return detail::changed(mu, change);
+    else
       return System::algebra::exp_action(noise(w.dw), mu);
-    }
-  }
-
- private:
-  template <class S>
-  vec<S, n> lifted(const double* from) const {
-    auto out = zeros<vec<S, n>>(dimension_of<System>(*this));
-    for (int k = 0; k < out.size; ++k) out[k] = S(from[k]);
-    return out;
   }
 };
 
-/// The forms of any system: increments as they come, one branch-free zero where there is no noise.
-template <class System>
+/// The forms of any system: increments as they come, one branch-free zero where there is no noise. sums: a common noise
+/// is summed once a step; for schemes that ask the system alone what it does.
+template <class System, bool sums = false>
 class plain_forms {
+  static constexpr bool summed = sums && constant_noise_system<System>;
+
  public:
   explicit plain_forms(System system) : system_(std::move(system)) {}
 
@@ -79,7 +90,7 @@ class plain_forms {
       w.dw = row_of<decltype(w.dw)>(path.dw, i, channels);
       w.area = row_of<decltype(w.area)>(path.area, i, pairs);
       auto at = out.table.begin() + static_cast<std::ptrdiff_t>(i * out.words);
-      if constexpr (constant_noise_system<System>)
+      if constexpr (summed)
         write(system_.noise(w.dw), system_.area_noise(w.area), at);
       else
         std::ranges::copy(w.area, std::ranges::copy(w.dw, at).out);
@@ -88,7 +99,7 @@ class plain_forms {
   }
 
   auto common() const {
-    if constexpr (constant_noise_system<System>)
+    if constexpr (summed)
       return under_shared_noise<System>(system_);
     else
       return system_;
@@ -97,7 +108,7 @@ class plain_forms {
   wiener_levy<S, System::channels> enter(Entered& system, const double* row, double dt) const {
     wiener_levy<S, System::channels> w;
     w.dt = dt;
-    if constexpr (constant_noise_system<System>) {
+    if constexpr (summed) {
       const int n = dimension_of(system_);
       system.b = row;
       system.area = row + n;
@@ -114,7 +125,7 @@ class plain_forms {
 
  private:
   std::size_t words() const {
-    if constexpr (constant_noise_system<System>) {
+    if constexpr (summed) {
       const auto n = static_cast<std::size_t>(dimension_of(system_));
       return under_shared_noise<System>::has_matrix ? n * (n + 2) : 2 * n;
     } else {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "ensemble/kernel_of.hpp"
@@ -104,11 +105,21 @@ std::shared_ptr<const capabilities> offers_of(const report::scene&);
 template <class Scheme>
 struct scheme_tag {};
 
+/// Ours keep to the rule that the system alone is asked what an increment does (polhode/systems/lie_poisson.hpp); of a
+/// scheme that comes from elsewhere nobody knows.
+template <class Scheme, class... Ours>
+constexpr bool is_one_of(scheme_list<Ours...>) {
+  return (std::is_same_v<Scheme, Ours> || ...);
+}
+template <class Scheme, class System>
+using forms_for = plain_forms<System, is_one_of<Scheme>(all_schemes{})>;
+
 /// The kernel of a scheme on a system at one step size, for states on the orbit of the momentum. A system with kernels
 /// of its own overloads this.
 template <class Scheme, class System>
 std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const System& system, const std::vector<double>&, double dt) {
-  return std::make_unique<kernel_of<Scheme, plain_forms<System>, pack>>(plain_forms(prepared<Scheme>(system, dt)), dt);
+  using forms = forms_for<Scheme, decltype(prepared<Scheme>(system, dt))>;
+  return std::make_unique<kernel_of<Scheme, forms, pack>>(forms(prepared<Scheme>(system, dt)), dt);
 }
 
 template <class Scheme, class System>

@@ -16,7 +16,8 @@ namespace polhode {
 template <class Scheme, class At, class System>
 std::unique_ptr<kernel> kernel_in_registers(const System& system, const std::vector<double>& momentum, double dt) {
   const auto made = [dt]<class S, class Form>(std::type_identity<S>, Form form) {
-    return std::make_unique<kernel_of<Scheme, plain_forms<Form>, S>>(plain_forms(std::move(form)), dt);
+    using forms = forms_for<Scheme, Form>;
+    return std::make_unique<kernel_of<Scheme, forms, S>>(forms(std::move(form)), dt);
   };
   const auto own = prepared<Scheme>(system, dt);
   if constexpr (std::is_same_v<Scheme, strang>) {

@@ -54,7 +54,7 @@ namespace {
 
 template <class Scheme, class System>
 double operations_of(const System& system, const report::scene& scene) {
-  const plain_forms<System> forms(system);
+  const plain_forms<System, true> forms(system);
   const std::vector<double> dw(static_cast<std::size_t>(System::channels), 0.05);
   const auto shared = forms.share({1, dw, {}});
   auto in_step = forms.common();

@@ -56,6 +56,8 @@ PLANTED = [
     ('src/statistics/fit.cpp', '"algebra/decompositions.hpp"', False),
     ('src/statistics/fit.cpp', '"../ensemble/run.hpp"', True),
     ('src/statistics/fit.cpp', '<polhode/schemes/scheme_info.hpp>', True),
+    ('src/recorded/check.cpp', '"experiments/common/recorder.hpp"', False),
+    ('src/recorded/check.cpp', '"cli/commands.hpp"', True),
     ('src/references/wong_zakai_equation.hpp', '<polhode/schemes/scheme_info.hpp>', False),
     ('src/references/wong_zakai_equation.hpp', '<polhode/schemes/heun.hpp>', True),
     ('src/references/wong_zakai_equation.hpp', '<polhode/systems/rigid_body.hpp>', True),

@@ -124,8 +124,8 @@ class coverage_record {
     for (const auto& m : r.measurements)
       if (m.method == "sampled" && m.quantity != spread_of_paths && m.value && m.low && m.high && *m.low < *m.high)
         add({m.experiment, m.quantity},
-            fmt::format("{} {} {} {}", m.scheme, m.observable, m.dt().value_or(0), m.abscissa().value_or(0)), *m.value, *m.low,
-            *m.high);
+            fmt::format("{} {} {} {}", m.scheme, m.observable, m.dt().value_or(0), m.abscissa().value_or(0)), *m.value,
+            *m.low, *m.high);
   }
 
   /// The rows of one kind are of the same paths, so that there are no more independent cases than seeds.
