@@ -21,6 +21,13 @@ std::vector<std::string> names_of_components(const subject& s) {
   return names;
 }
 
+std::string read_from(const transitions& pairs, std::uint64_t states) {
+  std::string out = fmt::format("Read: {} states of {} paths, {} intervals", states, pairs.paths(), pairs.count());
+  for (const auto& [interval, count] : pairs.intervals())
+    out += fmt::format("{} {} of {:g}", out.ends_with("intervals") ? ":" : ",", count, interval);
+  return out + ".";
+}
+
 void report_elsewhere(recorder& record) {
   for (const char* claim : {"transition law", "energy law", "stationary law"})
     record.verdict(claim, {.kind = report::verdict_kind::skipped, .reason = no_exact_law});
@@ -49,10 +56,6 @@ checked_recording check_recording(const subject& s, const std::filesystem::path&
         fmt::format("{}: {} states, no two of one path; accepted: two of a path, or more", file.string(), size.states));
   checked_recording out;
   recorder record(recorded_experiment, recorded_scheme, out.results);
-  record.value({"states", "", "", "recorded"}, static_cast<double>(size.states));
-  record.value({"paths", "", "", "recorded"}, static_cast<double>(pairs.paths()));
-  for (const auto& [interval, count] : pairs.intervals())
-    record.value({"transitions", "", "", "recorded"}, {"interval", interval, "time"}, static_cast<double>(count));
   drift.report(size.resolution, record);
   if (law) {
     out.equation = law->report(record);
@@ -63,7 +66,8 @@ checked_recording check_recording(const subject& s, const std::filesystem::path&
   out.results.experiments.push_back(
       {recorded_experiment,
        "Do the recorded states follow the scene's equation?",
-       {fmt::format("Transition law: P = exp(D L) is known exactly for the interval D between states, so [f(X') - (P "
+       {read_from(pairs, size.states),
+        fmt::format("Transition law: P = exp(D L) is known exactly for the interval D between states, so [f(X') - (P "
                     "f)(X)] g(X) has mean "
                     "zero and a known conditional variance for any f and g: z-tests over harmonics f up to degree {} "
                     "and g up to {}, "

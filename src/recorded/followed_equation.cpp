@@ -15,8 +15,10 @@ namespace {
 
 constexpr double difference_share = 1e-4;  // of a parameter's unit
 constexpr double nothing_new = 1e-4;       // of what a parameter does, squared: what others do not do
-constexpr int most_iterations = 12;
-constexpr double settled = 1e-3;  // standard errors
+constexpr int most_iterations = 20;
+constexpr double settled = 1e-2;                  // standard errors
+constexpr double longest_step = 0.5, far = 0.02;  // units of the parameters; beyond `far` slopes are taken anew
+constexpr double least_noise = 0.05;              // of the scene's: no noise has no law
 
 /// Of the columns of the operators, all classes at the parameters `p`.
 class moment_equations {
@@ -160,21 +162,23 @@ followed_equation equation_followed(const subject& s, std::vector<transition_cla
   const Eigen::MatrixXd observed = observed_covariance(classes)(rows, rows);
   const Eigen::MatrixXd first = equations.slope(p) * unit.asDiagonal();
   const auto free = independent_columns(first.transpose() * weight * first);
-  Eigen::MatrixXd covariance;
+  const auto solution_at = [&](const Eigen::MatrixXd& slope) -> Eigen::MatrixXd {
+    const Eigen::MatrixXd d = slope(Eigen::all, free);
+    return pseudo_inverse(d.transpose() * weight * d) * d.transpose() * weight;
+  };
+  Eigen::MatrixXd solve = solution_at(first), covariance;
   bool done = false;
   for (int i = 0; i < most_iterations && !done; ++i) {
-    const Eigen::VectorXd y = equations.residual(p);
-    const Eigen::MatrixXd all = equations.slope(p) * unit.asDiagonal(), d = all(Eigen::all, free);
-    const Eigen::MatrixXd solve = pseudo_inverse(d.transpose() * weight * d) * d.transpose() * weight;
-    const Eigen::VectorXd step = solve * y;
+    const Eigen::VectorXd step = solve * equations.residual(p);
     if (!step.allFinite()) break;
     covariance = solve * observed * solve.transpose();
     const Eigen::VectorXd error = covariance.diagonal().cwiseMax(0).cwiseSqrt();
-    const double longest = step.cwiseAbs().maxCoeff(), part = std::min(1.0, 0.5 / longest);  // half a unit at once
+    const double longest = step.cwiseAbs().maxCoeff(), part = std::min(1.0, longest_step / longest);
     for (std::size_t k = 0; k < free.size(); ++k)
       p[free[k]] += part * step[static_cast<Eigen::Index>(k)] * unit[free[k]];
-    p[0] = std::max(p[0], 0.05 * unit[0]);  // no noise has no law
+    p[0] = std::max(p[0], least_noise * unit[0]);
     done = part == 1 && (step.cwiseAbs().array() <= settled * error.array()).all();
+    if (!done && longest > far) solve = solution_at(equations.slope(p) * unit.asDiagonal());
   }
   if (!done) return {{}, "no parameters near the scene's make an equation that the data follow"};
   for (Eigen::Index k = 0; k < count; ++k) {

@@ -91,9 +91,9 @@ followed_equation transition_report::report(recorder& record) {
 void transition_report::report_transitions(const Eigen::VectorXd& residual, const Eigen::MatrixXd& variance,
                                            const followed_equation& equation, recorder& record) const {
   const auto found = test_transitions(residual, variance, count_);
-  record.value({"largest |z|", "", "", "exact law"}, found.largest);
-  record.value({"sum of squares", "", "", "exact law"}, found.squares);
-  record.value({"degrees of freedom", "", "", "exact law"}, found.rank);
+  curve z{{"z of each test", "", "", "exact law"}, "test", ""};
+  for (Eigen::Index i = 0; i < found.z.size(); ++i) z.add(static_cast<double>(i + 1), found.z[i]);
+  const auto written = record.series(z);
   double off = 1;  // half interval of the noise, relative
   if (equation.reason.empty()) {
     const auto& sigma = equation.parameters.front();
@@ -111,7 +111,7 @@ void transition_report::report_transitions(const Eigen::VectorXd& residual, cons
       found.rank, found.p_squares, false_alarms, told(equation));
   if (v.kind == report::verdict_kind::inconclusive)
     v.reason += fmt::format("; too few to see a noise {:g} % off", 100 * noise_margin);
-  record.verdict(transition_claim, std::move(v));
+  record.verdict(transition_claim, std::move(v), {written});
 }
 
 void transition_report::report_energy(recorder& record) {

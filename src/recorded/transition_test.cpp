@@ -46,9 +46,9 @@ transition_finding test_transitions(const Eigen::VectorXd& residual, const Eigen
   const auto rows = rows_of(out.family);
   if (rows.empty()) return out;
   const Eigen::VectorXd y = residual(rows), scale = variance(rows, rows).diagonal().cwiseMax(1e-300).cwiseSqrt();
-  const Eigen::VectorXd z = y.cwiseQuotient(scale);
+  out.z = y.cwiseQuotient(scale);
   Eigen::Index worst = 0;
-  out.largest = z.cwiseAbs().maxCoeff(&worst);
+  out.largest = out.z.cwiseAbs().maxCoeff(&worst);
   out.where = name_of(rows[static_cast<std::size_t>(worst)]);
   const double tests = static_cast<double>(rows.size());
   out.critical = normal_deviate(false_alarms / 4 / tests);
@@ -56,7 +56,7 @@ transition_finding test_transitions(const Eigen::VectorXd& residual, const Eigen
   const Eigen::MatrixXd correlation =
       scale.cwiseInverse().asDiagonal() * variance(rows, rows) * scale.cwiseInverse().asDiagonal();
   const auto modes = symmetric_eigenpairs_of(correlation);
-  const Eigen::VectorXd along = modes.vectors.transpose() * z;
+  const Eigen::VectorXd along = modes.vectors.transpose() * out.z;
   for (Eigen::Index i = 0; i < along.size(); ++i)
     if (modes.values[i] > no_direction * modes.values.maxCoeff()) {
       out.squares += along[i] * along[i] / modes.values[i];

@@ -25,6 +25,7 @@ test_family family_for(double transitions);
 
 struct transition_finding {
   test_family family;
+  Eigen::VectorXd z = {};  ///< of each test
   double largest = 0;      ///< |z|
   double critical = 0;     ///< for it
   std::string where = {};  ///< of which test, in words
