@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recorded/claims.hpp"
+
 namespace polhode {
 namespace {
 
@@ -41,7 +43,7 @@ void casimir_drift::report(double resolution, recorder& record) const {
   v.kind = worst <= allowed ? report::verdict_kind::holds : report::verdict_kind::refuted;
   v.reason = fmt::format("largest relative change along a path {:.2g}, {:.2g} on average; {:.2g} is what {} hide",
                          worst, mean, allowed, resolution <= 0x1p-52 ? "rounding may" : "the digits of the file");
-  record.verdict("casimir", std::move(v));
+  record.verdict(recorded_claim::casimir, std::move(v));
 }
 
 }  // namespace polhode

@@ -6,7 +6,9 @@
 
 #include "experiments/common/experiment.hpp"
 #include "experiments/common/recorder.hpp"
+#include "problem/observables.hpp"
 #include "recorded/casimir_drift.hpp"
+#include "recorded/claims.hpp"
 #include "recorded/recorded_law.hpp"
 #include "recorded/transition_report.hpp"
 #include "recorded/transitions.hpp"
@@ -16,8 +18,8 @@ namespace polhode {
 namespace {
 
 std::vector<std::string> names_of_components(const subject& s) {
-  auto names = s.offers->components;
-  for (std::size_t k = names.size(); k < s.scene.momentum.size(); ++k) names.push_back(fmt::format("mu_{}", k + 1));
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < s.scene.momentum.size(); ++k) names.push_back(component_name(s, k));
   return names;
 }
 
@@ -29,7 +31,7 @@ std::string read_from(const transitions& pairs, std::uint64_t states) {
 }
 
 void report_elsewhere(recorder& record) {
-  for (const char* claim : {"transition law", "energy law", "stationary law"})
+  for (const char* claim : {recorded_claim::transition_law, recorded_claim::energy_law, recorded_claim::stationary_law})
     record.verdict(claim, {.kind = report::verdict_kind::skipped, .reason = no_exact_law});
 }
 
@@ -67,15 +69,13 @@ checked_recording check_recording(const subject& s, const std::filesystem::path&
       {recorded_experiment,
        "Do the recorded states follow the scene's equation?",
        {read_from(pairs, size.states),
-        fmt::format("Transition law: P = exp(D L) is known exactly for the interval D between states, so [f(X') - (P "
-                    "f)(X)] g(X) has mean "
-                    "zero and a known conditional variance for any f and g: z-tests over harmonics f up to degree {} "
-                    "and g up to {}, "
-                    "whatever wrote the data and whatever step it took inside. Their largest |z|, and their sum of "
-                    "squares by the "
-                    "exact covariance, each with half of the budget of false alarms, {:g}. A pass would have seen a "
-                    "noise 10 % off.",
-                    degree_after, degree_before, false_alarms),
+        fmt::format(
+            "Transition law: P = exp(D L) is known exactly for the interval D between states, so [f(X') - (P f)(X)] "
+            "g(X) has mean zero and a known conditional variance for any f and g: z-tests over harmonics f up to "
+            "degree {} and g up to {}, whatever wrote the data and whatever step it took inside. Their largest "
+            "|z|, and their sum of squares by the exact covariance, each with half of the budget of false "
+            "alarms, {:g}. A pass would have seen a noise 10 % off.",
+            degree_after, degree_before, false_alarms),
         "Parameters that the data follow: the same moment equations solved for the strengths of noise and dissipation "
         "and for the numbers of the energy (generalised method of moments, 95 % intervals from the observed "
         "covariance). A parameter whose effect the ones before it have too is held at the scene's value.",

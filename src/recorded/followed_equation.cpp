@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "algebra/decompositions.hpp"
 #include "problem/noise_covariance.hpp"
@@ -51,20 +52,8 @@ class moment_equations {
  private:
   report::scene scene_at(const Eigen::VectorXd& p) const {
     report::scene s = scene_;
-    for (std::size_t k = 0; k < parameters_.size(); ++k) {
-      const auto changed = parameters_[k].with(p[static_cast<Eigen::Index>(k)]);
-      merge(changed, s);
-    }
+    for (std::size_t k = 0; k < parameters_.size(); ++k) parameters_[k].set(s, p[static_cast<Eigen::Index>(k)]);
     return s;
-  }
-  /// What differs from the scene.
-  void merge(const report::scene& changed, report::scene& to) const {
-    for (std::size_t i = 0; i < changed.parameters.size(); ++i) {
-      auto& rows = to.parameters[i].rows;
-      for (std::size_t r = 0; r < rows.size(); ++r)
-        for (std::size_t c = 0; c < rows[r].size(); ++c)
-          rows[r][c] += changed.parameters[i].rows[r][c] - scene_.parameters[i].rows[r][c];
-    }
   }
 
   const report::scene& scene_;
@@ -111,11 +100,11 @@ std::vector<fitted_parameter> parameters_to_fit(const subject& s) {
   const auto& scene = s.scene;
   const double strength = isotropic_strength(scene), sigma = strength > 0 ? strength : 1;
   std::vector<fitted_parameter> out{
-      {"sigma", sigma, sigma, [=](double x) { return with_noise_times(scene, x / sigma); }}};
+      {"sigma", sigma, sigma, [=](report::scene& to, double x) { to = with_noise_times(std::move(to), x / sigma); }}};
   const double theta = dissipation_of(scene);
   const double rate = std::max(s.offers->rates.motion, s.offers->rates.noise);
   out.push_back({"theta", theta, theta > 0 ? theta : rate / std::max(s.offers->rates.damping, 1e-300),
-                 [=](double x) { return with_dissipation(scene, x); }});
+                 [=](report::scene& to, double x) { to = with_dissipation(std::move(to), x); }});
   for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
     const auto& p = scene.parameters[i];
     if (p.name == noise_key || p.name == dissipation_key || p.rows.empty()) continue;
@@ -134,11 +123,9 @@ std::vector<fitted_parameter> parameters_to_fit(const subject& s) {
                      now != 0      ? std::fabs(now)
                      : largest > 0 ? largest
                                    : rate,
-                     [=](double x) {
-                       report::scene moved = scene;
-                       moved.parameters[i].rows[r][c] = x;
-                       if (matrix) moved.parameters[i].rows[c][r] = x;
-                       return moved;
+                     [=](report::scene& to, double x) {
+                       to.parameters[i].rows[r][c] = x;
+                       if (matrix) to.parameters[i].rows[c][r] = x;
                      }});
     }
   }

@@ -16,12 +16,12 @@
 
 namespace polhode {
 
-/// A number of the equation, and the scene with another in its place.
+/// A number of the equation, and how a scene is given another in its place.
 struct fitted_parameter {
   std::string name;
   double in_scene = 0;
   double unit = 1;  ///< a change of it that matters
-  std::function<report::scene(double)> with = {};
+  std::function<void(report::scene&, double)> set = {};
 };
 /// The strength of all noise, that of the dissipation, and every number of the energy. Noise of several strengths: as a
 /// multiple of the scene's.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "problem/vectors.hpp"
+#include "recorded/claims.hpp"
 #include "sphere/harmonics/backward_operator.hpp"
 #include "sphere/spectral_gap.hpp"
 #include "sphere/stationary.hpp"
@@ -78,7 +79,7 @@ std::optional<recorded_law::finding> recorded_law::find(std::size_t k) const {
 }
 
 void recorded_law::report(recorder& record) {
-  const char* claim = "stationary law";
+  const char* claim = recorded_claim::stationary_law;
   if (!reason_.empty()) {
     record.verdict(claim, {.kind = report::verdict_kind::skipped, .reason = reason_});
     return;

@@ -7,6 +7,7 @@
 
 #include "experiments/common/experiment.hpp"
 #include "problem/vectors.hpp"
+#include "recorded/claims.hpp"
 #include "sphere/harmonics/observables.hpp"
 #include "statistics/distributions.hpp"
 
@@ -18,7 +19,6 @@ constexpr double same = 1e-6;               // radius and interval, relative
 constexpr double operator_accuracy = 1e-8;  // of a harmonic's mean: far below what can be sampled
 constexpr double noise_margin = 0.1;        // a pass would have seen a noise so far off
 constexpr double energy_margin = 0.25;      // of what dissipation takes: the widest half interval of a pass
-const char *transition_claim = "transition law", *energy_claim = "energy law";
 
 bool near(double a, double b) { return std::fabs(a - b) <= same * std::fabs(b); }
 
@@ -67,11 +67,12 @@ void transition_report::add(const recorded_transition& t) {
 
 followed_equation transition_report::report(recorder& record) {
   if (reason_.empty() && family_for(count_).tests() == 0)
-    reason_ = fmt::format("{:g} transitions; at least {:g} would do", count_, 40 * 3.0);
+    reason_ = fmt::format("{:g} transitions; at least {:g} would do", count_, fewest_transitions);
   if (!reason_.empty()) {
     const auto kind =
         subject_.sphere()->has_noise() ? report::verdict_kind::inconclusive : report::verdict_kind::skipped;
-    for (const char* claim : {transition_claim, energy_claim}) record.verdict(claim, {.kind = kind, .reason = reason_});
+    for (const char* claim : {recorded_claim::transition_law, recorded_claim::energy_law})
+      record.verdict(claim, {.kind = kind, .reason = reason_});
     return {{}, reason_};
   }
   Eigen::VectorXd residual = Eigen::VectorXd::Zero(all_tests);
@@ -111,7 +112,7 @@ void transition_report::report_transitions(const Eigen::VectorXd& residual, cons
       found.rank, found.p_squares, false_alarms, told(equation));
   if (v.kind == report::verdict_kind::inconclusive)
     v.reason += fmt::format("; too few to see a noise {:g} % off", 100 * noise_margin);
-  record.verdict(transition_claim, std::move(v), {written});
+  record.verdict(recorded_claim::transition_law, std::move(v), {written});
 }
 
 void transition_report::report_energy(recorder& record) {
@@ -138,7 +139,7 @@ void transition_report::report_energy(recorder& record) {
       "{:.3g}; z = {:.2f}, p = {:.2g}",
       rate, rate - half, rate + half, power, z, p);
   record.value({"energy gained beyond the law", "energy", "", "recorded"}, rate, rate - half, rate + half);
-  record.verdict(energy_claim, std::move(v));
+  record.verdict(recorded_claim::energy_law, std::move(v));
 }
 
 }  // namespace polhode

@@ -12,7 +12,6 @@
 namespace polhode {
 namespace {
 
-constexpr double enough = 40;          // transitions a test
 constexpr double no_direction = 1e-9;  // of the largest variance: a combination of tests that says nothing
 
 std::string name_of(Eigen::Index test) {
@@ -29,7 +28,7 @@ std::string name_of(Eigen::Index test) {
 test_family family_for(double transitions) {
   for (const test_family family : {test_family{degree_after, degree_before}, test_family{2, 2}, test_family{2, 1},
                                    test_family{1, 1}, test_family{1, 0}})
-    if (transitions >= enough * family.tests()) return family;
+    if (transitions >= transitions_a_test * family.tests()) return family;
   return {};
 }
 

@@ -14,6 +14,7 @@
 
 namespace polhode {
 
+inline constexpr double transitions_a_test = 40, fewest_transitions = 3 * transitions_a_test;
 inline constexpr double false_alarms = 1e-3;  ///< of the whole test, on data that follow the law
 
 /// Tests of so low degrees that each rests on enough transitions; none below the fewest.

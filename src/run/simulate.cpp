@@ -13,6 +13,7 @@
 #include "ensemble/simulation.hpp"
 #include "platform/isa.hpp"
 #include "platform/memory.hpp"
+#include "problem/observables.hpp"
 #include "run/bind_scene.hpp"
 #include "run/machine_options.hpp"
 #include "run/provenance.hpp"
@@ -194,9 +195,8 @@ void check_simulation(const scene& s, const simulate_options& o) { prepare(s, o)
 
 recording_plan planned_recording(const scene& s, const simulate_options& o) {
   const auto r = prepare(s, o);
-  recording_plan out{r.plan.bodies, r.plan.records(), r.subject.offers->components, 0};
-  for (std::size_t k = out.components.size(); k < s.momentum.size(); ++k)
-    out.components.push_back(fmt::format("mu_{}", k + 1));
+  recording_plan out{r.plan.bodies, r.plan.records(), {}, 0};
+  for (std::size_t k = 0; k < s.momentum.size(); ++k) out.components.push_back(component_name(r.subject, k));
   out.dt = static_cast<double>(r.plan.record_every) * o.dt;
   return out;
 }

@@ -29,7 +29,7 @@ std::vector<report::series_id> report_levels(const std::vector<observable>& obse
   std::vector<report::series_id> written;
   const auto report_one = [&](const std::string& name, std::size_t f) {
     const auto& d = found.errors[f];
-    curve size{{"difference", name, "", "sampled"}}, variance{{"variance of the difference", name, "", "sampled"}};
+    curve size{{sampled_error, name, "", "sampled"}}, variance{{"variance of the difference", name, "", "sampled"}};
     for (int l = 0; l < d.levels; ++l) {
       const auto m = level_mean(d, l);
       const double mean = std::fabs(m.mean), step = dt[static_cast<std::size_t>(l)];
@@ -39,7 +39,7 @@ std::vector<report::series_id> report_levels(const std::vector<observable>& obse
     written.push_back(record.series(size, found.fits[f]));
     if (f == observables.size()) record.series(variance);
   };
-  report_one("all, in their sizes", observables.size());
+  report_one(all_together, observables.size());
   for (std::size_t f = 0; f < observables.size(); ++f) report_one(observables[f].name, f);
   return written;
 }

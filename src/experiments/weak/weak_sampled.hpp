@@ -14,6 +14,8 @@
 namespace polhode {
 
 inline constexpr const char* weak_order_claim = "weak order";
+/// The series of sampled errors, and under which observable those of all together stand.
+inline constexpr const char *sampled_error = "difference", *all_together = "all, in their sizes";
 
 /// For each scheme: |d| a level and observable with its 95 % interval, the variance of all together, the path-steps
 /// spent, a fit over the levels whose |d| is five times its standard error (paths resampled), and the verdicts on order

@@ -8,6 +8,7 @@
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/levels.hpp"
 #include "experiments/laws/transfer_report.hpp"
+#include "experiments/weak/weak_sampled.hpp"
 #include "experiments/work_precision/energy_error.hpp"
 #include "experiments/work_precision/known_law_errors.hpp"
 #include "problem/vectors.hpp"
@@ -57,9 +58,9 @@ unit_of_row by_observable(const subject& s, std::string quantity) {
 }
 
 /// Off the sphere: what `weak` samples of all observables together, each in units of its own size already.
-unit_of_row all_together() {
+unit_of_row of_all_together() {
   return [](const report::measurement& m) {
-    const bool is_one = m.quantity == "difference" && m.observable == "all, in their sizes";
+    const bool is_one = m.quantity == sampled_error && m.observable == all_together;
     return is_one ? std::optional(1.0) : std::nullopt;
   };
 }
@@ -122,7 +123,7 @@ std::vector<error_kind> known_errors(const context& c) {
                                 {"energy_law", "energy", "h_0", true},
                                 {"casimir", "casimir", "relative"}};
   gather(before, kinds[0], constant("error", momentum));
-  gather(before, kinds[1], s.sphere() ? by_observable(s, "error") : all_together());
+  gather(before, kinds[1], s.sphere() ? by_observable(s, "error") : of_all_together());
   gather(before, kinds[2], by_observable(s, "bias"));
   gather(before, kinds[4], constant("drift", 1));
   constexpr double accuracy = 1e-12;  // of the truth
