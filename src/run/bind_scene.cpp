@@ -6,8 +6,8 @@
 
 namespace polhode {
 
-subject bind_scene(const scene& s) {
-  if (const auto* system = find_system(s.system)) return system->bind(s);
+subject bind_scene(const scene& s, const foreign::foreign_schemes& foreign) {
+  if (const auto* system = find_system(s.system)) return with_foreign(system->bind(s), foreign);
   throw input_error(fmt::format("scene {}: system = \"{}\" is not known", s.name, s.system));
 }
 

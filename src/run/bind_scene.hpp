@@ -3,14 +3,16 @@
 
 #include <vector>
 
+#include "foreign/foreign_scheme.hpp"
 #include "reports/model/results.hpp"
 #include "scene/scene.hpp"
 #include "systems/systems.hpp"
 
 namespace polhode {
 
-/// The scene's system with every scheme that applies to it. Throws input_error on an unknown system.
-subject bind_scene(const scene&);
+/// The scene's system with every scheme that applies to it, ours and those from elsewhere. Throws input_error on an
+/// unknown system.
+subject bind_scene(const scene&, const foreign::foreign_schemes& = {});
 
 /// A scheme and what it claims, as reports say it.
 report::scheme described(const scheme_entry&);

@@ -86,11 +86,12 @@ struct entry {
   bool fresh = false;  ///< computed now
 };
 
-std::vector<entry> ask(const experiment& e, const context& c, report::result_store* store) {
+std::vector<entry> ask(const experiment& e, const context& c, const kept_results& kept) {
   std::vector<entry> entries;
   for (const auto& scheme : c.subject.schemes) {
-    entry one{std::string(scheme.info.name), store ? cache_key(c, e.info.name, scheme.info.name) : "", {}};
-    if (!one.key.empty()) one.part = store->load(one.key);
+    const bool asks = kept.store != nullptr && !contains(kept.but_of, scheme.info.name);
+    entry one{std::string(scheme.info.name), asks ? cache_key(c, e.info.name, scheme.info.name) : "", {}};
+    if (!one.key.empty()) one.part = kept.store->load(one.key);
     entries.push_back(std::move(one));
   }
   return entries;
@@ -143,9 +144,9 @@ subject restricted(subject s, const names& schemes) {
   return s;
 }
 
-void run_experiment(const experiment& e, const context& c, report::result_store* store, report::results& out) {
-  if (!e.kept) store = nullptr;
-  auto entries = ask(e, c, store);
+void run_experiment(const experiment& e, const context& c, const kept_results& kept, report::results& out) {
+  auto* store = e.kept ? kept.store : nullptr;
+  auto entries = ask(e, c, {store, kept.but_of});
   for (const auto& one : entries)
     if (one.part) out.reused.push_back(reused(e, one));
   out.done.results_reused = out.reused.size();

@@ -12,9 +12,15 @@ namespace polhode {
 /// The subject with these of its schemes only.
 subject restricted(subject, const std::vector<std::string>& schemes);
 
+/// Where results are kept from run to run; null: nowhere. Those of some schemes never are.
+struct kept_results {
+  report::result_store* store = nullptr;
+  std::vector<std::string> but_of = {};
+};
+
 /// Appends what the experiment says: rows of no scheme first, then scheme by scheme in the subject's order, whether
 /// they are computed now or come from the store. What is computed goes into the store. Relies on an experiment saying
 /// the same of a scheme, and of none, whichever schemes run.
-void run_experiment(const experiment&, const context&, report::result_store*, report::results& out);
+void run_experiment(const experiment&, const context&, const kept_results&, report::results& out);
 
 }  // namespace polhode

@@ -7,6 +7,7 @@
 
 #include "platform/isa.hpp"
 #include "reports/model/errors.hpp"
+#include "run/foreign_runs.hpp"
 #include "run/machine_options.hpp"
 #include "run/provenance.hpp"
 #include "run/run_experiment.hpp"
@@ -51,6 +52,24 @@ report::results finished(report::results out, const stopwatch& watch) {
   return out;
 }
 
+/// On the schemes by how they may be asked.
+void run_on_parts(const experiment& e, const context& c, const verify_options& options, report::results& out) {
+  kept_results kept{options.store};
+  for (const auto& one : options.foreign) kept.but_of.push_back(one->about().name);
+  const auto parts = parts_for(e, c.subject, options.foreign, out.skipped);
+  for (const auto& part : parts) {
+    const context on_part{part, c.effort, c.threads, c.seed, c.generator, c.progress, c.before};
+    if (&part == &parts.front()) {
+      run_experiment(e, on_part, kept, out);
+      continue;
+    }
+    report::results more;
+    run_experiment(e, on_part, kept, more);
+    append_of_schemes(part, std::move(more), out);
+  }
+  report_failures(e, c.subject, options.foreign, out);
+}
+
 void run_experiments(const subject& s, const std::vector<experiment>& experiments, const verify_options& options,
                      const progress_sink& progress, const stopwatch& watch, report::results& out) {
   double total = 0, before = 0;
@@ -69,9 +88,8 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
     if (const auto reason = e.skip_reason(s))
       out.skipped.push_back({e.info.name, "", *reason});
     else
-      run_experiment(e,
-                     {s, options.effort, options.threads, options.seed, generator_named(options.generator), tell, &out},
-                     options.store, out);
+      run_on_parts(e, {s, options.effort, options.threads, options.seed, generator_named(options.generator), tell, &out},
+                   options, out);
     profile.end(e.info.name, out.profile);
     before += e.weight;
     out.to_come.erase(out.to_come.begin());
@@ -85,7 +103,7 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
 void check_options(const scene& s, const verify_options& options) {
   apply_isa(options.isa);
   generator_named(options.generator);
-  auto subject = bind_scene(s);
+  auto subject = bind_scene(s, options.foreign);
   auto experiments = all_experiments();
   keep_wanted(subject.schemes, options.schemes, "--schemes", [](const scheme_entry& e) { return e.info.name; });
   keep_wanted(experiments, options.experiments, "--experiments", [](const experiment& e) { return e.info.name; });
@@ -116,7 +134,7 @@ report::results verify_subject(subject s, const verify_options& options, const p
 report::results verify(const scene& s, const verify_options& options, const progress_sink& progress) {
   apply_isa(options.isa);
   generator_named(options.generator);
-  return verify_subject(bind_scene(s), options, progress);
+  return verify_subject(bind_scene(s, options.foreign), options, progress);
 }
 
 std::vector<report::experiment> list_experiments() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/common/experiment.hpp"
+#include "foreign/foreign_scheme.hpp"
 #include "reports/model/result_store.hpp"
 #include "reports/model/results.hpp"
 #include "run/bind_scene.hpp"
@@ -27,6 +28,7 @@ struct verify_options {
   std::function<void(const report::results&)> so_far = {};
   bool profile = false;                   ///< say where the processor time went
   report::result_store* store = nullptr;  ///< keeps results from run to run; for schemes that are ours only
+  foreign::foreign_schemes foreign = {};  ///< integrators from elsewhere, beside ours
 };
 
 /// Runs the experiments. `provenance` of the result holds what is known here (seed, effort, threads, times).

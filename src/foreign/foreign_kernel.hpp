@@ -1,0 +1,18 @@
+// The kernels of an integrator from elsewhere.
+#pragma once
+
+#include <memory>
+
+#include "ensemble/kernel.hpp"
+#include "ensemble/tangent_kernel.hpp"
+#include "foreign/foreign_scheme.hpp"
+
+namespace polhode::foreign {
+
+std::unique_ptr<kernel> make_kernel(std::shared_ptr<foreign_scheme>, const problem&);
+
+/// Tangents by central differences of the integrator's own steps, 1e-6 of |mu| to either side: good to about nine
+/// digits where a step is smooth.
+std::unique_ptr<tangent_kernel> make_tangent_kernel(std::shared_ptr<foreign_scheme>, const problem&);
+
+}  // namespace polhode::foreign

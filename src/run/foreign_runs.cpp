@@ -1,0 +1,98 @@
+#include "run/foreign_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <string_view>
+
+#include "run/run_experiment.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::string_view works = "the integrator works";
+
+constexpr std::array<std::string_view, 4> of_one_noise{"strong", "attractor", "lyapunov", "modified"};
+
+bool needs_increments(const experiment& e) { return std::ranges::find(of_one_noise, e.info.name) != of_one_noise.end(); }
+
+/// Without the operators of a sphere, here and on every changed scene.
+subject sampled(subject s) {
+  auto offers = std::make_shared<capabilities>(*s.offers);
+  offers->sphere.reset();
+  s.offers = offers;
+  s.with = [with = s.with](const report::scene& other) { return sampled(with(other)); };
+  return s;
+}
+
+bool is_reported(const report::results& so_far, std::string_view scheme) {
+  return std::ranges::any_of(so_far.verdicts,
+                             [&](const report::verdict& v) { return v.scheme == scheme && v.claim == works; });
+}
+
+}  // namespace
+
+std::vector<subject> parts_for(const experiment& e, const subject& s, const foreign::foreign_schemes& foreign,
+                               std::vector<report::skip>& skipped) {
+  if (foreign.empty()) return {s};
+  std::vector<std::string> driven, own;
+  for (const auto& entry : s.schemes) {
+    const std::string name(entry.info.name);
+    const auto* of = find_foreign(foreign, name);
+    const bool draws = of != nullptr && of->about().takes == foreign::noise_access::own_numbers;
+    if (of != nullptr && of->failure())
+      skipped.push_back({e.info.name, name, "the integrator has failed: " + *of->failure()});
+    else if (draws && needs_increments(e))
+      skipped.push_back({e.info.name, name,
+                         "draws random numbers of its own: two runs under one noise, which this compares, need an "
+                         "integrator that takes increments"});
+    else
+      (draws ? own : driven).push_back(name);
+  }
+  std::vector<subject> out;
+  if (!driven.empty()) out.push_back(restricted(s, driven));
+  if (!own.empty()) out.push_back(restricted(sampled(s), own));
+  return out;
+}
+
+void append_of_schemes(const subject& part, report::results more, report::results& out) {
+  const auto of_part = [&](const auto& row) {
+    return std::ranges::any_of(part.schemes, [&](const scheme_entry& e) { return e.info.name == row.scheme; });
+  };
+  const auto append = [&](auto rows) {
+    std::ranges::copy_if(more.*rows, std::back_inserter(out.*rows), of_part);
+  };
+  append(&report::results::measurements);
+  append(&report::results::fits);
+  append(&report::results::verdicts);
+  append(&report::results::skipped);
+  append(&report::results::densities);
+  out.done.work.normals_drawn += more.done.work.normals_drawn;
+  out.done.work.path_steps += more.done.work.path_steps;
+  out.done.work.kernels_run += more.done.work.kernels_run;
+  out.done.results_computed += more.done.results_computed;
+}
+
+void report_failures(const experiment& e, const subject& s, const foreign::foreign_schemes& foreign,
+                     report::results& out) {
+  for (const auto& one : foreign) {
+    const auto& name = one->about().name;
+    const auto why = one->failure();
+    const auto is_it = [&](const scheme_entry& entry) { return entry.info.name == name; };
+    if (!why || std::ranges::none_of(s.schemes, is_it) || is_reported(out, name)) continue;
+    const auto of_it = [&](const auto& row) { return row.experiment == e.info.name && row.scheme == name; };
+    std::erase_if(out.measurements, of_it);
+    std::erase_if(out.fits, of_it);
+    std::erase_if(out.verdicts, of_it);
+    std::erase_if(out.skipped, of_it);
+    std::erase_if(out.densities, of_it);
+    report::verdict v{.experiment = e.info.name, .scheme = name, .claim = std::string(works)};
+    v.kind = report::verdict_kind::refuted;
+    v.reason = *why;
+    out.verdicts.push_back(v);
+  }
+}
+
+}  // namespace polhode

@@ -1,0 +1,25 @@
+// What is different about an experiment where integrators from elsewhere take part.
+#pragma once
+
+#include <vector>
+
+#include "experiments/common/experiment.hpp"
+#include "foreign/foreign_scheme.hpp"
+#include "reports/model/results.hpp"
+
+namespace polhode {
+
+/// The schemes of a subject by how an experiment may ask them, each part a subject of its own; a row in `skipped` for
+/// each that it cannot ask. Schemes that draw random numbers of their own are sampled: for them the exact laws of a
+/// sphere are references alone.
+std::vector<subject> parts_for(const experiment&, const subject&, const foreign::foreign_schemes&,
+                               std::vector<report::skip>& skipped);
+
+/// Appends what a further part of an experiment says of its schemes; what it says of the scene the first has said.
+void append_of_schemes(const subject& part, report::results more, report::results& out);
+
+/// Of integrators that have failed in this experiment: all that it says of them gives way to one verdict with the
+/// reason.
+void report_failures(const experiment&, const subject&, const foreign::foreign_schemes&, report::results&);
+
+}  // namespace polhode
