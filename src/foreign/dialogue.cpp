@@ -66,11 +66,7 @@ std::size_t dialogue::hear(std::span<std::byte> answer, std::size_t got, std::si
 
 void dialogue::write() {
   const auto written = ::writev(child_.in(), unsaid_.data(), static_cast<int>(unsaid_.size()));
-  if (written < 0 && errno == EPIPE) {
-    reads_ = false;
-    unsaid_.clear();
-    until_ = std::min(until_, clock::now() + grace);
-  }
+  if (written < 0 && errno == EPIPE) stop_talking();
   if (written <= 0) return;
   auto left = static_cast<std::size_t>(written);
   while (!unsaid_.empty() && left >= unsaid_.front().iov_len) {
@@ -82,17 +78,27 @@ void dialogue::write() {
   unsaid_.front().iov_len -= left;
 }
 
+/// It has closed its standard input: what it has written so far may still be an answer.
+void dialogue::stop_talking() {
+  reads_ = false;
+  unsaid_.clear();
+  until_ = std::min(until_, clock::now() + grace);
+}
+
 /// Until there is something to read, or the child has closed that pipe.
 void dialogue::wait(std::size_t got) {
   for (;;) {
     std::array<pollfd, 3> ends{{{child_.out(), POLLIN, 0},
                                 {complains_ ? child_.err() : -1, POLLIN, 0},
-                                {unsaid_.empty() ? -1 : child_.in(), POLLOUT, 0}}};
+                                {reads_ ? child_.in() : -1, static_cast<short>(unsaid_.empty() ? 0 : POLLOUT), 0}}};
     const auto left = until_ - clock::now();
     if (left <= 0s) fail_at_deadline(got);
     if (::poll(ends.data(), ends.size(), milliseconds(left)) <= 0) continue;
     if (ends[1].revents != 0) complains_ = keep_errors();
-    if (ends[2].revents != 0) write();
+    if ((ends[2].revents & (POLLERR | POLLHUP)) != 0)
+      stop_talking();
+    else if (ends[2].revents != 0)
+      write();
     if (ends[0].revents != 0) return;
   }
 }
@@ -134,7 +140,7 @@ void dialogue::fail_at_end(std::size_t got) {
 }
 
 void dialogue::fail_at_deadline(std::size_t got) {
-  if (!reads_) fail(child_.end().value_or("closed its standard input") + " before it had read all");
+  if (!reads_) fail(child_.end().value_or("closed its standard input") + " without an answer");
   int unread = 0;
   ::ioctl(child_.in(), FIONREAD, &unread);
   const auto time = fmt::format("within {:g} s", deadline_.count());

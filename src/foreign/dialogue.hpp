@@ -39,6 +39,7 @@ class dialogue {
   using clock = std::chrono::steady_clock;
 
   void write();
+  void stop_talking();
   void wait(std::size_t got);
   bool keep_errors();
   [[noreturn]] void fail_at_end(std::size_t got);
