@@ -19,6 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto grace = 1s;                  // from closed pipes to the end of a process
+constexpr int most_reads = 64;              // of a stream that is written as fast as it is read
 constexpr std::size_t kept_errors = 4096;   // bytes
 constexpr std::size_t shown_columns = 240;  // of its last words
 constexpr int shown_lines = 3;
@@ -106,13 +107,14 @@ void dialogue::wait(std::size_t got) {
 /// What is there of the standard error stream; false at its end.
 bool dialogue::keep_errors() {
   std::array<char, kept_errors> some;
-  for (;;) {
+  for (int i = 0; i < most_reads; ++i) {
     const auto got = ::read(child_.err(), some.data(), some.size());
     if (got == 0) return false;
     if (got < 0) return errno == EAGAIN || errno == EINTR;
     errors_.append(some.data(), static_cast<std::size_t>(got));
     if (errors_.size() > kept_errors) errors_.erase(0, errors_.size() - kept_errors);
   }
+  return true;
 }
 
 std::string dialogue::overheard() {

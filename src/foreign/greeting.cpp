@@ -29,7 +29,7 @@ class members {
         fmt::format("{}: {} = {}: accepted: {}", where_, key, one_line(left_.at(key).dump(), 80), accepted));
   }
   void take(const std::string& key, std::string& to) {
-    read(key, [&](const json& v) { v.is_string() ? void(to = v) : refuse(key, "text"); });
+    read(key, [&](const json& v) { v.is_string() ? void(to = one_line(v.get<std::string>())) : refuse(key, "text"); });
   }
   void take(const std::string& key, bool& to) {
     read(key, [&](const json& v) { v.is_boolean() ? void(to = v) : refuse(key, "true, false"); });

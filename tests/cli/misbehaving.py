@@ -34,6 +34,10 @@ def raises(header, body): raise ValueError('inertia 2 is singular')
 def floods(header, body): sys.stderr.write('a warning\n' * 7000), keep(header, body)
 
 
+def complains(header, body):
+    while True: sys.stderr.write('a warning\n' * 1000)
+
+
 def grandchild(header, body):
     if os.fork() == 0:
         with open(sys.argv[2], 'a') as f: f.write(f'{os.getpid()}\n')
@@ -50,7 +54,7 @@ def fewer(header, body):
     say((*header[:2], paths, *header[3:]), body[:8 * SCENE['components'] * paths])
 
 
-STEPS = dict(text=text, half=half, raises=raises, floods=floods, grandchild=grandchild, fewer=fewer, closes_out=closes(1), refuses=refuse,
+STEPS = dict(text=text, half=half, raises=raises, floods=floods, complains=complains, grandchild=grandchild, fewer=fewer, closes_out=closes(1), refuses=refuse,
              hangs=lambda *_: sleep(), dies=lambda *_: os.kill(os.getpid(), signal.SIGSEGV), exits=lambda *_: sys.exit(3),
              short=lambda h, b: say(h, b[:8]), kind=lambda h, b: say((h[0], 5, *h[2:]), states(h, b)),
              nan=lambda h, b: say(h, struct.pack('=d', float('nan')) * (len(states(h, b)) // 8)))

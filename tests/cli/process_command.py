@@ -10,10 +10,14 @@ FAST = ('--effort', 'quick', '--experiments', 'casimir', '--threads', '2', '--no
 
 
 class Case(case.Case):
+    def setUp(self):
+        super().setUp()
+        self.scene()
+
     def command(self, fault): return f"'{sys.executable}' -I -S '{HERE}/misbehaving.py' {fault} pids.{fault}"
 
     def arguments(self, command, *more, out='report', schemes='bad'):
-        return ('verify', self.scene(), '--with', command, '--schemes', schemes, *FAST, '--format', 'json', '--out', out, *more)
+        return ('verify', 'given.toml', '--with', command, '--schemes', schemes, *FAST, '--format', 'json', '--out', out, *more)
 
     def run_bad(self, fault, *more): return self.run_it(*self.arguments(self.command(fault), *more, out=f'report.{fault}'))
 
@@ -57,7 +61,8 @@ class Running(Case):
                   ('short', 'answered 8 bytes of states instead of 1536'), ('kind', 'answered with a frame of kind 5 to one of kind 2'),
                   ('refuses', 'refused the scene: knows spins alone'), ('closes_out', 'closed its standard output without an answer'),
                   ('closes_in', 'closed its standard input without an answer'), ('hangs', 'no answer within 1 s', *in_time),
-                  ('stops', 'stopped reading: no answer within 1 s', *in_time), ('grandchild', 'no answer within 1 s', *in_time))
+                  ('stops', 'stopped reading: no answer within 1 s', *in_time), ('grandchild', 'no answer within 1 s', *in_time),
+                  ('complains', 'no answer within 1 s; its last words: a warning / a warning / .*', *in_time))
         with concurrent.futures.ThreadPoolExecutor(4) as pool: runs = list(pool.map(lambda one: self.run_bad(one[0], *one[2:]), faults))
         for (fault, reason, *_), ran in zip(faults, runs):
             with self.subTest(fault=fault): self.assert_reason(fault, ran, reason)

@@ -25,8 +25,8 @@ double deadline_of(const integrator_arguments& given) {
 }  // namespace
 
 void add_integrators(CLI::App& parser, integrator_arguments& given) {
-  add_option(parser, "--with", given.with,
-             "An integrator from elsewhere: a library (.so), or a command; may be repeated", "FILE");
+  add_option(parser, "--with", given.with, "An integrator of your own: a library (.so) or a command; repeatable",
+             "FILE");
   add_option(parser, "--deadline", given.deadline, "Of a command: seconds for an answer [60]", "S");
 }
 
