@@ -78,7 +78,7 @@ class library_stepper final : public stepper {
     std::array<char, 256> why{};
     if (const int code = guarded("open", [&] { return of_.open(&told_.scene, &self_, why.data(), why.size()); })) {
       why.back() = 0;
-      throw failure(fmt::format("open returned {}{}{}", code, why[0] ? ": " : "", why.data()));
+      throw refusal(fmt::format("open returned {}{}{}", code, why[0] ? ": " : "", why.data()));
     }
   }
   library_stepper(const library_stepper&) = delete;

@@ -60,7 +60,7 @@ std::optional<double> order_in(const report::results& r, const order_claim& c) {
 void measure_claims(const scene& s, const std::shared_ptr<foreign::foreign_scheme>& scheme, int threads,
                     std::uint64_t seed) {
   scheme->try_on(bind_scene(s));
-  if (scheme->failure()) return;
+  if (scheme->failure() || !scheme->refusal().empty()) return;
   const auto given = scheme->given();
   scheme->take_as_claimed(given);
   const bool draws = scheme->about().takes == foreign::noise_access::own_numbers;
