@@ -7,7 +7,7 @@
 // the verdict, as Chow and Robbins do (Ann. Math. Stat. 36 (1965) 457-462), who spend nothing and are right as the
 // width falls to zero.
 //
-// What follows, with probability 1 - alpha: a mean equal to the claim holds, one that is off by 2 margins or more is
+// What follows, with probability 1 - alpha: a mean equal to the claim holds, one that is off by more than 2 margins is
 // refuted, and in between nothing false is said; provided `most` is enough for the width.
 #pragma once
 
@@ -22,20 +22,25 @@ namespace polhode::testkit {
 struct sampling {
   std::size_t first = 128, most = std::size_t{1} << 20;
 
+  /// The look after the one at n samples; the last is at `most`.
+  std::size_t after(std::size_t n) const { return most / 2 < n ? most : 2 * n; }
+
   int looks() const {
     int count = 1;
-    for (std::size_t n = first; n<most; n = n> most / 2 ? most : 2 * n) ++count;
+    std::size_t end = first;
+    while (end < most) end = after(end), ++count;
     return count;
   }
 };
 
-/// Rule: `const char* refuses(double) const`, why a sample is none, or null; `width_at(const moments&, double alpha)
-/// const`, which gives a half-width, not finite where it cannot be trusted, and then why.
+/// A half-width, not finite where it cannot be trusted; then why.
 struct trusted_width {
   double half;
   std::string distrust;
 };
 
+/// Rule: `const char* refuses(double) const`, why a sample is none, or null; `trusted_width width_at(const moments&,
+/// double alpha) const`.
 template <class Rule>
 class sequential_mean : public answer {
  public:
@@ -76,7 +81,7 @@ class sequential_mean : public answer {
     const double mean = moments_.mean();
     interval_ = {mean - half, mean + half};
     closed_ = half <= margin_ / 2 || next_look_ == plan_.most;
-    next_look_ = next_look_ > plan_.most / 2 ? plan_.most : 2 * next_look_;
+    next_look_ = plan_.after(next_look_);
     if (moments_.variance() == 0 && distrust.size()) return constant(distrust);
     if (distrust.size())
       return say(verdict::inconclusive, text("mean %.6g of %zu samples against %g +- %g: %s", mean, moments_.count(),
