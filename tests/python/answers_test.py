@@ -1,0 +1,70 @@
+"""The other commands as functions, and recorded states."""
+import math, os, sys, unittest
+
+import numpy as np
+
+sys.path.insert(0, os.path.dirname(__file__))
+import case, strangers
+import polhode
+
+LONG = {**case.PAPER, 'horizon': 24., 'steps': [4, 8, 16, 32]}
+
+
+class Answers(case.Case):
+    def test_lists(self):
+        self.assertEqual(polhode.scenes()[0]['name'], 'paper')
+        self.assertIn('magnus', [s['name'] for s in polhode.schemes()])
+        self.assertNotIn('their_heun', [s['name'] for s in polhode.schemes()])
+        self.assertEqual(polhode.experiments()[0]['name'], 'casimir')
+
+    def test_scene(self):
+        scene = polhode.scene({**case.PAPER, 'sigma': [[.1, .2, .3]]}, dt=.1)
+        self.assertEqual((scene.dt, scene.theta, scene.system, scene.components, scene.channels), (.1, .5, 'rigid_body', 3, 3))
+        np.testing.assert_array_equal(scene.sigma, [[.1, .2, .3], [0, 0, 0], [0, 0, 0]])
+        np.testing.assert_array_equal(scene.inertia, [1, 2, 3])
+        with self.assertRaises(ValueError): scene.sigma[0, 0] = 1
+        self.assertEqual(polhode.scene({**case.PAPER, 'sigma': 0.}).sigma.tolist(), np.zeros((3, 3)).tolist())
+        text = '\n'.join(f'{key} = {value!r}' for key, value in case.PAPER.items())
+        self.assertEqual(repr(polhode.scene(text)), repr(polhode.scene(case.PAPER)))
+
+    def test_reference(self):
+        """Isotropic bodies: E[Pi] decays with the rate sigma^2."""
+        sphere = {**case.PAPER, 'inertia': [1., 1., 1.]}
+        found = polhode.reference(sphere, 'expectation', observable='pi3', time=1.)
+        self.assertTrue(math.isclose(found.value, .64 * math.exp(-.25), rel_tol=1e-9), found)
+        self.assertIsNone(found.reason)
+
+    def test_simulate(self):
+        run = polhode.simulate('paper', 'strang', .02, bodies=100, record=.5)
+        self.assertEqual((run.states.shape, run.records.shape, run.times.tolist()), ((100, 3), (100, 5, 3), [0, .5, 1, 1.5, 2]))
+        np.testing.assert_array_equal(run.records[:, 0], np.tile([.6, .48, .64], (100, 1)))
+        np.testing.assert_array_equal(run.records[:, -1], run.states)
+        np.testing.assert_allclose((run.states**2).sum(axis=1), 1, rtol=1e-12)
+        self.assertTrue(math.isclose(run.summary.final.pi1.mean, run.states[:, 0].mean(), rel_tol=1e-9))
+
+    def test_select(self):
+        found = polhode.select('paper', 'energy', 1e-2, threads=2)
+        self.assertIn(found.scheme, [s['name'] for s in polhode.schemes()])
+        self.assertLessEqual(found.bound, 1e-2)
+
+    def test_check(self):
+        run = polhode.simulate(LONG, 'strang_weak2', .05, bodies=640, record=.6, threads=2)
+        kinds = lambda report: {row['claim']: row['verdict'] for row in report.verdicts}
+        healthy = polhode.check(run.times, run.records, LONG)
+        self.assertEqual(set(kinds(healthy).values()), {'holds'}, str(healthy))
+        self.assertTrue(healthy.estimates['sigma']['low'] < .5 < healthy.estimates['sigma']['high'])
+        self.assertEqual(kinds(polhode.check(run.records, dt=.6, scene=LONG)), kinds(healthy))
+        hot = {**LONG, 'sigma': .5 * math.sqrt(1.3)}
+        self.assertEqual(kinds(polhode.check(run.times, run.records, hot))['transition law'], 'refuted')
+        some = [k for k in range(len(run.times)) if k % 3]  # two intervals
+        self.assertEqual(kinds(polhode.check(run.times[some], run.records[:8, some], LONG))['casimir'], 'holds')
+        self.refused(lambda: polhode.check(run.times[1:], run.records, LONG), 'times', 'accepted')
+        self.refused(lambda: polhode.check(run.times, run.records, LONG, dt=.2), 'one of them')
+        self.refused(lambda: polhode.check(run.records[..., :2], dt=.2, scene=LONG), 'states.npy')
+        with_nan = run.records.copy()
+        with_nan[3, 7, 1] = math.nan
+        self.refused(lambda: polhode.check(with_nan, dt=.2, scene=LONG), 'states.npy', 'state')
+
+
+if __name__ == '__main__':
+    unittest.main()
