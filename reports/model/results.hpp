@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reports/model/scene.hpp"
@@ -54,6 +55,9 @@ struct scheme {
   bool casimir_exact = false;
   double casimir_order = 0;  ///< order of the Casimir drift; meaningless where exact
   double weak_one_vector = 0, weak_isotropic = 0, weak_general = 0;  ///< weak order by noise class
+  // Of one from elsewhere:
+  std::string from = {}, takes = {};                          ///< through which door, and what its steps are handed
+  std::vector<std::pair<std::string, double>> measured = {};  ///< orders that it does not claim
 };
 
 /// Where a number was measured: a step size, a number of steps, a parameter of the scene that was changed for it.

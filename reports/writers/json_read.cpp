@@ -55,6 +55,18 @@ scene scene_from(const node& n) {
   return s;
 }
 
+std::string text_or_none(const node& n, const char* key) {
+  const auto known = n.maybe(key);
+  return known ? known->text() : "";
+}
+
+std::vector<std::pair<std::string, double>> measured_from(const node& n) {
+  std::vector<std::pair<std::string, double>> out;
+  if (const auto known = n.maybe("measured"))
+    for (const auto& [key, _] : known->value.items()) out.emplace_back(key, (*known)[key.c_str()].number());
+  return out;
+}
+
 scheme scheme_from(const node& n) {
   const node claims = n["claims"];
   return {n["name"].text(),
@@ -70,7 +82,10 @@ scheme scheme_from(const node& n) {
           claims["casimir_order"].number(),
           claims["weak_one_vector"].number(),
           claims["weak_isotropic"].number(),
-          claims["weak_general"].number()};
+          claims["weak_general"].number(),
+          text_or_none(n, "from"),
+          text_or_none(n, "takes"),
+          measured_from(n)};
 }
 
 experiment experiment_from(const node& n) {

@@ -53,7 +53,7 @@ json to_value(const scene& s) {
 }
 
 json to_value(const scheme& s) {
-  return {{"name", s.name},
+  json out{{"name", s.name},
           {"title", s.title},
           {"source", s.source},
           {"calculus", s.calculus},
@@ -68,6 +68,12 @@ json to_value(const scheme& s) {
             {"weak_one_vector", number(s.weak_one_vector)},
             {"weak_isotropic", number(s.weak_isotropic)},
             {"weak_general", number(s.weak_general)}}}};
+  if (s.from.empty()) return out;
+  out["from"] = s.from;
+  out["takes"] = s.takes;
+  out["measured"] = json::object();
+  for (const auto& [name, order] : s.measured) out["measured"][name] = number(order);
+  return out;
 }
 
 json schema_of(std::string_view name, int version) { return {{"name", std::string(name)}, {"version", version}}; }

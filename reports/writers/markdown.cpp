@@ -9,6 +9,7 @@
 #include "reports/writers/cost_error.hpp"
 #include "reports/writers/left_out.hpp"
 #include "reports/writers/numbers.hpp"
+#include "reports/writers/origin.hpp"
 #include "reports/writers/series.hpp"
 #include "reports/writers/text.hpp"
 
@@ -149,6 +150,13 @@ std::string value_of(const parameter& p) {
                                    : fmt::format("{}", fmt::join(p.rows[0], ", "));
 }
 
+void append_origins(std::string& out, const results& r) {
+  std::string all;
+  for (const auto& s : r.schemes)
+    if (const auto origin = origin_of(s); !origin.empty()) all += "- " + safe(origin) + '\n';
+  if (!all.empty()) out += "## Integrators from elsewhere\n\n" + all + '\n';
+}
+
 void append_scene(std::string& out, const scene& s) {
   out += "## Scene\n\n";
   append_head(out, {"key", "value"});
@@ -190,6 +198,7 @@ std::string to_markdown(const results& r) {
   for (const auto& name : experiment_names(r)) append_experiment(out, r, name);
   append_left_out(out, r);
   append_fits(out, r);
+  append_origins(out, r);
   append_scene(out, r.scene);
   append_provenance(out, r.provenance);
   out += '\n';

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "cli/options/arguments.hpp"
-#include "cli/options/integrators.hpp"
 #include "cli/options/opened_scene.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
@@ -25,7 +24,7 @@ verify_options checked_options(const verify_arguments& given) {
   options.isa = given.isa;
   options.generator = given.generator;
   options.profile = given.profile;
-  options.foreign = opened_integrators(given.with);
+  options.foreign = opened_integrators(given.integrators);
   return options;
 }
 
@@ -48,7 +47,7 @@ void add_verify_arguments(CLI::App& parser, verify_arguments& given) {
   add_option(parser, "SCENE", given.scenes, "Built-in names or TOML files [paper]", "");
   add_option(parser, "--schemes", given.schemes, "Only these schemes", "A,B");
   add_option(parser, "--experiments", given.experiments, "Only these experiments", "X,Y");
-  add_integrators(parser, given.with);
+  add_integrators(parser, given.integrators);
   add_option(parser, "--effort", given.effort, "quick, standard, thorough [standard]", "E");
   add_option(parser, "--out", given.out, "Folder for the report [report]", "DIR");
   add_option(parser, "--threads", given.threads, "1 to 1024 [" + given.threads + "]", "N");

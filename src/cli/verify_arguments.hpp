@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/options/integrators.hpp"
 #include "cli/options/parser.hpp"
 #include "run/verify.hpp"
 
@@ -15,7 +16,7 @@ struct verify_arguments {
   std::vector<std::string> scenes;
   std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto",
                                     generator = "philox", format = "text", progress = "auto";
-  std::vector<std::string> with;
+  integrator_arguments integrators;
   std::optional<std::string> baseline, save_baseline;
   bool fresh = false, no_cache = false, quiet = false, latex = false, profile = false;
 };

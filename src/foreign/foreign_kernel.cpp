@@ -1,6 +1,7 @@
 #include "foreign/foreign_kernel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -18,7 +19,8 @@ constexpr int chunk = 16;  // steps of a common noise that are spread over a blo
 /// Steppers that wait for the next thread which needs one.
 class stepper_pool {
  public:
-  stepper_pool(std::shared_ptr<foreign_scheme> scheme, problem p) : scheme_(std::move(scheme)), problem_(std::move(p)) {}
+  stepper_pool(std::shared_ptr<foreign_scheme> scheme, problem p)
+      : scheme_(std::move(scheme)), problem_(std::move(p)) {}
 
   const problem& on() const { return problem_; }
   const foreign_scheme& scheme() const { return *scheme_; }
@@ -95,9 +97,9 @@ class taken_noise {
     if (view.silent()) return;
     for (std::size_t i = 0; i < seeds_.size(); ++i)
       for (int c = 0; c < channels; ++c) {
-        const auto at = (i / block_lanes * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)) *
-                            block_lanes +
-                        i % block_lanes;
+        const auto at =
+            (i / block_lanes * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)) * block_lanes +
+            i % block_lanes;
         const auto bits = view.singles.empty() ? std::bit_cast<std::uint64_t>(view.dw[at])
                                                : std::bit_cast<std::uint32_t>(view.singles[at]);
         seeds_[i] = mixed(seeds_[i] + bits + 0x9E3779B97F4A7C15u);
@@ -157,8 +159,7 @@ class foreign_kernel final : public kernel {
     auto to = out.begin();
     for (int i = 0; i < steps; ++i)
       for (std::size_t k = 0; k < count; ++k)
-        to = std::fill_n(to, block_lanes,
-                         noise.table[static_cast<std::size_t>(first + i) * noise.words + from + k]);
+        to = std::fill_n(to, block_lanes, noise.table[static_cast<std::size_t>(first + i) * noise.words + from + k]);
   }
 
   mutable stepper_pool pool_;
@@ -178,27 +179,34 @@ class foreign_tangents final : public tangent_kernel {
 
  private:
   void differentiate(const std::vector<double>& start, std::span<double> tangent, const increment_view& view) const {
-    const auto step = steps_of(start, tangent);
-    auto ahead = start, behind = start;
-    for (std::size_t i = 0; i < start.size(); ++i) {
-      ahead[i] += step[i % block_lanes] * tangent[i];
-      behind[i] -= step[i % block_lanes] * tangent[i];
+    const auto unit = units_of(start, tangent);
+    std::vector<double> slope(start.size());
+    for (int k = 1; k <= 3; ++k) {
+      auto ahead = start, behind = start;
+      for (std::size_t i = 0; i < start.size(); ++i) {
+        ahead[i] += k * unit[i % block_lanes] * tangent[i];
+        behind[i] -= k * unit[i % block_lanes] * tangent[i];
+      }
+      foreign::advance(pool_, ahead, view);
+      foreign::advance(pool_, behind, view);
+      for (std::size_t i = 0; i < start.size(); ++i)
+        slope[i] += weights[static_cast<std::size_t>(k - 1)] * (ahead[i] - behind[i]) / unit[i % block_lanes];
     }
-    foreign::advance(pool_, ahead, view);
-    foreign::advance(pool_, behind, view);
-    for (std::size_t i = 0; i < start.size(); ++i)
-      tangent[i] = (ahead[i] - behind[i]) / (2 * step[i % block_lanes]);
+    std::ranges::copy(slope, tangent.begin());
   }
 
-  /// By lane: 1e-6 |mu| / |tangent|.
-  static std::vector<double> steps_of(const std::vector<double>& start, std::span<const double> tangent) {
+  /// Of the differences over 2, 4 and 6 units: exact up to the sixth derivative.
+  static constexpr std::array weights{45.0 / 60, -9.0 / 60, 1.0 / 60};
+
+  /// By lane: 2^-9 |mu| / |tangent|, where the seventh derivative and rounding are about as small.
+  static std::vector<double> units_of(const std::vector<double>& start, std::span<const double> tangent) {
     std::vector<double> of_state(block_lanes), of_tangent(block_lanes);
     for (std::size_t i = 0; i < start.size(); ++i) {
       of_state[i % block_lanes] += start[i] * start[i];
       of_tangent[i % block_lanes] += tangent[i] * tangent[i];
     }
     for (std::size_t lane = 0; lane < of_state.size(); ++lane)
-      of_state[lane] = of_tangent[lane] > 0 ? 1e-6 * std::sqrt(of_state[lane] / of_tangent[lane]) : 1;
+      of_state[lane] = of_tangent[lane] > 0 ? 0x1p-9 * std::sqrt(of_state[lane] / of_tangent[lane]) : 1;
     return of_state;
   }
 

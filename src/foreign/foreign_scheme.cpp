@@ -8,6 +8,7 @@
 
 #include "ensemble/noise/paths.hpp"
 #include "foreign/foreign_kernel.hpp"
+#include "foreign/probe.hpp"
 #include "reports/model/errors.hpp"
 
 namespace polhode::foreign {
@@ -51,21 +52,53 @@ scheme_entry entry_on(const std::shared_ptr<foreign_scheme>& scheme, const subje
 
 }  // namespace
 
-foreign_scheme::foreign_scheme(std::unique_ptr<integrator> i) : integrator_(std::move(i)), about_(integrator_->about()) {}
+foreign_scheme::foreign_scheme(std::unique_ptr<integrator> i)
+    : integrator_(std::move(i)), about_(integrator_->about()), given_(about_.claims) {}
 
 scheme_info foreign_scheme::info() const {
   const auto& c = about_.claims;
-  return {.name = about_.name,
-          .title = about_.title,
-          .source = about_.source,
-          .calculus = about_.calculus,
-          .strong_order = {order(c.strong_commuting), order(c.strong_general)},
-          .weak_order = {order(c.weak_one_vector), order(c.weak_isotropic), order(c.weak_general)},
-          .deterministic_order = static_cast<int>(c.deterministic),
-          .casimir = c.casimir == kept ? keeps_casimirs
-                                       : casimirs_drift(order(c.casimir), order(c.casimir_deterministic)),
-          .implicit = about_.implicit,
-          .poisson = about_.poisson};
+  return {
+      .name = about_.name,
+      .title = about_.title,
+      .source = about_.source,
+      .calculus = about_.calculus,
+      .strong_order = {order(c.strong_commuting), order(c.strong_general)},
+      .weak_order = {order(c.weak_one_vector), order(c.weak_isotropic), order(c.weak_general)},
+      .deterministic_order = static_cast<int>(c.deterministic),
+      .casimir = c.casimir == kept ? keeps_casimirs : casimirs_drift(order(c.casimir), order(c.casimir_deterministic)),
+      .implicit = about_.implicit,
+      .poisson = about_.poisson};
+}
+
+void foreign_scheme::try_on(const subject& s) {
+  if (!integrator_->within() || failure()) return;
+  try {
+    const auto found = probe(*integrator_, {s.scene, s.model->dimension(), s.model->layout().channels,
+                                            s.scene.horizon / static_cast<double>(s.scene.steps.back())});
+    if (!found.repeats)
+      fail("the same step from the same state under the same noise has another result");
+    else if (!found.two_at_a_time && !about_.one_thread) {
+      about_.one_thread = true;
+      about_.from += ", on one thread as two interfere";
+    }
+  } catch (const foreign::failure& f) {
+    fail(f.what());
+  }
+}
+
+std::vector<std::pair<std::string, double>> foreign_scheme::measured() const {
+  std::vector<std::pair<std::string, double>> out;
+  for (const auto& [name, order] : named_orders)
+    if (given_.*order == 0 && about_.claims.*order != 0) out.emplace_back(name, about_.claims.*order);
+  return out;
+}
+
+bool foreign_scheme::measures_order_of(std::string_view experiment) const {
+  const auto& c = given_;
+  if (experiment == "strong") return c.strong_commuting == 0 || c.strong_general == 0;
+  if (experiment == "energy") return c.deterministic == 0 || c.weak_general == 0;
+  if (experiment == "casimir") return c.casimir == 0 || c.deterministic == 0;
+  return c.weak_one_vector == 0 || c.weak_isotropic == 0 || c.weak_general == 0;
 }
 
 std::optional<std::string> foreign_scheme::failure() const {

@@ -25,6 +25,18 @@ class foreign_scheme {
   /// As our own schemes state them; an order that is not claimed is NaN, and a deterministic one 0.
   scheme_info info() const;
 
+  /// Tries it where it runs inside this program, on the scene of the subject: a fault is its failure, and what must not
+  /// be called by two threads at a time no longer is.
+  void try_on(const subject&);
+
+  /// Orders that were measured take the place of those that are not claimed (run/measured_claims.hpp).
+  void take_as_claimed(const foreign::claims& measured) { about_.claims = measured; }
+  const foreign::claims& given() const { return given_; }
+  /// Whether an order that the experiment rests on was not claimed.
+  bool measures_order_of(std::string_view experiment) const;
+  /// What it came with, and what has been measured beside: name and order.
+  std::vector<std::pair<std::string, double>> measured() const;
+
   /// Why it can no longer be called; nothing while it can.
   std::optional<std::string> failure() const;
   void fail(const std::string& why);
@@ -35,6 +47,7 @@ class foreign_scheme {
  private:
   std::unique_ptr<integrator> integrator_;
   description about_;
+  foreign::claims given_;
   mutable std::mutex guard_, turn_;
   std::optional<std::string> failure_;
 };

@@ -2,11 +2,13 @@
 // interpreter. One meaning of shapes and claims for all; integrators/include/polhode/abi.h states it for those outside.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include <polhode/schemes/scheme_info.hpp>
 
@@ -16,6 +18,9 @@ namespace polhode::foreign {
 
 /// What a step is handed beside the states.
 enum class noise_access { increments, areas, own_numbers };
+constexpr std::string_view name_of(noise_access a) {
+  return a == noise_access::increments ? "increments" : a == noise_access::areas ? "areas" : "own numbers";
+}
 
 /// Orders; 0: not claimed. casimir: the order of its drift, or `kept`.
 inline constexpr double kept = -1;
@@ -25,6 +30,20 @@ struct claims {
   double deterministic = 0;
   double casimir = 0, casimir_deterministic = 0;
 };
+
+/// By the names that every door gives them.
+struct named_order {
+  const char* name;
+  double claims::*order;
+};
+inline constexpr std::array<named_order, 8> named_orders{{{"strong_commuting", &claims::strong_commuting},
+                                                          {"strong_general", &claims::strong_general},
+                                                          {"weak_one_vector", &claims::weak_one_vector},
+                                                          {"weak_isotropic", &claims::weak_isotropic},
+                                                          {"weak_general", &claims::weak_general},
+                                                          {"deterministic", &claims::deterministic},
+                                                          {"casimir", &claims::casimir},
+                                                          {"casimir_deterministic", &claims::casimir_deterministic}}};
 
 struct description {
   std::string name, title, source;
@@ -72,6 +91,8 @@ class integrator {
   virtual const description& about() const = 0;
   /// Throws failure. Called by several threads at a time, but where `one_thread`.
   virtual std::unique_ptr<stepper> open(const problem&) = 0;
+  /// Whether it runs inside this program, which it could end: it is tried in a child first (probe.hpp).
+  virtual bool within() const { return false; }
 };
 
 }  // namespace polhode::foreign

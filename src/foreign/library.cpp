@@ -32,8 +32,17 @@ struct told_scene {
       auto& flat = parameters.emplace_back();
       for (const auto& row : one.rows) flat.insert(flat.end(), row.begin(), row.end());
     }
-    scene = {sizeof(polhode_scene), p.components, p.channels, p.dt, dissipation_of(p.scene), p.scene.name.c_str(),
-             p.scene.system.c_str(), p.scene.momentum.data(), sigma.data(), find, json.c_str()};
+    scene = {sizeof(polhode_scene),
+             p.components,
+             p.channels,
+             p.dt,
+             dissipation_of(p.scene),
+             p.scene.name.c_str(),
+             p.scene.system.c_str(),
+             p.scene.momentum.data(),
+             sigma.data(),
+             find,
+             json.c_str()};
   }
   told_scene(const told_scene&) = delete;
   told_scene& operator=(const told_scene&) = delete;
@@ -113,6 +122,7 @@ class library_integrator final : public integrator {
       : of_(of), about_(checked(description_of(of, path), path)) {}
   const description& about() const override { return about_; }
   std::unique_ptr<stepper> open(const problem& p) override { return std::make_unique<library_stepper>(of_, p); }
+  bool within() const override { return true; }
 
  private:
   const polhode_integrator& of_;
@@ -146,11 +156,11 @@ std::vector<std::unique_ptr<integrator>> open_library(const std::string& path) {
     throw input_error(fmt::format("{}: polhode_integrators threw an exception", path));
   }
   if (first == nullptr || count < 1)
-    throw input_error(fmt::format("{}: offers no integrator for version {} of the interface", path,
-                                  POLHODE_ABI_VERSION));
+    throw input_error(
+        fmt::format("{}: offers no integrator for version {} of the interface", path, POLHODE_ABI_VERSION));
   if (first->size < sizeof(polhode_integrator))
-    throw input_error(fmt::format("{}: its polhode_integrator has {} bytes; accepted: version {} with at least {}", path,
-                                  first->size, POLHODE_ABI_VERSION, sizeof(polhode_integrator)));
+    throw input_error(fmt::format("{}: its polhode_integrator has {} bytes; accepted: version {} with at least {}",
+                                  path, first->size, POLHODE_ABI_VERSION, sizeof(polhode_integrator)));
   std::vector<std::unique_ptr<integrator>> out;
   for (int i = 0; i < count; ++i) {
     const auto& one = at(first, i);

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
@@ -30,24 +28,16 @@ description checked(description d, const std::string& where) {
     throw input_error(fmt::format("{}: {}: takes = {}: accepted: 0 (increments), 1 (areas), 2 (own numbers)", where,
                                   d.name, static_cast<int>(d.takes)));
   const auto& c = d.claims;
-  const std::array<std::pair<const char*, double>, 7> orders{{{"strong_commuting", c.strong_commuting},
-                                                              {"strong_general", c.strong_general},
-                                                              {"weak_one_vector", c.weak_one_vector},
-                                                              {"weak_isotropic", c.weak_isotropic},
-                                                              {"weak_general", c.weak_general},
-                                                              {"deterministic", c.deterministic},
-                                                              {"casimir_deterministic", c.casimir_deterministic}}};
-  for (const auto& [key, value] : orders)
-    if (!(value >= 0 && value <= 20))
-      throw input_error(fmt::format("{}: {}: claim {} = {}: accepted: an order from 0 (not claimed) to 20", where,
-                                    d.name, key, value));
-  if (!(c.casimir == kept || (c.casimir >= 0 && c.casimir <= 20)))
-    throw input_error(fmt::format("{}: {}: claim casimir = {}: accepted: -1 (kept), or the order of its drift from 0 "
-                                  "(not claimed) to 20",
-                                  where, d.name, c.casimir));
+  for (const auto& [name, order] : named_orders) {
+    const double value = c.*order;
+    const bool keeps = order == &claims::casimir && value == kept;
+    if (!keeps && !(value >= 0 && value <= 20))
+      throw input_error(fmt::format("{}: {}: claim {} = {}: accepted: an order from 0 (not claimed) to 20{}", where,
+                                    d.name, name, value, order == &claims::casimir ? ", or -1 (kept)" : ""));
+  }
   if (c.deterministic != std::floor(c.deterministic))
-    throw input_error(fmt::format("{}: {}: claim deterministic = {}: accepted: a whole number", where, d.name,
-                                  c.deterministic));
+    throw input_error(
+        fmt::format("{}: {}: claim deterministic = {}: accepted: a whole number", where, d.name, c.deterministic));
   if (d.title.empty()) d.title = d.name;
   if (d.source.empty()) d.source = d.from;
   return d;

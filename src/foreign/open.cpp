@@ -1,23 +1,23 @@
 #include "foreign/open.hpp"
 
-#include <fmt/format.h>
-
-#include <fstream>
+#include <filesystem>
 
 #include "foreign/library.hpp"
-#include "reports/model/errors.hpp"
-#include "reports/model/text.hpp"
+#include "foreign/process.hpp"
 
 namespace polhode::foreign {
 namespace {
 
-bool is_library(const std::string& given) { return given.ends_with(".so") || given.ends_with(".dylib"); }
+/// "./run --on libmine.so" is a command, "my folder/libmine.so" none if it is there.
+bool is_library(const std::string& given) {
+  return (given.ends_with(".so") || given.ends_with(".dylib")) &&
+         (given.find(' ') == std::string::npos || std::filesystem::exists(given));
+}
 
 }  // namespace
 
-foreign_schemes open_integrators(const std::string& given) {
-  if (!is_library(given))
-    throw input_error(fmt::format("--with '{}': accepted: a library whose name ends in .so", one_line(given, 200)));
+foreign_schemes open_integrators(const std::string& given, double deadline) {
+  if (!is_library(given)) return {std::make_shared<foreign_scheme>(open_process(given, deadline))};
   foreign_schemes out;
   for (auto& one : open_library(given)) out.push_back(std::make_shared<foreign_scheme>(std::move(one)));
   return out;

@@ -8,7 +8,8 @@
 
 namespace polhode::foreign {
 
-/// A library by its ending (.so, .dylib), else a command. Throws input_error.
-foreign_schemes open_integrators(const std::string& given);
+/// A library by its ending (.so, .dylib), else a command, whose answers may take `deadline` seconds. Throws
+/// input_error.
+foreign_schemes open_integrators(const std::string& given, double deadline);
 
 }  // namespace polhode::foreign

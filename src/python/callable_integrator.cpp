@@ -94,7 +94,6 @@ T word_of(const py::dict& about, const char* key, const std::vector<std::pair<co
 
 foreign::description described(const py::dict& about) {
   const auto text = [&](const char* key) { return about[key].cast<std::string>(); };
-  const auto order = [&](const char* key) { return about[key].cast<double>(); };
   foreign::description d{text("name"), text("title"), text("source"), text("made")};
   d.takes = word_of<noise_access>(about, "takes",
                                   {{"increments", noise_access::increments},
@@ -104,9 +103,7 @@ foreign::description described(const py::dict& about) {
   d.implicit = about["implicit"].cast<bool>();
   d.poisson = about["poisson"].cast<bool>();
   d.one_thread = true;  // the interpreter has one lock: threads would only wait elsewhere
-  d.claims = {order("strong_commuting"), order("strong_general"),       order("weak_one_vector"),
-              order("weak_isotropic"),   order("weak_general"),         order("deterministic"),
-              order("casimir"),          order("casimir_deterministic")};
+  for (const auto& [name, order] : foreign::named_orders) d.claims.*order = about[name].cast<double>();
   return foreign::checked(d, d.from);
 }
 

@@ -11,7 +11,7 @@ subject bind_scene(const scene& s, const foreign::foreign_schemes& foreign) {
   throw input_error(fmt::format("scene {}: system = \"{}\" is not known", s.name, s.system));
 }
 
-report::scheme described(const scheme_entry& entry) {
+report::scheme described(const scheme_entry& entry, const foreign::foreign_scheme* from) {
   const auto& i = entry.info;
   report::scheme s;
   s.name = i.name;
@@ -28,6 +28,11 @@ report::scheme described(const scheme_entry& entry) {
   s.deterministic_order = i.deterministic_order;
   s.casimir_exact = i.casimir.exact;
   s.casimir_order = i.casimir.noisy_order;
+  if (from != nullptr) {
+    s.from = from->about().from;
+    s.takes = name_of(from->about().takes);
+    s.measured = from->measured();
+  }
   return s;
 }
 

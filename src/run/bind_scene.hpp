@@ -15,7 +15,7 @@ namespace polhode {
 subject bind_scene(const scene&, const foreign::foreign_schemes& = {});
 
 /// A scheme and what it claims, as reports say it.
-report::scheme described(const scheme_entry&);
+report::scheme described(const scheme_entry&, const foreign::foreign_scheme* = nullptr);
 /// All of them, as `polhode list` prints them.
 std::vector<report::scheme> list_schemes();
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "foreign/foreign_scheme.hpp"
 #include "scene/scene.hpp"
 #include "selection/select.hpp"
 
@@ -18,6 +19,7 @@ struct select_options {
   int threads = 1;
   std::uint64_t seed = 1;
   std::string isa = "auto";
+  foreign::foreign_schemes foreign = {};  ///< integrators from elsewhere, beside ours
 };
 
 /// Throws input_error on what cannot be asked of the scene.

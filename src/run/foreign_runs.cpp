@@ -7,6 +7,9 @@
 #include <iterator>
 #include <string_view>
 
+#include "experiments/gibbs/gibbs_sampled.hpp"
+#include "experiments/laws/transfer_report.hpp"
+#include "experiments/weak/weak_alone.hpp"
 #include "run/run_experiment.hpp"
 
 namespace polhode {
@@ -16,7 +19,9 @@ constexpr std::string_view works = "the integrator works";
 
 constexpr std::array<std::string_view, 4> of_one_noise{"strong", "attractor", "lyapunov", "modified"};
 
-bool needs_increments(const experiment& e) { return std::ranges::find(of_one_noise, e.info.name) != of_one_noise.end(); }
+bool needs_increments(const experiment& e) {
+  return std::ranges::find(of_one_noise, e.info.name) != of_one_noise.end();
+}
 
 /// Without the operators of a sphere, here and on every changed scene.
 subject sampled(subject s) {
@@ -27,6 +32,20 @@ subject sampled(subject s) {
   return s;
 }
 
+/// The part of schemes that draw random numbers of their own.
+part alone(experiment e, subject s) {
+  if (e.info.name == "weak") {
+    e.run = [](const context& c, report::results& out) {
+      report_orders_alone(
+          c, [&](const scheme_entry& one) { return weak_order_on(one.info, c.subject.model->noise()); }, out);
+    };
+    return {std::move(s), std::move(e)};
+  }
+  if (e.info.name != "gibbs" || !s.sphere()) return {sampled(std::move(s)), std::move(e)};
+  e.run = [](const context& c, report::results& out) { report_sampled_law(c, out); };
+  return {std::move(s), std::move(e)};
+}
+
 bool is_reported(const report::results& so_far, std::string_view scheme) {
   return std::ranges::any_of(so_far.verdicts,
                              [&](const report::verdict& v) { return v.scheme == scheme && v.claim == works; });
@@ -34,9 +53,9 @@ bool is_reported(const report::results& so_far, std::string_view scheme) {
 
 }  // namespace
 
-std::vector<subject> parts_for(const experiment& e, const subject& s, const foreign::foreign_schemes& foreign,
-                               std::vector<report::skip>& skipped) {
-  if (foreign.empty()) return {s};
+std::vector<part> parts_for(const experiment& e, const subject& s, const foreign::foreign_schemes& foreign,
+                            std::vector<report::skip>& skipped) {
+  if (foreign.empty()) return {{s, e}};
   std::vector<std::string> driven, own;
   for (const auto& entry : s.schemes) {
     const std::string name(entry.info.name);
@@ -51,9 +70,9 @@ std::vector<subject> parts_for(const experiment& e, const subject& s, const fore
     else
       (draws ? own : driven).push_back(name);
   }
-  std::vector<subject> out;
-  if (!driven.empty()) out.push_back(restricted(s, driven));
-  if (!own.empty()) out.push_back(restricted(sampled(s), own));
+  std::vector<part> out;
+  if (!driven.empty()) out.push_back({restricted(s, driven), e});
+  if (!own.empty()) out.push_back(alone(e, restricted(s, own)));
   return out;
 }
 
@@ -61,9 +80,7 @@ void append_of_schemes(const subject& part, report::results more, report::result
   const auto of_part = [&](const auto& row) {
     return std::ranges::any_of(part.schemes, [&](const scheme_entry& e) { return e.info.name == row.scheme; });
   };
-  const auto append = [&](auto rows) {
-    std::ranges::copy_if(more.*rows, std::back_inserter(out.*rows), of_part);
-  };
+  const auto append = [&](auto rows) { std::ranges::copy_if(more.*rows, std::back_inserter(out.*rows), of_part); };
   append(&report::results::measurements);
   append(&report::results::fits);
   append(&report::results::verdicts);

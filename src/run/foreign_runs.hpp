@@ -9,11 +9,16 @@
 
 namespace polhode {
 
-/// The schemes of a subject by how an experiment may ask them, each part a subject of its own; a row in `skipped` for
-/// each that it cannot ask. Schemes that draw random numbers of their own are sampled: for them the exact laws of a
-/// sphere are references alone.
-std::vector<subject> parts_for(const experiment&, const subject&, const foreign::foreign_schemes&,
-                               std::vector<report::skip>& skipped);
+/// Some schemes of a subject, and the form of an experiment in which they can be asked.
+struct part {
+  polhode::subject subject;
+  polhode::experiment experiment;
+};
+
+/// The parts of a run; a row in `skipped` for each scheme that the experiment cannot ask. Schemes that draw random
+/// numbers of their own are sampled: for them the exact laws of a sphere are references alone.
+std::vector<part> parts_for(const experiment&, const subject&, const foreign::foreign_schemes&,
+                            std::vector<report::skip>& skipped);
 
 /// Appends what a further part of an experiment says of its schemes; what it says of the scene the first has said.
 void append_of_schemes(const subject& part, report::results more, report::results& out);

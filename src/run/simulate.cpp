@@ -14,6 +14,7 @@
 #include "platform/isa.hpp"
 #include "platform/memory.hpp"
 #include "problem/observables.hpp"
+#include "reports/model/errors.hpp"
 #include "run/bind_scene.hpp"
 #include "run/machine_options.hpp"
 #include "run/provenance.hpp"
@@ -90,7 +91,7 @@ struct prepared_run {
 
 prepared_run prepare(const scene& s, const simulate_options& o) {
   apply_isa(o.isa);
-  prepared_run r{bind_scene(s), nullptr, {}};
+  prepared_run r{bind_scene(s, o.foreign), nullptr, {}};
   auto& p = r.plan;
   r.scheme = &chosen_scheme(r.subject, o.scheme);
   p.noise = static_cast<ensemble_noise>(choose("--noise", o.noise, noises));
@@ -210,6 +211,9 @@ report::simulation simulate(const scene& s, const simulate_options& o, const pro
   const auto begun = std::chrono::steady_clock::now();
   const auto cpu_begun = std::clock();
   take_over(simulate_ensemble(*r.subject.model, *r.scheme->make(o.dt), r.plan, tell), r, out);
+  for (const auto& one : o.foreign)
+    if (const auto why = one->failure(); why && one->about().name == o.scheme)
+      throw output_error(fmt::format("{}: {}", o.scheme, *why));
   out.provenance.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   out.provenance.cpu_seconds = static_cast<double>(std::clock() - cpu_begun) / CLOCKS_PER_SEC;
   out.ns_per_path_step = 1e9 * out.provenance.wall_seconds / out.path_steps;

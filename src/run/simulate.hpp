@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ensemble/simulation.hpp"
+#include "foreign/foreign_scheme.hpp"
 #include "reports/model/simulation.hpp"
 #include "run/progress_sink.hpp"
 #include "scene/scene.hpp"
@@ -24,6 +25,7 @@ struct simulate_options {
   int threads = 1;
   std::string isa = "auto", generator = "philox";  ///< as in verify_options
   std::string normals = "fast";                    ///< fast (float-accurate) or precise
+  foreign::foreign_schemes foreign = {};           ///< integrators from elsewhere, beside ours
 };
 
 /// Throws input_error, before any work, on what cannot be run.

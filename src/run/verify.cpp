@@ -9,6 +9,7 @@
 #include "reports/model/errors.hpp"
 #include "run/foreign_runs.hpp"
 #include "run/machine_options.hpp"
+#include "run/measured_claims.hpp"
 #include "run/provenance.hpp"
 #include "run/run_experiment.hpp"
 #include "run/timing.hpp"
@@ -58,16 +59,21 @@ void run_on_parts(const experiment& e, const context& c, const verify_options& o
   for (const auto& one : options.foreign) kept.but_of.push_back(one->about().name);
   const auto parts = parts_for(e, c.subject, options.foreign, out.skipped);
   for (const auto& part : parts) {
-    const context on_part{part, c.effort, c.threads, c.seed, c.generator, c.progress, c.before};
+    const context on_part{part.subject, c.effort, c.threads, c.seed, c.generator, c.progress, c.before};
     if (&part == &parts.front()) {
-      run_experiment(e, on_part, kept, out);
+      run_experiment(part.experiment, on_part, kept, out);
       continue;
     }
     report::results more;
-    run_experiment(e, on_part, kept, more);
-    append_of_schemes(part, std::move(more), out);
+    run_experiment(part.experiment, on_part, kept, more);
+    append_of_schemes(part.subject, std::move(more), out);
   }
   report_failures(e, c.subject, options.foreign, out);
+  excuse_unclaimed(options.foreign, out);
+}
+
+bool is_wanted(std::string_view scheme, const verify_options& options) {
+  return options.schemes.empty() || std::ranges::find(options.schemes, scheme) != options.schemes.end();
 }
 
 void run_experiments(const subject& s, const std::vector<experiment>& experiments, const verify_options& options,
@@ -88,7 +94,8 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
     if (const auto reason = e.skip_reason(s))
       out.skipped.push_back({e.info.name, "", *reason});
     else
-      run_on_parts(e, {s, options.effort, options.threads, options.seed, generator_named(options.generator), tell, &out},
+      run_on_parts(e,
+                   {s, options.effort, options.threads, options.seed, generator_named(options.generator), tell, &out},
                    options, out);
     profile.end(e.info.name, out.profile);
     before += e.weight;
@@ -119,7 +126,7 @@ report::results verify_subject(subject s, const verify_options& options, const p
   report::results out;
   out.scene = s.scene;
   out.skipped = s.inapplicable;
-  for (const auto& e : s.schemes) out.schemes.push_back(described(e));
+  for (const auto& e : s.schemes) out.schemes.push_back(described(e, find_foreign(options.foreign, e.info.name)));
   out.provenance = build_provenance();
   out.provenance.seed = options.seed;
   out.provenance.generator = options.generator;
@@ -134,6 +141,8 @@ report::results verify_subject(subject s, const verify_options& options, const p
 report::results verify(const scene& s, const verify_options& options, const progress_sink& progress) {
   apply_isa(options.isa);
   generator_named(options.generator);
+  for (const auto& one : options.foreign)
+    if (is_wanted(one->about().name, options)) measure_claims(s, one, options.threads, options.seed);
   return verify_subject(bind_scene(s, options.foreign), options, progress);
 }
 

@@ -15,6 +15,7 @@ ROOMS = {
     'schemes':       [INSTALLED + 'schemes/'],
     'abi':           [INSTALLED + 'abi.h'],  # the C interface
     'driver':        [INSTALLED],  # integrate.hpp and what else stands at the top
+    'examples':      ['integrators/examples/'],
     'platform':      ['src/platform/'],
     'algebra':       ['src/algebra/'],
     'statistics':    ['src/statistics/'],
@@ -55,6 +56,7 @@ MAY = {
     'schemes':       ['helpers', 'concepts', 'scheme_info'],
     'abi':           [],
     'driver':        ['noise', 'scheme_info'],
+    'examples':      INTEGRATORS + ['abi', 'lab_systems', 'run', 'writers'],  # what users may
     'platform':      [],
     'algebra':       ['platform'],
     'statistics':    ['helpers', 'noise', 'algebra'],

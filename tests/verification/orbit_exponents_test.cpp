@@ -90,7 +90,7 @@ TEST(OrbitExponents, SumOfTheTopIsTheDivergenceUnderItsGibbsLaw) {
   const context c{s, effort::quick, 2};
   const orbit_frame frame(c);
   noise_log log(*s.model, blocks_of(frame.paths));
-  const auto found = observe_equation(c, frame, log);
+  const auto found = observe_equation(c, frame, frame.vectors(), log);
   ASSERT_EQ(found.fault, "");
   expect_mean(found.divergence, exact_sum_of_the_top(s), "divergence");
   expect_mean(found.volume, exact_sum_of_the_top(s), "volume");

@@ -112,6 +112,9 @@ export interface Scheme {
   implicit: boolean;
   areas: boolean;
   claims: Record<string, number | boolean | null>;
+  from: string; // the door of an integrator from elsewhere; of ours: none
+  takes: string;
+  measured: Record<string, number>; // orders that it does not claim
 }
 export interface Saved {
   normals_drawn: number;

@@ -53,6 +53,9 @@ const readers = {
     implicit: o.implicit === true,
     areas: o.areas === true,
     claims: isObject(o.claims) ? (o.claims as Scheme['claims']) : {},
+    from: text(o.from),
+    takes: text(o.takes),
+    measured: isObject(o.measured) ? (o.measured as Scheme['measured']) : {},
   }),
   experiments: (o: Json): Experiment => ({
     name: text(o.name),

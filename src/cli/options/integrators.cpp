@@ -1,18 +1,40 @@
 #include "cli/options/integrators.hpp"
 
+#include <fmt/format.h>
+
+#include "cli/options/arguments.hpp"
 #include "foreign/open.hpp"
+#include "foreign/process.hpp"
+#include "reports/model/errors.hpp"
 
 namespace polhode::cli {
+namespace {
 
-void add_integrators(CLI::App& parser, std::vector<std::string>& given) {
-  add_option(parser, "--with", given, "An integrator from elsewhere: a library (.so), or a command; may be repeated",
-             "FILE");
+constexpr double longest_deadline = 86400;
+
+double deadline_of(const integrator_arguments& given) {
+  if (!given.deadline) return foreign::usual_deadline;
+  if (given.with.empty()) throw input_error("--deadline: is for commands; accepted: with --with");
+  const double seconds = positive_option("--deadline", *given.deadline);
+  if (seconds > longest_deadline)
+    throw input_error(
+        fmt::format("--deadline {}: accepted: up to {} seconds", shown(*given.deadline), longest_deadline));
+  return seconds;
 }
 
-foreign::foreign_schemes opened_integrators(const std::vector<std::string>& given) {
+}  // namespace
+
+void add_integrators(CLI::App& parser, integrator_arguments& given) {
+  add_option(parser, "--with", given.with, "An integrator of your own: a library (.so) or a command; repeatable",
+             "FILE");
+  add_option(parser, "--deadline", given.deadline, "Of a command: seconds for an answer [60]", "S");
+}
+
+foreign::foreign_schemes opened_integrators(const integrator_arguments& given) {
+  const double deadline = deadline_of(given);
   foreign::foreign_schemes out;
-  for (const auto& one : given)
-    for (auto& scheme : foreign::open_integrators(one)) out.push_back(std::move(scheme));
+  for (const auto& one : given.with)
+    for (auto& scheme : foreign::open_integrators(one, deadline)) out.push_back(std::move(scheme));
   return out;
 }
 

@@ -1,6 +1,7 @@
-// The option --with: integrators from elsewhere.
+// The options --with and --deadline: integrators from elsewhere.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,9 +10,15 @@
 
 namespace polhode::cli {
 
-void add_integrators(CLI::App&, std::vector<std::string>& given);
+/// As given.
+struct integrator_arguments {
+  std::vector<std::string> with;
+  std::optional<std::string> deadline;
+};
+
+void add_integrators(CLI::App&, integrator_arguments&);
 
 /// Throws input_error of one line.
-foreign::foreign_schemes opened_integrators(const std::vector<std::string>& given);
+foreign::foreign_schemes opened_integrators(const integrator_arguments&);
 
 }  // namespace polhode::cli

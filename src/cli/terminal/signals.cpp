@@ -6,6 +6,7 @@
 #include <csignal>
 
 #include "cli/terminal/progress.hpp"
+#include "foreign/child.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -15,6 +16,7 @@ static_assert(std::atomic<int>::is_always_lock_free, "used in a signal handler")
 
 void end_by(int signal) {
   clear_progress();
+  foreign::kill_children();
   ::_exit(128 + signal);
 }
 

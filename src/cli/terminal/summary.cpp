@@ -10,6 +10,7 @@
 #include "cli/terminal/layout.hpp"
 #include "reports/model/text.hpp"
 #include "reports/writers/numbers.hpp"
+#include "reports/writers/origin.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -133,6 +134,13 @@ std::string reuse(const report::results& r, std::size_t width) {
          '\n';
 }
 
+std::string origins(const report::results& r, std::size_t width) {
+  std::string out;
+  for (const auto& s : r.schemes)
+    if (const auto origin = report::origin_of(s); !origin.empty()) out += wrapped(one_line(origin), width, 2) + '\n';
+  return out;
+}
+
 std::string totals(std::span<const row> rows, std::size_t width) {
   const auto& names = headings_for(width);
   std::string out;
@@ -150,7 +158,7 @@ std::string summary(const report::results& r, std::size_t width) {
   const auto rows = count(r);
   auto out = wrapped(fmt::format("{} ({})", one_line(r.scene.name), r.scene.system), width) + '\n';
   out += table(rows, width) + skipped_experiments(r, width) + not_tried(r, width) + not_holding(r, width) +
-         reuse(r, width);
+         origins(r, width) + reuse(r, width);
   return out + totals(rows, width);
 }
 

@@ -34,14 +34,14 @@ void report_neighbours(const orbit_frame& f, const std::vector<scheme_entry>& sc
   const auto lambda = mean_of(equation.rates.col(0));
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     recorder record("attractor", schemes[k].info.name, out);
-    const Eigen::VectorXd differences = paths.differences(k, paths.size(k).used).col(0);
+    const Eigen::VectorXd differences = paths.differences(k).col(0);
     const auto row = record.value({"rate of neighbours", "", "per time", "sampled"}, at_dt(f.dt),
                                   corrected(lambda, mean_of(differences)));
     if (equation.fault.empty())
       record.verdict(neighbours_claim, judge_neighbours(lambda, differences, f.margin), {row});
     else
       record.verdict(neighbours_claim, {.reason = "the start is not forgotten: " + equation.fault}, {row});
-    record.remark(paths.size(k).text());
+    record.remark(paths.text(k));
   }
 }
 
@@ -61,9 +61,8 @@ double drift_of(const model& m, const std::vector<double>& start, std::span<cons
 
 /// Of the bodies whose neighbours were followed.
 void report_orbits_kept(const context& c, const orbit_frame& f, const std::vector<scheme_entry>& schemes,
-                        const observed_rates& equation, const scheme_paths& paths, report::results& out) {
+                        const scheme_paths& paths, report::results& out) {
   const auto start = f.start.block(c.seed, 0);
-  const auto steps = (equation.forgetting + equation.observed) * orbit_block::chunk;
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     const double drift = drift_of(*c.subject.model, start, paths.last_states(k));
     recorder record("attractor", schemes[k].info.name, out);
@@ -76,7 +75,7 @@ void report_orbits_kept(const context& c, const orbit_frame& f, const std::vecto
         orbit_claim,
         judge_distance({drift, drift, drift}, drift_bound,
                        fmt::format("{} bodies from all over the orbit, {} steps: a Casimir changes by {:.1e}",
-                                   block_lanes, steps, drift)),
+                                   block_lanes, paths.steps(k), drift)),
         {row});
   }
 }
@@ -88,7 +87,7 @@ void report_schemes(const context& c, const orbit_frame& f, const std::vector<sc
                      [&](const scheme_entry& e) { return neighbour_flow(e.make(f.dt), distance); });
   paths.sample(tight_share * f.margin);
   report_neighbours(f, schemes, equation, paths, out);
-  report_orbits_kept(c, f, schemes, equation, paths, out);
+  report_orbits_kept(c, f, schemes, paths, out);
 }
 
 std::string parts_named(const subject& s, int first) {
@@ -115,7 +114,7 @@ void report_orbit_attractor(const context& c, report::results& out) {
                              "leaves its orbit (experiment casimir), on which the random attractor lies"});
   if (!frame.affordable(c, schemes, "attractor", neighbours_claim, out)) return;
   noise_log log(*c.subject.model, blocks_of(frame.paths));
-  const auto equation = observe_equation(part_of(c, 0, 0.4), frame, log);
+  const auto equation = observe_equation(part_of(c, 0, 0.4), frame, 1, log);
   recorder record("attractor", "", out);
   record.value({"lambda_1", "", "per time", "sampled"}, mean_of(equation.rates.col(0)));
   if (!schemes.empty()) report_schemes(part_of(c, 0.4, 0.8), frame, schemes, equation, out);

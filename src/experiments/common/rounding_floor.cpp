@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/judge.hpp"
@@ -17,9 +18,48 @@ namespace polhode {
 namespace {
 
 constexpr int steps = 16, values = noise_difference + 1;
-constexpr double spacing = 0x1p-10;  // in phase, over all steps: its sixth power is below rounding
+constexpr double spacing = 0x1p-10;     // in phase, over all steps: its sixth power is below rounding
+constexpr double difference = 0x1p-17;  // of a component, over |mu|: rounding and the third derivative weigh the same
+
+std::vector<double> energies_of(const model& m, std::span<const double> states) {
+  std::vector<double> one(states.size() / block_lanes), energies(block_lanes);
+  for (std::size_t k = 0; k < one.size(); ++k) one[k] = states[k * block_lanes];
+  std::vector<double> casimirs(m.casimirs(one).size() * block_lanes);
+  m.conserved(states, energies, casimirs);
+  return energies;
+}
+
+/// Root mean square of the condition over the states between steps: each adds its own rounding.
+double condition_on_the_way(const model& m, const kernel& scheme, std::vector<double> states,
+                            const increment_view& noise) {
+  double squares = 0;
+  for (int i = 0; i < noise.steps; ++i) {
+    scheme.advance(states, noise.part(i, 1));
+    const double here = energy_condition(m, states);
+    squares += here * here;
+  }
+  return std::sqrt(squares / noise.steps);
+}
 
 }  // namespace
+
+double energy_condition(const model& m, std::span<const double> states) {
+  std::vector<double> moved(states.begin(), states.end()), squares(block_lanes), slopes(block_lanes);
+  for (std::size_t at = 0; at < states.size(); ++at) squares[at % block_lanes] += states[at] * states[at];
+  for (std::size_t row = 0; row < states.size(); row += block_lanes) {
+    const auto energies_at = [&](double sign) {
+      for (std::size_t lane = 0; lane < block_lanes; ++lane)
+        moved[row + lane] = states[row + lane] + sign * difference * std::sqrt(squares[lane]);
+      return energies_of(m, moved);
+    };
+    const auto above = energies_at(1), below = energies_at(-1);
+    std::ranges::copy(states.subspan(row, block_lanes), moved.begin() + static_cast<std::ptrdiff_t>(row));
+    for (std::size_t lane = 0; lane < block_lanes; ++lane)
+      slopes[lane] += std::pow((above[lane] - below[lane]) / (2 * difference), 2);
+  }
+  const double sum = std::accumulate(slopes.begin(), slopes.end(), 0.0);
+  return std::sqrt(sum / static_cast<double>(states.size()));
+}
 
 rounding_floor rounding_floor_of(const context& c, const subject& s, const scheme_entry& scheme) {
   const auto& m = *s.model;
@@ -32,9 +72,7 @@ rounding_floor rounding_floor_of(const context& c, const subject& s, const schem
   for (std::size_t i = 0; i < values; ++i) {
     states[i] = start;
     scheme.make(dt * (1 + apart * static_cast<double>(i)))->advance(states[i], view);
-    energies[i].resize(block_lanes);
-    std::vector<double> casimirs(m.casimirs(s.scene.momentum).size() * block_lanes);
-    m.conserved(states[i], energies[i], casimirs);
+    energies[i] = energies_of(m, states[i]);
   }
   const auto noise_of = [](const auto& found, std::size_t at) {
     std::array<double, values> x{};
@@ -45,7 +83,10 @@ rounding_floor rounding_floor_of(const context& c, const subject& s, const schem
   for (std::size_t at = 0; at < start.size(); ++at) state += noise_of(states, at);
   for (std::size_t lane = 0; lane < block_lanes; ++lane) energy += noise_of(energies, lane);
   const double unit = std::numeric_limits<double>::epsilon() * std::sqrt(steps);
-  return {std::sqrt(state) / (unit * length(s.scene.momentum)), std::sqrt(energy) / (unit * energy_size(s))};
+  const double condition = condition_on_the_way(m, *scheme.make(dt), start, view);
+  const double units = std::sqrt(energy) / (unit * std::max(energy_size(s), condition));
+  return {std::sqrt(state) / (unit * length(s.scene.momentum)),
+          std::isfinite(condition) ? units : std::numeric_limits<double>::quiet_NaN()};
 }
 
 void report_floor(const std::string& claim, double units, recorder& record) {

@@ -5,8 +5,14 @@
 // (statistics/rounding_noise.hpp): no reference is needed, and every kernel is seen at the dt at which it is used. A
 // state kept in single precision lies 10^8 times above the floor of one in double precision, whatever invariants are
 // restored after it.
+//
+// A state that is off by |mu| e in a random direction of its d components has an energy that is off by |dh/dmu| |mu| e
+// / sqrt(d), root mean square over the directions. Where parts of h cancel, or two vortices are close, that is far more
+// than h e, whatever the scheme. So the energy is measured in units of the larger of both. Source: Higham, Accuracy and
+// Stability of Numerical Algorithms, 2nd ed. (2002), section 1.6 (condition numbers).
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "experiments/common/experiment.hpp"
@@ -15,8 +21,14 @@
 namespace polhode {
 
 struct rounding_floor {
-  double state = 0, energy = 0;  ///< standard deviation over that of |mu| and of the energy, in units of 2^-52
+  double state = 0;  ///< standard deviation over |mu|, in units of 2^-52
+  double energy =
+      0;  ///< over the larger of energy_size (levels.hpp) and energy_condition on the way, in the same units
 };
+
+/// |dh/dmu| |mu| / sqrt(d), root mean square over a block of states, [component][lane]. By central differences, right
+/// to some digits; not finite where h is not.
+double energy_condition(const model&, std::span<const double> states);
 
 /// Of the scheme on that subject, with its noise if it has some.
 rounding_floor rounding_floor_of(const context&, const subject&, const scheme_entry&);

@@ -79,7 +79,8 @@ experiment energy_experiment() {
         "Jacobi's elliptic functions.",
         "Energy law: the largest |h(t) - h(0) + integral of theta |Pi x Omega|^2| along the scheme's own path.",
         "Steps are halved until a slope has settled and is known well, or rounding hides it. Rounding floor of the "
-        "energy: as that of the state in experiment casimir.",
+        "energy: as that of the state in experiment casimir, in units of what the smallest error of the state does to "
+        "the energy, or of the energy's own where that is more.",
         "An order above the claim holds: some scenes are kinder than the claim.",
         "Trace formula: theta = 0 and the scene's noise, which alone moves E[h] then; under isotropic noise E[h] = m + "
         "(h_0 - m) exp(-3 sigma^2 t) at all times, m the mean over the sphere. The error of one step, over dt, from "

@@ -28,6 +28,8 @@ constexpr const char* pairs_claim = "exponents come in pairs";
 
 std::string named(Eigen::Index k) { return fmt::format("lambda_{}", k + 1); }
 
+double volume_margin(const subject& s) { return volume_share * fastest_rate(s); }
+
 /// [path][k]: lambda_k + lambda_{d+1-k}, which vanish for a flow that keeps the symplectic form.
 Eigen::MatrixXd pair_sums(const Eigen::MatrixXd& rates) {
   return (rates + rates.rowwise().reverse()).leftCols(rates.cols() / 2);
@@ -53,8 +55,7 @@ struct scheme_report {
   const scheme_paths& paths;
 
   void write(std::size_t k, recorder& record) const {
-    const int used = paths.size(k).used;
-    const auto differences = paths.differences(k, used);
+    const auto differences = paths.differences(k);
     std::vector<report::series_id> rows;
     for (Eigen::Index i = 0; i < differences.cols(); ++i)
       rows.push_back(record.value({named(i), "", "per time", "sampled"}, at_dt(frame.dt),
@@ -69,10 +70,10 @@ struct scheme_report {
       record.verdict(sign_claim, judge_sign(first, corrected(first, mean_of(differences.col(0)))), {rows.front()});
     if (dissipation_of(c.subject.scene) == 0)
       record.verdict(pairs_claim,
-                     judge_all(pair_sums(paths.rates(k, used)), frame.margin,
+                     judge_all(pair_sums(paths.rates(k)), frame.margin,
                                [&](Eigen::Index i) { return named(i) + " + " + named(differences.cols() - 1 - i); }),
                      rows);
-    record.remark(paths.size(k).text());
+    record.remark(paths.text(k));
   }
 };
 
@@ -81,7 +82,7 @@ void report_volume(const context& c, const orbit_frame& f, const scheme_entry& s
   recorder record("lyapunov", scheme.info.name, out);
   const auto found = mean_of(defects);
   const auto row = record.value({"sum less mean divergence", "", "per time", "sampled"}, at_dt(f.dt), found);
-  const double margin = volume_share * fastest_rate(c.subject);
+  const double margin = volume_margin(c.subject);
   report::verdict v{.expected = 0.0, .reason = "not finite: a step of the scheme fails"};
   if (std::isfinite(found.value)) {
     v.estimate = found.value;
@@ -119,14 +120,19 @@ void report_orbit_exponents(const context& c, report::results& out) {
   const auto schemes = schemes_on_the_orbit(c.subject, out);
   if (!frame.affordable(c, schemes, "lyapunov", spectrum_claim, out)) return;
   noise_log log(*c.subject.model, blocks_of(frame.paths));
-  const auto equation = observe_equation(part_of(c, 0, 0.3), frame, log);
+  observed_rates equation;
+  const auto observe = [&] { equation = observe_equation(part_of(c, 0, 0.3), frame, frame.vectors(), log); };
+  std::vector<Eigen::VectorXd> defects(schemes.size());
+  // One block of the equation's paths keeps one thread busy: it goes beside the schemes.
+  const int before = frame.paths > block_lanes;
+  if (before) observe();
+  parallel_for(c.threads, static_cast<int>(schemes.size()) + 1 - before, [&](int k) {
+    if (k + before == 0) return observe();
+    const auto i = static_cast<std::size_t>(k + before - 1);
+    defects[i] = volume_defects(c, frame, schemes[i], tight_share * volume_margin(c.subject));
+  });
   report_equation(c, frame, equation, out);
   if (schemes.empty()) return;
-  std::vector<Eigen::VectorXd> defects(schemes.size());
-  parallel_for(c.threads, static_cast<int>(schemes.size()), [&](int k) {
-    const auto i = static_cast<std::size_t>(k);
-    defects[i] = volume_defects(c, frame, schemes[i]);
-  });
   const auto last = part_of(c, 0.4, 1);
   scheme_paths paths(last, frame, schemes, equation, frame.vectors(),
                      [&](const scheme_entry& e) { return derivative_flow(e.tangent(frame.dt)); });

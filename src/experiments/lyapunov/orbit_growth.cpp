@@ -54,10 +54,8 @@ void orbit_block::follow_divergence(double passed) {
 
 orbit_rates orbit_block::read() {
   orbit_rates out{grown_ / time_, {}, {}};
-  if (volume_) {
-    out.volume = (grown_.rowwise().sum() + log_densities() - density_) / time_;
-    out.divergence = passed_ / time_;
-  }
+  if (volume_) out.divergence = passed_ / time_;
+  if (density_.size() > 0) out.volume = (grown_.rowwise().sum() + log_densities() - density_) / time_;
   begin();
   return out;
 }
@@ -103,7 +101,7 @@ void orbit_block::begin() {
   time_ = 0;
   grown_.setZero(lanes, vectors_);
   if (!volume_) return;
-  density_ = log_densities();
+  if (vectors_ == geometry_.dimension()) density_ = log_densities();
   if (divergence_.size() == 0) divergence_ = geometry_.divergences(states_);
   passed_.setZero(lanes);
 }

@@ -14,7 +14,8 @@ namespace polhode {
 /// Of a block of paths over a time, per unit of it. `rates`, [lane][k]: the logarithmic growth of the k-th vector of an
 /// orthonormal basis that the flow carries on (Benettin et al. 1980), which tends to lambda_k. `volume`: that of
 /// Liouville's volume; `divergence`: the mean of the drift's along the path. Of the flow itself both are equal, path by
-/// path and whatever the start, as the noise keeps the volume. Both empty where nobody looks at them.
+/// path and whatever the start, as the noise keeps the volume. Empty where nobody looks at them; the volume also where
+/// fewer vectors are carried than span a tangent space.
 struct orbit_rates {
   Eigen::MatrixXd rates;
   Eigen::VectorXd volume, divergence;

@@ -35,17 +35,18 @@ int paths_of(effort e, int vectors) {
 /// Every path of the equation, a stage after another.
 class equation_paths {
  public:
-  equation_paths(const context& c, const orbit_frame& f, noise_log& log)
+  equation_paths(const context& c, const orbit_frame& f, int vectors, noise_log& log)
       : context_(c),
         frame_(f),
+        vectors_(vectors),
         log_(log),
         flow_(neighbour_flow(c.subject.model->reference(f.dt), apart * length(c.subject.scene.momentum))) {
     for (int first = 0; first < f.paths; first += block_lanes)
-      blocks_.emplace_back(f.geometry, f.start, c.seed, static_cast<std::uint64_t>(first), f.vectors());
+      blocks_.emplace_back(f.geometry, f.start, c.seed, static_cast<std::uint64_t>(first), vectors);
   }
 
   observed_rates advance(std::int64_t chunks) {
-    observed_rates out(frame_.paths, frame_.vectors());
+    observed_rates out(frame_.paths, vectors_);
     parallel_for(context_.threads, static_cast<int>(blocks_.size()), [&](int block) {
       auto& b = blocks_[static_cast<std::size_t>(block)];
       increment_buffer noise(*context_.subject.model, orbit_block::chunk, any_needs_areas(context_.subject.schemes),
@@ -66,6 +67,7 @@ class equation_paths {
  private:
   const context& context_;
   const orbit_frame& frame_;
+  int vectors_;
   noise_log& log_;
   std::unique_ptr<tangent_flow> flow_;
   std::vector<orbit_block> blocks_;
@@ -113,16 +115,18 @@ bool orbit_frame::affordable(const context& c, std::span<const scheme_entry> sch
                  out);
 }
 
+observed_rates::observed_rates(int paths, int vectors)
+    : rates(paths, vectors), volume(Eigen::VectorXd::Zero(paths)), divergence(Eigen::VectorXd::Zero(paths)) {}
+
 void observed_rates::keep(int block, const orbit_rates& found) {
   const auto at = static_cast<Eigen::Index>(block) * block_lanes;
   rates.middleRows(at, block_lanes) = found.rates;
-  if (found.volume.size() == 0) return;
-  volume.segment(at, block_lanes) = found.volume;
-  divergence.segment(at, block_lanes) = found.divergence;
+  if (found.volume.size() > 0) volume.segment(at, block_lanes) = found.volume;
+  if (found.divergence.size() > 0) divergence.segment(at, block_lanes) = found.divergence;
 }
 
-observed_rates observe_equation(const context& c, const orbit_frame& f, noise_log& log) {
-  equation_paths paths(c, f, log);
+observed_rates observe_equation(const context& c, const orbit_frame& f, int vectors, noise_log& log) {
+  equation_paths paths(c, f, vectors, log);
   std::int64_t forgetting = first_chunks(c.effort);
   paths.advance(forgetting);
   auto earlier = paths.advance(forgetting), later = paths.advance(2 * forgetting);
@@ -134,6 +138,7 @@ observed_rates observe_equation(const context& c, const orbit_frame& f, noise_lo
     fault = difference_of(earlier, later, f.margin);
   }
   auto out = together(earlier, later);
+  out.first_third = earlier.rates;
   out.forgetting = forgetting;
   out.observed = 3 * forgetting;
   if (!fault.empty()) out.fault = fmt::format("after {} steps {}", forgetting * orbit_block::chunk, fault);

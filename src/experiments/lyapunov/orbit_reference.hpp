@@ -33,17 +33,19 @@ struct orbit_frame {
 struct observed_rates {
   std::int64_t forgetting = 0, observed = 0;  ///< in chunks
   Eigen::MatrixXd rates;                      ///< [path][k]
-  Eigen::VectorXd volume, divergence;
-  std::string fault = {};  ///< why the start may not be forgotten; empty: it is
+  Eigen::MatrixXd first_third;                ///< the same over the first third of the time
+  Eigen::VectorXd volume, divergence;         ///< zeros where nobody looked at them
+  std::string fault = {};                     ///< why the start may not be forgotten; empty: it is
 
   observed_rates() = default;
-  observed_rates(int paths, int vectors) : rates(paths, vectors), volume(paths), divergence(paths) {}
+  observed_rates(int paths, int vectors);
   void keep(int block, const orbit_rates&);
 };
 
 /// Of the equation driven by the piecewise linear path through the same increments as a scheme of that dt, its tangents
 /// by neighbours: nothing of it is a scheme's. The time in which the start is forgotten is doubled until means over the
-/// two spans that follow it, as long as it and twice as long, agree to the margin.
-observed_rates observe_equation(const context&, const orbit_frame&, noise_log&);
+/// two spans that follow it, as long as it and twice as long, agree to the margin. The first `vectors` exponents; the
+/// volume where these are all.
+observed_rates observe_equation(const context&, const orbit_frame&, int vectors, noise_log&);
 
 }  // namespace polhode

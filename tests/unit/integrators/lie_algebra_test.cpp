@@ -3,6 +3,7 @@
 
 #include <complex>
 
+#include <polhode/dual.hpp>
 #include <polhode/lie/se2.hpp>
 #include <polhode/lie/se3.hpp>
 #include <polhode/lie/so3_power.hpp>
@@ -157,6 +158,22 @@ TYPED_TEST(LieAlgebra, ProjectionPutsAStateBackOntoItsOrbit) {
     EXPECT_LE(on::distance(back, on::state()), 3 * far + 1e-15);
   }
   EXPECT_LE(on::distance(algebra::orbit_projection(on::state(), on::state()), on::state()), 5e-16);
+}
+
+TYPED_TEST(LieAlgebra, ProjectionOfDualsIsItsDerivative) {
+  using on = TypeParam;
+  using algebra = typename on::algebra;
+  const auto mu = on::state() + on::some(7, 0.05), onto = on::state(), a = on::some(8, 1.0), b = on::some(9, 1.0);
+  auto from = zeros<vec<dual<double, 1>, algebra::dimension>>(on::n), to = from;
+  for (int k = 0; k < on::n; ++k) {
+    from[k] = {mu[k], {{a[k]}}};
+    to[k] = {onto[k], {{b[k]}}};
+  }
+  constexpr double h = 1e-3;
+  const auto at = [&](double t) { return algebra::orbit_projection(mu + t * a, onto + t * b); };
+  const auto slope = (1 / (12 * h)) * (8.0 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h)));
+  const auto found = algebra::orbit_projection(from, to);
+  for (int k = 0; k < on::n; ++k) EXPECT_NEAR(found[k].slope[0], slope[k], 1e-8) << k;
 }
 
 /// Of a vector above the diagonal.

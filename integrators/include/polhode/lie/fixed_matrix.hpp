@@ -6,15 +6,26 @@
 #include <cstddef>
 #include <utility>
 
+#include <polhode/called.hpp>
+
 namespace polhode {
 
 template <class S, int rows>
 struct fixed_matrix {
   using scalar = S;
+  using entry = S;
   static constexpr int n = rows;
-  std::array<S, static_cast<std::size_t>(n* n)> entries;
+  static fixed_matrix identity(int) {
+    fixed_matrix out;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) out(i, j) = S(i == j ? 1.0 : 0.0);
+    return out;
+  }
+  union {
+    std::array<S, static_cast<std::size_t>(n* n)> entries;
+  };
 
-  fixed_matrix() {}  // its entries are not set
+  fixed_matrix() {}  // its entries are not set, which for dual numbers takes the union
 
   S& operator()(int i, int j) { return entries[static_cast<std::size_t>(n * i + j)]; }
   const S& operator()(int i, int j) const { return entries[static_cast<std::size_t>(n * i + j)]; }
@@ -28,14 +39,6 @@ struct fixed_matrix {
     return a;
   }
 };
-
-/// Entry (i, j) of a b.
-template <class S, int n>
-S product_entry(const fixed_matrix<S, n>& a, const fixed_matrix<S, n>& b, int i, int j) {
-  S sum = a(i, 0) * b(0, j);
-  for (int k = 1; k < n; ++k) sum = sum + a(i, k) * b(k, j);
-  return sum;
-}
 
 namespace detail {
 
@@ -55,7 +58,7 @@ template <int first, class S, int n>
 }  // namespace detail
 
 template <class S, int n>
-[[gnu::noinline]] fixed_matrix<S, n> operator*(const fixed_matrix<S, n>& a, const fixed_matrix<S, n>& b) {
+POLHODE_CALLED fixed_matrix<S, n> operator*(const fixed_matrix<S, n>& a, const fixed_matrix<S, n>& b) {
   fixed_matrix<S, n> out;
   [&]<int... i>(std::integer_sequence<int, i...>) { (detail::product_row<0>(a, b, i, out), ...); }
   (std::make_integer_sequence<int, n>());
@@ -64,13 +67,31 @@ template <class S, int n>
 
 /// a b where it is known to be symmetric (sign 1) or skew (sign -1): half of the entries are computed.
 template <int sign, class S, int n>
-[[gnu::noinline]] fixed_matrix<S, n> product_of_sign(const fixed_matrix<S, n>& a, const fixed_matrix<S, n>& b) {
+POLHODE_CALLED fixed_matrix<S, n> product_of_sign(const fixed_matrix<S, n>& a, const fixed_matrix<S, n>& b) {
   fixed_matrix<S, n> out;
   [&]<int... i>(std::integer_sequence<int, i...>) { (detail::product_row<(sign > 0 ? i : i + 1)>(a, b, i, out), ...); }
   (std::make_integer_sequence<int, n>());
   for (int i = 0; i < n; ++i) {
     if (sign < 0) out(i, i) = S(0.0);
     for (int j = i + 1; j < n; ++j) out(j, i) = sign > 0 ? out(i, j) : S(-out(i, j));
+  }
+  return out;
+}
+
+/// a b - b a of skew matrices, which is skew: their diagonals, zeros, are left out of the sums.
+template <class S, int n>
+fixed_matrix<S, n> skew_commutator(const fixed_matrix<S, n>& a, const fixed_matrix<S, n>& b) {
+  fixed_matrix<S, n> out;
+  for (int i = 0; i < n; ++i) {
+    out(i, i) = S(0.0);
+    for (int j = i + 1; j < n; ++j) {
+      const int first = i > 0 ? 0 : j > 1 ? 1 : 2;  // neither i nor j
+      S sum = a(i, first) * b(first, j) - b(i, first) * a(first, j);
+      for (int k = first + 1; k < n; ++k)
+        if (k != i && k != j) sum = sum + (a(i, k) * b(k, j) - b(i, k) * a(k, j));
+      out(i, j) = sum;
+      out(j, i) = -sum;
+    }
   }
   return out;
 }

@@ -13,6 +13,7 @@
 
 #include <array>
 
+#include <polhode/called.hpp>
 #include <polhode/lie/fixed_matrix.hpp>
 #include <polhode/scalar.hpp>
 
@@ -85,7 +86,7 @@ fixed_matrix<S, n> polynomial_of(const std::array<S, m>& a, const fixed_matrix<S
 
 /// Larger ones by halvings and squarings; how many is a lane's own.
 template <class S, int n>
-[[gnu::noinline]] fixed_matrix<S, n> skew_exponential_less_one(fixed_matrix<S, n> x) {
+POLHODE_CALLED fixed_matrix<S, n> skew_exponential_less_one(fixed_matrix<S, n> x) {
   constexpr int most_halvings = 60;
   constexpr double largest = 8;  // of |X|^2 >= 2 max w_j^2
   S square = inner_product(x, x), scale(1.0), halvings(0.0);
@@ -127,7 +128,7 @@ template <class S, int n>
 /// U^T M U - M of U = 1 + V, which is orthogonal but for rounding, and skew M. A step of Newton's method, U (3 - U^T U)
 /// / 2, leaves rounding of the next order: what V brings would let the Casimirs drift.
 template <class S, int n>
-[[gnu::noinline]] fixed_matrix<S, n> skew_conjugation(const fixed_matrix<S, n>& v, const fixed_matrix<S, n>& m) {
+POLHODE_CALLED fixed_matrix<S, n> skew_conjugation(const fixed_matrix<S, n>& v, const fixed_matrix<S, n>& m) {
   auto excess = product_of_sign<1>(transposed(v), v);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) excess(i, j) = excess(i, j) + (v(i, j) + v(j, i));

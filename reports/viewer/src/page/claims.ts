@@ -11,6 +11,14 @@ function claim(s: Scheme, name: string): string {
   return typeof value === 'number' ? shown(value) : '–';
 }
 
+/** Of an integrator from elsewhere: its door, what its steps are handed, and which orders are measured. */
+function source(s: Scheme): string {
+  if (s.from === '') return s.source;
+  const names = Object.keys(s.measured);
+  const measured = names.length === 0 ? '' : `; not claimed but measured: ${names.join(', ')}`;
+  return `${s.source === s.from ? '' : `${s.source}; `}${s.from}, takes ${s.takes}${measured}`;
+}
+
 export function schemeTable(r: Results): Child {
   if (r.schemes.length === 0) return false;
   const columns = [
@@ -46,7 +54,7 @@ export function schemeTable(r: Results): Child {
             'deterministic_order',
           ].map((name) => claim(s, name)),
           s.claims.casimir_exact === true ? 'exact' : `drifts, order ${claim(s, 'casimir_order')}`,
-          s.source,
+          source(s),
         ],
       })),
     ),

@@ -1,0 +1,113 @@
+// The floor of rounding: its unit in closed form, and what is kept in single precision beside healthy schemes.
+#include "experiments/common/rounding_floor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "ensemble/noise/paths.hpp"
+#include "experiments/common/levels.hpp"
+#include "run/bind_scene.hpp"
+#include "scene/scene.hpp"
+#include "support/kernel_decorator.hpp"
+
+namespace polhode {
+namespace {
+
+subject silent(const char* name) { return bind_scene(load_scene(name)).without_noise(); }
+
+double condition_of(const model& m, std::initializer_list<double> mu) {
+  return energy_condition(m, replicated({mu.begin(), mu.size()}));
+}
+
+void round_to_float(std::span<double> numbers) {
+  for (double& x : numbers) x = static_cast<float>(x);
+}
+
+/// States in single precision.
+struct float_kernel : test::kernel_decorator {
+  using kernel_decorator::advance, kernel_decorator::kernel_decorator;
+  void advance(std::span<double> states, const increment_view& noise, piece p) const override {
+    kernel_decorator::advance(states, noise, p);
+    round_to_float(states);
+  }
+};
+
+/// Energies of blocks in single precision; of a model only what the floor asks for.
+struct float_energy : model {
+  explicit float_energy(std::shared_ptr<const model> of) : inner(std::move(of)) {}
+  int dimension() const override { return inner->dimension(); }
+  noise_layout layout() const override { return inner->layout(); }
+  noise_class noise() const override { return inner->noise(); }
+  double energy(std::span<const double> mu) const override { return inner->energy(mu); }
+  double dissipation_rate(std::span<const double> mu) const override { return inner->dissipation_rate(mu); }
+  std::vector<double> casimirs(std::span<const double> mu) const override { return inner->casimirs(mu); }
+  std::vector<double> casimir_sizes(std::span<const double> mu) const override { return inner->casimir_sizes(mu); }
+  void conserved(std::span<const double> states, std::span<double> energies,
+                 std::span<double> casimirs) const override {
+    inner->conserved(states, energies, casimirs);
+    round_to_float(energies);
+  }
+  void drift(std::span<const double> mu, std::span<double> out) const override { inner->drift(mu, out); }
+  void drifts(std::span<const double> states, std::span<double> out) const override { inner->drifts(states, out); }
+  void coadjoint(std::span<const double> xi, std::span<const double> mu, std::span<double> out) const override {
+    inner->coadjoint(xi, mu, out);
+  }
+  void coarsen(const increment_view& fine, int factor, std::span<double> dw, std::span<double> area) const override {
+    inner->coarsen(fine, factor, dw, area);
+  }
+  std::unique_ptr<kernel> reference(double dt) const override { return inner->reference(dt); }
+
+  std::shared_ptr<const model> inner;
+};
+
+// h = sum Pi_k^2 / 2 I_k, I = (1, 2, 3): |Omega| |Pi| / sqrt 3.
+TEST(RoundingFloor, ConditionOfABodyIsItsTurningRate) {
+  const auto paper = silent("paper");
+  const double rate = std::hypot(0.6, 0.48 / 2, 0.64 / 3);
+  EXPECT_NEAR(condition_of(*paper.model, {0.6, 0.48, 0.64}), rate / std::sqrt(3.0), 1e-9);
+}
+
+// Of two, h = -(Gamma_1 Gamma_2 / 4 pi) log g, |dh/dmu_1| = |Gamma_2| / 4 pi sqrt(2 / g), and so of the other: grows
+// without bound where they meet, as h does not.
+TEST(RoundingFloor, ConditionOfTwoVorticesGrowsWhereTheyMeet) {
+  const auto scene = load_scene("vortex_pair");
+  const auto pair = bind_scene(scene).without_noise();
+  const auto& strengths = scene.vector("strengths");
+  const double squares = std::pow(strengths[0], 2) + std::pow(strengths[1], 2);
+  for (const double angle : {2.0, 0.1, 0.01}) {
+    const double g = 2 * std::pow(std::sin(angle / 2), 2);
+    EXPECT_NEAR(condition_of(*pair.model, {0, 0, -strengths[0], -strengths[1] * std::sin(angle), 0,
+                                           -strengths[1] * std::cos(angle)}) /
+                    (squares / (4 * std::numbers::pi) * std::sqrt(2 / g) / std::sqrt(6.0)),
+                1, 1e-5)
+        << angle;
+  }
+}
+
+class RoundingFloorOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(RoundingFloorOf, ToldFromSinglePrecision) {
+  auto s = silent(GetParam());
+  const context c{.subject = s};
+  for (const auto& healthy : s.schemes) {
+    const auto found = rounding_floor_of(c, s, healthy);
+    EXPECT_LE(found.state, floor_bound) << healthy.info.name;
+    EXPECT_LE(found.energy, floor_bound) << healthy.info.name;
+    auto rounded = healthy;
+    rounded.make = [&](double dt) { return std::make_unique<float_kernel>(healthy.make(dt)); };
+    const auto single = rounding_floor_of(c, s, rounded);
+    EXPECT_GT(single.state, 1e4 * floor_bound) << healthy.info.name;
+    EXPECT_GT(single.energy, 1e4 * floor_bound) << healthy.info.name;
+  }
+  const auto kept = s.model;
+  s.model = std::make_shared<float_energy>(kept);
+  EXPECT_GT(rounding_floor_of(c, s, s.schemes.front()).energy, 1e4 * floor_bound);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, RoundingFloorOf, testing::Values("paper", "vortices"),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+}  // namespace
+}  // namespace polhode
