@@ -8,6 +8,7 @@
 #include "cli/kept/cache.hpp"
 #include "foreign/integrator.hpp"
 #include "python/callable_integrator.hpp"
+#include "reports/model/errors.hpp"
 #include "reports/writers/folder.hpp"
 #include "reports/writers/json.hpp"
 #include "reports/writers/simulation_json.hpp"
@@ -15,6 +16,9 @@
 #include "scene/nearest.hpp"
 
 namespace polhode::python {
+
+namespace py = pybind11;
+
 namespace {
 
 foreign::foreign_schemes opened(const callables& given, attendance& run) {
@@ -23,10 +27,15 @@ foreign::foreign_schemes opened(const callables& given, attendance& run) {
   return out;
 }
 
-/// Of integrators that have failed in what has no verdicts.
-void throw_failures(const foreign::foreign_schemes& all) {
-  for (const auto& one : all)
-    if (const auto why = one->failure()) throw std::runtime_error(one->about().name + ": " + *why);
+/// That a callable fails is no fault of the disk.
+report::simulation simulated(const scene& s, const simulate_options& o, attendance& run) {
+  try {
+    return attended(run, [&] { return simulate(s, o, run.sink()); });
+  } catch (const output_error& e) {
+    for (const auto& one : o.foreign)
+      if (one->failure()) throw std::runtime_error(e.what());
+    throw;
+  }
 }
 
 }  // namespace
@@ -106,8 +115,7 @@ py::tuple simulated_bodies(const scene& s, const callables& foreign, simulate_op
                     at + ((b.first_body + i) * plan.records + b.first_record) * each);
     };
   }
-  const auto result = attended(run, [&] { return simulate(s, o, run.sink()); });
-  throw_failures(o.foreign);
+  const auto result = simulated(s, o, run);
   py::array_t<double> last({each, static_cast<py::ssize_t>(plan.bodies)}, result.states.data());
   return py::make_tuple(last.attr("T").attr("copy")(), records, plan.dt, plan.components, report::to_json(result));
 }

@@ -1,6 +1,5 @@
 // polhode._core: the commands of the laboratory as functions. The package around it (polhode/) is what users see.
 #include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
 
 #include <algorithm>
 #include <thread>

@@ -42,6 +42,20 @@ class Answers(case.Case):
         np.testing.assert_allclose((run.states**2).sum(axis=1), 1, rtol=1e-12)
         self.assertTrue(math.isclose(run.summary.final.pi1.mean, run.states[:, 0].mean(), rel_tol=1e-9))
 
+    def test_simulate_theirs(self):
+        """With the noise of its twin, to rounding; a failure is raised."""
+        run = lambda scheme: polhode.simulate('paper', scheme, .1, bodies=100, record=1., threads=2)
+        theirs, ours = run(strangers.their_heun), run('heun')
+        np.testing.assert_allclose(theirs.records, ours.records, rtol=1e-6)  # the default noise has six digits
+        exact = lambda scheme: polhode.simulate('paper', scheme, .1, bodies=100, normals='precise').states
+        np.testing.assert_allclose(exact(strangers.their_heun), exact('heun'), rtol=1e-11)
+        def broken(scene, state, dt, dw): return None
+        with self.assertRaisesRegex(RuntimeError, 'broken: .*returned None; accepted: a float64'): run(broken)
+
+    def test_select_theirs(self):
+        found = polhode.select('paper', 'energy', 1e-2, schemes=[strangers.their_heun], threads=2)
+        self.assertIn('their_heun', [found.scheme, found.runner_up.scheme] + [row.scheme for row in found.rejected])
+
     def test_select(self):
         found = polhode.select('paper', 'energy', 1e-2, threads=2)
         self.assertIn(found.scheme, [s['name'] for s in polhode.schemes()])

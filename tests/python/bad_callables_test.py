@@ -71,7 +71,7 @@ class BadCallables(case.Case):
     def test_own_numbers(self):
         """Equal seeds, equal steps; what compares two runs under one noise is skipped with that reason."""
         seeds = set()
-        @polhode.scheme(takes='own numbers', casimir=1, casimir_deterministic=3)
+        @polhode.scheme(takes='own numbers', casimir=1, casimir_deterministic=3, **strangers.ORDERS)
         def own(scene, state, dt, seed):
             assert seed.shape == state.shape[1:] and seed.dtype == np.uint64
             seeds.update(seed.tolist())

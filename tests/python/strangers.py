@@ -110,7 +110,7 @@ def areas_reversed(scene, state, dt, dw, area):
     return their_magnus(scene, state, dt, dw, -area)
 
 
-@polhode.scheme(casimir='kept')
+@polhode.scheme(casimir='kept', deterministic=1)
 def leaking(scene, state, dt, dw):
     """Right on a ball without noise, but for what it leaks."""
     return state * (1 + 1e-6)

@@ -50,6 +50,7 @@ class Twins(case.Case):
         self.assertIn('casimir', str(r))
         page = r.save(os.path.join(self.folder, 'out'))
         with open(page, encoding='utf-8') as f: self.assertIn('their_heun', f.read())
+        self.assertEqual(r.measured('their_heun'), '@polhode.scheme()')
         self.assertEqual({s['name'] for s in r.schemes if s['source'].startswith('Python function')}, {'their_heun'})
 
 if __name__ == '__main__':

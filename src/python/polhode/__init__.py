@@ -115,6 +115,8 @@ def simulate(scene: SceneLike = 'paper', scheme: Integrator = 'strang', dt: floa
         start: 'momentum', 'uniform' or 'orbit'; None: the momentum for independent noise, else all over the sphere or orbit.
         record: time from record to record, a multiple of dt; None: only the end is kept.
         normals: 'fast' (to 1e-6) or 'precise'.
+
+    A function that fails raises RuntimeError.
     """
     theirs, names = _sorted_out([scheme])
     states, records, every, components, summary = _core.simulate(

@@ -7,6 +7,7 @@ import os
 from typing import Any, Union
 
 from . import _core
+from ._schemes import KEPT
 
 Row = 'dict[str, Any]'
 _KINDS = ('holds', 'refuted', 'inconclusive', 'not tried', 'skipped')
@@ -53,6 +54,13 @@ class Report:
     def inconclusive(self) -> 'list[Row]':
         """Verdicts on claims that were tried and not decided."""
         return self._of('inconclusive')
+
+    def measured(self, scheme: str) -> str:
+        """The orders that a function did not claim and that were measured, as the decorator to paste."""
+        for row in self.schemes:
+            if row['name'] == scheme:
+                return f'@polhode.scheme({", ".join(_claim(*one) for one in row.get("measured", {}).items())})'
+        raise ValueError(f'{scheme}: not in this report; accepted: {", ".join(row["name"] for row in self.schemes)}')
 
     @property
     def exit_code(self) -> int:
@@ -115,6 +123,10 @@ class Check(Report):
     def __init__(self, results: _core.Results, answer: str):
         super().__init__(results)
         self.estimates = json.loads(answer)['estimates']
+
+
+def _claim(name: str, order: float) -> str:
+    return f"{name}='kept'" if order == KEPT else f'{name}={order:g}'
 
 
 def _flat(row: 'dict[str, Any]') -> 'dict[str, Any]':
