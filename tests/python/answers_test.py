@@ -34,6 +34,18 @@ class Answers(case.Case):
         self.assertTrue(math.isclose(found.value, .64 * math.exp(-.25), rel_tol=1e-9), found)
         self.assertIsNone(found.reason)
 
+    def test_cache(self):
+        """Of the command, used where that is asked for."""
+        before = os.environ.get('POLHODE_CACHE')
+        os.environ['POLHODE_CACHE'] = os.path.join(self.folder, 'cache')
+        self.addCleanup(lambda: os.environ.pop('POLHODE_CACHE') if before is None else os.environ.update(POLHODE_CACHE=before))
+        run = lambda cache: polhode.verify('paper', ['heun', strangers.their_heun], ['casimir'], cache=cache, **case.QUICK)
+        self.assertEqual([str(run(False)).count('computed earlier'), os.path.exists(os.environ['POLHODE_CACHE'])], [0, False])
+        first, second = run(True), run(True)
+        self.assertNotIn('computed earlier', str(first))
+        self.assertIn('1 of 2 results were computed earlier', str(second))
+        self.assertEqual(first.verdicts, second.verdicts)
+
     def test_simulate(self):
         run = polhode.simulate('paper', 'strang', .02, bodies=100, record=.5)
         self.assertEqual((run.states.shape, run.records.shape, run.times.tolist()), ((100, 3), (100, 5, 3), [0, .5, 1, 1.5, 2]))
