@@ -6,9 +6,9 @@
 
 #include <array>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <span>
 
+#include "cli/answers/json.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/arguments.hpp"
 #include "cli/options/opened_scene.hpp"
@@ -23,37 +23,11 @@
 namespace polhode::cli {
 namespace {
 
-using json = nlohmann::ordered_json;
-
 struct arguments {
   std::string data, scene, format = "text";
   std::optional<std::string> dt, out;
   bool quiet = false;
 };
-
-json json_of(const report::verdict& v) {
-  const auto maybe = [](const std::optional<double>& x) { return x ? json(*x) : json(); };
-  return {{"claim", v.claim},
-          {"verdict", report::name_of(v.kind)},
-          {"expected", maybe(v.expected)},
-          {"estimate", maybe(v.estimate)},
-          {"low", maybe(v.low)},
-          {"high", maybe(v.high)},
-          {"reason", v.reason}};
-}
-
-std::string json_of(const checked_recording& checked) {
-  json verdicts = json::array(), estimates = json::object();
-  for (const auto& v : checked.results.verdicts) verdicts.push_back(json_of(v));
-  for (const auto& p : checked.equation.parameters)
-    estimates[p.name] = {{"value", p.value.value},
-                         {"low", p.value.low},
-                         {"high", p.value.high},
-                         {"scene", p.in_scene},
-                         {"held", p.held}};
-  const json out{{"verdicts", verdicts}, {"estimates", estimates}};
-  return out.dump(2) + '\n';
-}
 
 std::string text_of(const checked_recording& checked) {
   const auto width = terminal_width(STDOUT_FILENO);
@@ -86,7 +60,7 @@ int run(const arguments& given) {
     report::write_report(*given.out, one);
   }
   if (output == format::json)
-    print(json_of(checked));
+    print(to_json(checked));
   else if (!given.quiet)
     print(text_of(checked));
   return exit_code(one);

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/answers/json.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/arguments.hpp"
 #include "cli/terminal/terminal.hpp"
@@ -20,22 +20,6 @@ struct arguments {
   std::string scene = "paper", quantity, format = "text";
   std::optional<std::string> observable, time, degree;
 };
-
-std::string json_of(const reference_answer& a) {
-  nlohmann::ordered_json out;
-  const auto maybe = [](const auto& x) { return x ? nlohmann::ordered_json(*x) : nlohmann::ordered_json(); };
-  out["quantity"] = a.quantity;
-  out["observable"] = a.observable.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(a.observable);
-  out["time"] = maybe(a.time);
-  out["value"] = a.value;
-  out["uncertainty"] = a.uncertainty;
-  out["degree"] = a.degree;
-  if (a.sum) out["sum"] = *a.sum;
-  if (a.dimension) out["dimension"] = *a.dimension;
-  out["method"] = a.method;
-  out["reason"] = a.reason.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(a.reason);
-  return out.dump(2) + '\n';
-}
 
 std::string text_of(const reference_answer& a) {
   const std::string what = a.quantity == "expectation" ? fmt::format("E[{}] at time {:g}", a.observable, *a.time)
@@ -56,7 +40,7 @@ int run(const arguments& given) {
   if (given.degree)
     options.degree = static_cast<int>(integer_option("--degree", *given.degree, 1, most_reference_degree));
   const auto answer = reference(load_scene(given.scene), options);
-  print(output == format::json ? json_of(answer) : text_of(answer));
+  print(output == format::json ? to_json(answer) : text_of(answer));
   return answer.reason.empty() ? 0 : inconclusive;
 }
 

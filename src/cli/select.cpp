@@ -4,8 +4,8 @@
 
 #include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "cli/answers/json.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/arguments.hpp"
 #include "cli/options/integrators.hpp"
@@ -24,46 +24,6 @@ struct arguments {
   std::string scene = "paper", goal, tolerance, observable = "all", time, require, threads, seed = "1", isa = "auto",
               format = "text";
 };
-
-nlohmann::ordered_json json_of(const choice& c) {
-  return {{"scheme", c.scheme},
-          {"dt", c.dt},
-          {"predicted", c.predicted},
-          {"checked", c.checked},
-          {"bound", c.bound},
-          {"order", c.order},
-          {"cost_ns_per_unit_time", c.cost},
-          {"cost_low", c.cost_low},
-          {"cost_high", c.cost_high},
-          {"checked_to", c.checked_to}};
-}
-
-nlohmann::ordered_json json_of(const observable_error& e) {
-  return {{"observable", e.observable}, {"error", e.value}, {"bound", e.bound()}, {"time", e.time}};
-}
-
-std::string json_of(const selection& s) {
-  nlohmann::ordered_json out{{"goal", s.question.name},
-                             {"tolerance", s.question.tolerance},
-                             {"observable", s.question.observable},
-                             {"time", s.question.time},
-                             {"unit", s.unit},
-                             {"scheme", nullptr}};
-  if (s.winner) out.update(json_of(*s.winner));
-  out["worst_observable"] = s.worst_observable ? json_of(*s.worst_observable) : nlohmann::ordered_json();
-  out["silent_on"] = s.silent_on;
-  out["tied"] = s.tied;
-  out["runner_up"] = s.runner_up ? json_of(*s.runner_up) : nlohmann::ordered_json();
-  if (!s.winner) {
-    out["closest"] = s.closest ? json_of(*s.closest) : nlohmann::ordered_json();
-    out["reason"] = s.reason;
-  }
-  out["rejected"] = nlohmann::ordered_json::array();
-  for (const auto& r : s.rejected) out["rejected"].push_back({{"scheme", r.scheme}, {"reason", r.reason}});
-  out["notes"] = s.notes;
-  out["snippet"] = s.snippet;
-  return out.dump(2) + '\n';
-}
 
 std::string line_of(const choice& c) {
   return fmt::format(
@@ -119,7 +79,7 @@ int run(const arguments& given) {
   options.isa = given.isa;
   options.foreign = opened_integrators(given.integrators);
   const auto found = select(opened_scene(given.scene), options);
-  print(output == format::json ? json_of(found) : text_of(found));
+  print(output == format::json ? to_json(found) : text_of(found));
   return found.winner ? 0 : nothing_meets_it;
 }
 

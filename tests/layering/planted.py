@@ -136,6 +136,11 @@ PLANTED = [
     ('src/cli/main.cpp', '"platform/isa.hpp"', True),
     ('src/cli/main.cpp', '"selection/select.hpp"', True),
     ('src/cli/main.cpp', '"tests/unit/helper.hpp"', True),
+    ('src/python/module.cpp', '"cli/terminal/summary.hpp"', False),
+    ('src/python/module.cpp', '"run/verify.hpp"', False),
+    ('src/python/module.cpp', '"experiments/common/experiment.hpp"', True),
+    ('src/cli/verify.cpp', '"python/attended.hpp"', True),
+    ('src/run/verify.cpp', '"python/attended.hpp"', True),
     # the reports
     ('reports/writers/json.cpp', '"json.hpp"', False),
     ('reports/writers/json.cpp', '"../model/results.hpp"', False),

@@ -28,7 +28,7 @@ bool lies_in(const fs::path& inner, const fs::path& outer) {
 std::unique_ptr<report::result_folder> open_cache(report::result_folder::access how, const fs::path& out) {
   const auto folder = cache_folder();
   if (folder.empty()) return nullptr;
-  if (lies_in(folder, out))
+  if (!out.empty() && lies_in(folder, out))
     throw input_error(fmt::format(
         "cache folder '{}': lies in the output folder; accepted: POLHODE_CACHE or --out elsewhere, or --no-cache",
         one_line(folder.string(), 200)));

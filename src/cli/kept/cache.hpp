@@ -8,7 +8,8 @@
 
 namespace polhode::cli {
 
-/// The store in cache_folder(); null where there is none. Throws input_error where that lies in the output folder.
+/// The store in cache_folder(); null where there is none. Throws input_error where that lies in the output folder,
+/// if there is one.
 std::unique_ptr<report::result_folder> open_cache(report::result_folder::access, const std::filesystem::path& out);
 
 }  // namespace polhode::cli

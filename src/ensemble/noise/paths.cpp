@@ -11,6 +11,7 @@
 #include "ensemble/noise/normal_block.hpp"
 #include "platform/cpu_profile.hpp"
 #include "platform/denormals.hpp"
+#include "platform/stopping.hpp"
 #include "platform/work_counters.hpp"
 
 namespace polhode {
@@ -19,9 +20,11 @@ void parallel_for(int threads, int count, const std::function<void(int)>& work) 
   std::atomic<int> next{0};
   std::exception_ptr failure;
   std::mutex failing;
-  const auto worker = [&] {
+  const auto worker = [&, flag = stop_flag()] {
     const flush_denormals flushed;
+    const stoppable as_asked_for(flag);
     for (int i = next++; i < count; i = next++) try {
+        stop_if_asked();
         working_on("");
         work(i);
       } catch (...) {

@@ -15,7 +15,8 @@
 namespace polhode {
 
 /// Calls work(0) … work(count - 1) on that many threads, in any order; each writes to its own place, so that results do
-/// not depend on the number of threads. Pieces are handed out one at a time. The first exception is passed on.
+/// not depend on the number of threads. Pieces are handed out one at a time. The first exception is passed on, and
+/// between pieces the work can be stopped (platform/stopping.hpp).
 void parallel_for(int threads, int count, const std::function<void(int)>& work);
 
 /// Wiener increments of the paths first_path … first_path + block_lanes - 1, by address.

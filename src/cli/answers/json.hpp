@@ -1,0 +1,17 @@
+// What the commands answer, each as one JSON document: `--format json` prints it, and Python reads it.
+#pragma once
+
+#include <string>
+
+#include "run/check.hpp"
+#include "run/choose.hpp"
+#include "run/reference.hpp"
+
+namespace polhode::cli {
+
+std::string to_json(const reference_answer&);
+std::string to_json(const selection&);
+/// Its verdicts, and the parameters that the data follow.
+std::string to_json(const checked_recording&);
+
+}  // namespace polhode::cli
