@@ -21,6 +21,21 @@ if(FROM STREQUAL "headers_only")
 endif()
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 
+# A scheme of one's own with the laboratory that is installed: its report.
+if(FROM STREQUAL "laboratory")
+  run(${CMAKE_COMMAND} -S ${SOURCE}/integrators/examples/laboratory -B ${WORK}/project ${tools}
+    -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+  run(${CMAKE_COMMAND} --build ${WORK}/project)
+  run(${CMAKE_COMMAND} -E chdir ${WORK} ${WORK}/project/my_report)
+  file(READ ${WORK}/report/paper/results.json results)
+  string(JSON schemes LENGTH ${results} schemes)
+  string(JSON last GET ${results} schemes 2 name)
+  if(NOT schemes EQUAL 3 OR NOT last STREQUAL "my_scheme" OR NOT EXISTS ${WORK}/report/paper/report.html)
+    message(FATAL_ERROR "the report of the installed laboratory does not hold the scheme")
+  endif()
+  return()
+endif()
+
 # This build has the program; with headers alone, the verification is registered and disabled.
 set(program OFF)
 if(FROM STREQUAL "this_build")
