@@ -59,7 +59,7 @@ contains
     out = cross(pi, (pi / b%inertia + b%theta * cross(pi, pi / b%inertia)) * b%dt + noise)
   end function
 
-  function open_body(scene, self, why, bytes) bind(c) result(code)
+  function open_body(scene, self, why, bytes) bind(c, name='my_heun_open') result(code)
     type(polhode_scene), intent(in) :: scene
     type(c_ptr), intent(out) :: self
     character(kind=c_char) :: why(*)
@@ -72,6 +72,7 @@ contains
     integer(c_int32_t) :: rows, columns
     call c_f_procpointer(scene%parameter, parameter)
     inertia = parameter(scene, 'inertia' // c_null_char, rows, columns)
+    why(1:min(bytes, 1_c_size_t)) = c_null_char
     code = 1
     if (scene%components /= 3 .or. .not. c_associated(inertia)) return
     allocate (b)
@@ -85,7 +86,7 @@ contains
     code = 0
   end function
 
-  function advance(self, batch) bind(c) result(code)
+  function advance(self, batch) bind(c, name='my_heun_advance') result(code)
     type(c_ptr), value :: self
     type(polhode_batch), intent(in) :: batch
     integer(c_int) :: code
@@ -108,7 +109,7 @@ contains
     code = 0
   end function
 
-  subroutine close_body(self) bind(c)
+  subroutine close_body(self) bind(c, name='my_heun_close')
     type(c_ptr), value :: self
     type(body), pointer :: b
     call c_f_pointer(self, b)

@@ -20,7 +20,7 @@ namespace {
 constexpr int nothing_meets_it = 3;
 
 struct arguments {
-  std::vector<std::string> with;
+  integrator_arguments integrators;
   std::string scene = "paper", goal, tolerance, observable = "all", time, require, threads, seed = "1", isa = "auto",
               format = "text";
 };
@@ -77,7 +77,7 @@ int run(const arguments& given) {
   options.threads = threads_option(given.threads);
   options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
   options.isa = given.isa;
-  options.foreign = opened_integrators(given.with);
+  options.foreign = opened_integrators(given.integrators);
   const auto found = select(opened_scene(given.scene), options);
   print(output == format::json ? to_json(found) : text_of(found));
   return found.winner ? 0 : nothing_meets_it;
@@ -90,7 +90,7 @@ command add_select(CLI::App& app) {
   given->threads = default_threads();
   auto& parser = add_command(app, "select", "The cheapest scheme and step for a target, measured on a scene");
   add_option(parser, "SCENE", given->scene, "A built-in name or a TOML file [paper]", "");
-  add_integrators(parser, given->with);
+  add_integrators(parser, given->integrators);
   add_option(parser, "--goal", given->goal, "strong, weak, stationary, energy", "G");
   add_option(parser, "--tolerance", given->tolerance,
              "Of the error, in units of the observable's size, of |Pi_0| or of h_0", "X");

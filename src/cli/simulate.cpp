@@ -28,7 +28,7 @@ namespace {
 constexpr std::uint64_t most_bodies = std::numeric_limits<std::uint32_t>::max();  // what a bin of a histogram can count
 
 struct arguments {
-  std::vector<std::string> with;
+  integrator_arguments integrators;
   std::string scene = "paper", scheme, dt, bodies, noise, start, snapshots, record;
   std::string out = "simulation", threads, seed = "1", isa = "auto", generator = "philox", normals = "fast",
               format = "text", colour_map = "viridis", histogram = "npy", recording;
@@ -59,7 +59,7 @@ simulate_options checked_options(const arguments& given) {
   options.threads = threads_option(given.threads);
   options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
   options.isa = given.isa;
-  options.foreign = opened_integrators(given.with);
+  options.foreign = opened_integrators(given.integrators);
   options.generator = given.generator;
   options.normals = given.normals;
   return options;
@@ -181,7 +181,7 @@ command add_simulate(CLI::App& app) {
   given->threads = default_threads();
   auto& parser = add_command(app, "simulate", "Run an ensemble of bodies; final states and pictures");
   add_option(parser, "SCENE", given->scene, "A built-in name or a TOML file [paper]", "");
-  add_integrators(parser, given->with);
+  add_integrators(parser, given->integrators);
   add_option(parser, "--scheme", given->scheme, "The scheme; see polhode list schemes", "S");
   add_option(parser, "--dt", given->dt, "Step size; the horizon is a multiple", "H");
   add_option(parser, "--bodies", given->bodies, "How many", "N");

@@ -71,7 +71,8 @@ scheme_info foreign_scheme::info() const {
 }
 
 void foreign_scheme::try_on(const subject& s) {
-  if (!integrator_->within() || failure()) return;
+  failure_.reset();
+  refusal_.clear();
   try {
     const auto found = probe(*integrator_, {s.scene, s.model->dimension(), s.model->layout().channels,
                                             s.scene.horizon / static_cast<double>(s.scene.steps.back())});
@@ -81,6 +82,8 @@ void foreign_scheme::try_on(const subject& s) {
       about_.one_thread = true;
       about_.from += ", on one thread as two interfere";
     }
+  } catch (const foreign::refusal& r) {
+    refusal_ = r.what();
   } catch (const foreign::failure& f) {
     fail(f.what());
   }
@@ -119,6 +122,10 @@ subject with_foreign(subject s, const foreign_schemes& all) {
   if (all.empty()) return s;
   for (const auto& scheme : all) {
     const auto& name = scheme->about().name;
+    if (!scheme->refusal().empty()) {
+      s.inapplicable.push_back({"", name, scheme->refusal()});
+      continue;
+    }
     const auto taken = [&](const scheme_entry& e) { return e.info.name == name; };
     if (std::ranges::any_of(s.schemes, taken))
       throw input_error(fmt::format("{}: its name '{}' is that of another scheme; accepted: a name of its own",

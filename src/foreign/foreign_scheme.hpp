@@ -25,9 +25,11 @@ class foreign_scheme {
   /// As our own schemes state them; an order that is not claimed is NaN, and a deterministic one 0.
   scheme_info info() const;
 
-  /// Tries it where it runs inside this program, on the scene of the subject: a fault is its failure, and what must not
-  /// be called by two threads at a time no longer is.
+  /// Tries it on the scene of the subject, whatever happened on others: a fault is its failure, and what must not be
+  /// called by two threads at a time no longer is.
   void try_on(const subject&);
+  /// Why it does not run on the scene on which it was tried; empty: it does.
+  const std::string& refusal() const { return refusal_; }
 
   /// Orders that were measured take the place of those that are not claimed (run/measured_claims.hpp).
   void take_as_claimed(const foreign::claims& measured) { about_.claims = measured; }
@@ -50,6 +52,7 @@ class foreign_scheme {
   foreign::claims given_;
   mutable std::mutex guard_, turn_;
   std::optional<std::string> failure_;
+  std::string refusal_;
 };
 
 using foreign_schemes = std::vector<std::shared_ptr<foreign_scheme>>;

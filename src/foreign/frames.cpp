@@ -124,7 +124,7 @@ void tell_scene(dialogue& with, const std::string& json) {
                           longest_text));
   std::vector<std::byte> why(static_cast<std::size_t>(h.bytes));
   with.hear(why, 0, why.size());
-  with.fail("refused the scene: " + one_line(text_of(why), 240));
+  throw refusal("refused the scene: " + one_line(text_of(why), 240));
 }
 
 void ask_for_steps(dialogue& with, const problem& p, const batch& b) {

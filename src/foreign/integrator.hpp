@@ -78,6 +78,11 @@ struct failure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The integrator does not run on that scene, and says why.
+struct refusal : failure {
+  using failure::failure;
+};
+
 /// An integrator opened on a problem. Called by one thread at a time.
 class stepper {
  public:
@@ -89,7 +94,8 @@ class integrator {
  public:
   virtual ~integrator() = default;
   virtual const description& about() const = 0;
-  /// Throws failure. Called by several threads at a time, but where `one_thread`.
+  /// Throws failure; a refusal where the scene is none of its own. Called by several threads at a time, but where
+  /// `one_thread`.
   virtual std::unique_ptr<stepper> open(const problem&) = 0;
   /// Whether it runs inside this program, which it could end: it is tried in a child first (probe.hpp).
   virtual bool within() const { return false; }

@@ -78,7 +78,7 @@ class library_stepper final : public stepper {
     std::array<char, 256> why{};
     if (const int code = guarded("open", [&] { return of_.open(&told_.scene, &self_, why.data(), why.size()); })) {
       why.back() = 0;
-      throw failure(fmt::format("open returned {}{}{}", code, why[0] ? ": " : "", why.data()));
+      throw refusal(fmt::format("open returned {}{}{}", code, why[0] ? ": " : "", why.data()));
     }
   }
   library_stepper(const library_stepper&) = delete;
@@ -129,6 +129,14 @@ class library_integrator final : public integrator {
   description about_;
 };
 
+/// A library finds its own functions before ours and the system's: libc has one that is called `advance`. Sanitizers
+/// forbid it.
+#if defined(RTLD_DEEPBIND) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+constexpr int how_to_load = RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND;
+#else
+constexpr int how_to_load = RTLD_NOW | RTLD_LOCAL;
+#endif
+
 /// Integrators of another size than ours are stepped over by the size that they state.
 const polhode_integrator& at(const polhode_integrator* first, int index) {
   const auto* bytes = reinterpret_cast<const char*>(first);
@@ -139,7 +147,7 @@ const polhode_integrator& at(const polhode_integrator* first, int index) {
 
 std::vector<std::unique_ptr<integrator>> open_library(const std::string& path) {
   const auto full = path.find('/') == std::string::npos ? "./" + path : path;  // no search through the system's folders
-  void* handle = dlopen(full.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* handle = dlopen(full.c_str(), how_to_load);
   if (handle == nullptr) {
     const char* why = dlerror();
     throw input_error(fmt::format("{}: cannot be loaded as a library: {}", path, text(why)));

@@ -1,4 +1,5 @@
-// A library is tried in a process of its own before it is loaded into ours: what it does wrong ends that process.
+// An integrator is tried before it is used. What runs inside this program does so in a process of its own: what it does
+// wrong ends that process.
 #pragma once
 
 #include <string>
@@ -14,8 +15,8 @@ struct probed {
 };
 
 /// Opens the integrator on the problem and lets it step, with pages that must not be touched before and after each
-/// array that it is handed. Throws failure: it is killed by a signal, ends the program, hangs, throws, writes beyond
-/// the states, or reads beyond an array.
+/// array that it is handed. Throws refusal, or failure: it is killed by a signal, ends the program, hangs, throws,
+/// writes beyond the states, or reads beyond an array.
 probed probe(integrator&, const problem&);
 
 }  // namespace polhode::foreign

@@ -25,8 +25,9 @@ struct order_claim {
 /// Of a scene with that noise: what it can tell.
 std::vector<order_claim> orders_told_by(noise_class noise) {
   std::vector<order_claim> all{{"energy", "state_error", "state", &claims::deterministic, 1, 1}};
+  all.push_back({"casimir", "drift", "casimir",
+                 noise == noise_class::none ? &claims::casimir_deterministic : &claims::casimir, 1, 0.5});
   if (noise == noise_class::none) return all;
-  all.push_back({"casimir", "drift", "casimir", &claims::casimir, 1, 0.5});
   if (noise == noise_class::one_vector) {
     all.push_back({"strong", "error", "state", &claims::strong_commuting, 1, 0.5});
     all.push_back({"weak", "error", "", &claims::weak_one_vector, 1, 1});
@@ -60,7 +61,7 @@ std::optional<double> order_in(const report::results& r, const order_claim& c) {
 void measure_claims(const scene& s, const std::shared_ptr<foreign::foreign_scheme>& scheme, int threads,
                     std::uint64_t seed) {
   scheme->try_on(bind_scene(s));
-  if (scheme->failure()) return;
+  if (scheme->failure() || !scheme->refusal().empty()) return;
   const auto given = scheme->given();
   scheme->take_as_claimed(given);
   const bool draws = scheme->about().takes == foreign::noise_access::own_numbers;
@@ -69,7 +70,7 @@ void measure_claims(const scene& s, const std::shared_ptr<foreign::foreign_schem
   std::vector<order_claim> open;
   auto trial = given;
   for (const auto& c : orders_told_by(subject.model->noise())) {
-    const bool tells = c.order != &claims::casimir || !keeps;
+    const bool tells = c.experiment != "casimir" || !keeps;
     if (given.*c.order != 0 || !tells || (draws && c.experiment != "energy")) continue;
     open.push_back(c);
     trial.*c.order = c.trial;

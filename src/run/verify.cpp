@@ -26,14 +26,22 @@ std::vector<experiment> all_experiments() {
           stability_experiment(), work_precision_experiment()};
 }
 
-/// Keeps the wanted ones in the list's own order; throws on a name that is not there.
+/// Keeps the wanted ones in the list's own order; throws on a name that is neither there nor `known` otherwise.
 template <class T, class Name>
-void keep_wanted(std::vector<T>& all, const std::vector<std::string>& wanted, const char* option, Name name) {
+void keep_wanted(std::vector<T>& all, const std::vector<std::string>& wanted, const char* option, Name name,
+                 std::vector<std::string> known = {}) {
   if (wanted.empty()) return;
-  std::vector<std::string> known;
   for (const T& t : all) known.emplace_back(name(t));
   for (const auto& w : wanted) choose(option, w, known);
   std::erase_if(all, [&](const T& t) { return std::ranges::find(wanted, name(t)) == wanted.end(); });
+}
+
+/// Names of integrators that do not run on this scene.
+std::vector<std::string> refusing(const foreign::foreign_schemes& all) {
+  std::vector<std::string> out;
+  for (const auto& one : all)
+    if (!one->refusal().empty()) out.push_back(one->about().name);
+  return out;
 }
 
 std::string effort_name(effort e) { return by_effort<std::string>(e, "quick", "standard", "thorough"); }
@@ -119,7 +127,9 @@ void check_options(const scene& s, const verify_options& options) {
 report::results verify_subject(subject s, const verify_options& options, const progress_sink& progress) {
   gsl_set_error_handler_off();  // GSL's failures come back as values here, not as abort()
   auto experiments = all_experiments();
-  keep_wanted(s.schemes, options.schemes, "--schemes", [](const scheme_entry& e) { return e.info.name; });
+  keep_wanted(
+      s.schemes, options.schemes, "--schemes", [](const scheme_entry& e) { return e.info.name; },
+      refusing(options.foreign));
   if (!options.schemes.empty()) s = restricted(std::move(s), options.schemes);
   keep_wanted(experiments, options.experiments, "--experiments", [](const experiment& e) { return e.info.name; });
 

@@ -143,8 +143,11 @@ class BadLibraries(unittest.TestCase):
     def test_forgets_what_it_did(self):
         self.told('forgetful', 'another result')
 
-    def test_another_system(self):
-        self.told('c_heun', 'knows rigid bodies alone', 'so4')
+    def test_another_system_is_not_tried(self):
+        code, results = verify(['lie_heun', 'c_heun'], 'casimir', 'so4')
+        self.assertEqual(code, 0)
+        skipped = [s['reason'] for s in results['skipped'] if s['scheme'] == 'c_heun']
+        self.assertIn('knows rigid bodies alone, not so4_body of 6 components', skipped[0])
 
     def test_not_a_number_is_data(self):
         code, results = verify(['not_a_number'], 'casimir,strong')

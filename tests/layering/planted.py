@@ -44,6 +44,12 @@ PLANTED = [
     (INSTALLED + 'integrate.hpp', '"lie/so3.hpp"', True),
     (INSTALLED + 'integrate.hpp', '"schemes/heun.hpp"', True),
     (INSTALLED + 'integrate.hpp', '<polhode/schemes/heun.hpp>', True),
+    (INSTALLED + 'testing/mean_test.hpp', '<polhode/testing/verdict.hpp>', False),
+    (INSTALLED + 'testing/mean_test.hpp', '<cmath>', False),
+    (INSTALLED + 'testing/mean_test.hpp', '<polhode/vec.hpp>', True),
+    (INSTALLED + 'testing/mean_test.hpp', '<gtest/gtest.h>', True),
+    (INSTALLED + 'testing/mean_test.hpp', '"statistics/distributions.hpp"', True),
+    (INSTALLED + 'vec.hpp', '<polhode/testing/verdict.hpp>', True),
     # the laboratory
     ('src/platform/isa.cpp', '"isa.hpp"', False),
     ('src/platform/isa.cpp', '"ensemble/run.hpp"', True),

@@ -14,6 +14,7 @@ ROOMS = {
     'scheme_info':   [INSTALLED + 'schemes/scheme_info.hpp'],
     'schemes':       [INSTALLED + 'schemes/'],
     'abi':           [INSTALLED + 'abi.h'],  # the C interface
+    'testing':       [INSTALLED + 'testing/'],  # the test kit
     'driver':        [INSTALLED],  # integrate.hpp and what else stands at the top
     'examples':      ['integrators/examples/'],
     'platform':      ['src/platform/'],
@@ -55,6 +56,7 @@ MAY = {
     'scheme_info':   ['concepts'],
     'schemes':       ['helpers', 'concepts', 'scheme_info'],
     'abi':           [],
+    'testing':       [],
     'driver':        ['noise', 'scheme_info'],
     'examples':      INTEGRATORS + ['abi', 'lab_systems', 'run', 'writers'],  # what users may
     'platform':      [],

@@ -34,6 +34,12 @@ report::verdict judge_order(double expected, const std::optional<order_fit>& fit
   v.estimate = fit->order;
   v.low = fit->low;
   v.high = fit->high;
+  if (std::isnan(expected)) {
+    v.expected.reset();
+    v.kind = verdict_kind::skipped;
+    v.reason = fmt::format("not claimed; measured: order {:.3f} [{:.3f}, {:.3f}]", fit->order, fit->low, fit->high);
+    return v;
+  }
   v.kind = judge(expected, fit->low, fit->high, order_margin);
   if (at_least && fit->asymptotic && v.kind != verdict_kind::holds && fit->low >= expected - order_margin) {
     v.kind = verdict_kind::holds;

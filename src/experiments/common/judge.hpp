@@ -22,7 +22,8 @@ double half_width(const auto& estimate) { return (estimate.high - estimate.low) 
 /// Holds if [low, high] lies inside expected +- margin, refuted if disjoint from it, else inconclusive.
 report::verdict_kind judge(double expected, double low, double high, double margin);
 
-/// Verdict on an order; a recorder says of what (recorder.hpp). `at_least`: faster than claimed holds
+/// Verdict on an order, or what is measured of one that is not claimed (expected: NaN); a recorder says of what
+/// (recorder.hpp). `at_least`: faster than claimed holds
 /// too (a scene can be kinder than the claim) once the slope is asymptotic: before a zero crossing it is steep for a
 /// while, and nothing is concluded. Refuted where the slope is asymptotic and the two finest levels refute it too, or
 /// where they lie no nearer to the claim than the slope does; a slope that still nears the claim is inconclusive.

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include <polhode/called.hpp>
 #include <polhode/scalar.hpp>
 
 namespace polhode {
@@ -36,6 +37,24 @@ complex_number<S> select(const Mask& condition, const complex_number<S>& yes, co
   return {select(condition, yes.real, no.real), select(condition, yes.imaginary, no.imaginary)};
 }
 
+/// c x. Of a dual number part by part, as a constant has no slope.
+template <class S>
+S times_constant(double c, const S& x) {
+  if constexpr (requires { x.slope; })
+    return {times_constant(c, x.value), decltype(x.value)(c) * x.slope};
+  else
+    return S(c) * x;
+}
+template <class S>
+complex_number<S> times_constant(double c, const complex_number<S>& x) {
+  return {times_constant(c, x.real), times_constant(c, x.imaginary)};
+}
+template <class S>
+complex_number<S> times_constant(const complex_number<double>& c, const complex_number<S>& x) {
+  return {times_constant(c.real, x.real) - times_constant(c.imaginary, x.imaginary),
+          times_constant(c.real, x.imaginary) + times_constant(c.imaginary, x.real)};
+}
+
 /// Row by row.
 template <class S, int N>
 struct complex_matrix {
@@ -44,11 +63,16 @@ struct complex_matrix {
   static constexpr int n = N;
   static complex_matrix identity(int) {
     complex_matrix out;
-    for (int i = 0; i < n; ++i) out(i, i).real = S(1.0);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) out(i, j) = {S(i == j ? 1.0 : 0.0), S(0.0)};
     return out;
   }
 
-  std::array<entry, N * N> entries{};
+  union {
+    std::array<entry, N * N> entries;
+  };
+
+  complex_matrix() {}  // its entries are not set
   entry& operator()(int i, int j) { return entries[static_cast<std::size_t>(N * i + j)]; }
   const entry& operator()(int i, int j) const { return entries[static_cast<std::size_t>(N * i + j)]; }
 
@@ -74,7 +98,7 @@ struct complex_matrix {
     for (auto& x : a.entries) x = s * x;
     return a;
   }
-  [[gnu::noinline]] friend complex_matrix operator*(const complex_matrix& a, const complex_matrix& b) {
+  POLHODE_CALLED friend complex_matrix operator*(const complex_matrix& a, const complex_matrix& b) {
     complex_matrix out;
     for (int i = 0; i < N; ++i)
       for (int j = 0; j < N; ++j) {

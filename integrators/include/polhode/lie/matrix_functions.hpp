@@ -1,6 +1,7 @@
 // Exponentials and Cayley transforms of small square matrices, real (small_matrix.hpp) or complex (complex_matrix.hpp).
 #pragma once
 
+#include <polhode/called.hpp>
 #include <polhode/scalar.hpp>
 
 namespace polhode {
@@ -19,7 +20,7 @@ const S& conjugate(const S& x) {
 
 /// exp(x) - 1, by a Taylor polynomial of degree 12 of x / 2^s and s squarings; s is a lane's own.
 template <class matrix>
-[[gnu::noinline]] matrix exponential_less_one(matrix x) {
+POLHODE_CALLED matrix exponential_less_one(matrix x) {
   using S = typename matrix::scalar;
   constexpr int most_halvings = 60;
   constexpr double largest = 1.0 / 16;  // of |x / 2^s|^2: the next term is below rounding
@@ -50,7 +51,7 @@ template <class matrix>
 /// (1 - x/2)^-1 (1 + x/2) - 1 = (1 - x/2)^-1 x, by elimination without pivots, which a positive symmetric part of
 /// 1 - x/2 allows.
 template <class matrix>
-[[gnu::noinline]] matrix cayley_less_one(const matrix& x) {
+POLHODE_CALLED matrix cayley_less_one(const matrix& x) {
   using S = typename matrix::scalar;
   using entry = typename matrix::entry;
   matrix a = matrix::identity(x.n) + S(-0.5) * x, out = x;
@@ -75,7 +76,7 @@ template <class matrix>
 /// U* M U - M of U = 1 + V, which is unitary but for rounding. A step of Newton's method, U (3 - U* U) / 2, leaves
 /// rounding of the next order: what squarings leave would let the Casimirs drift.
 template <class matrix>
-[[gnu::noinline]] matrix conjugation(const matrix& v, const matrix& m) {
+POLHODE_CALLED matrix conjugation(const matrix& v, const matrix& m) {
   using S = typename matrix::scalar;
   const int n = v.n;
   const auto adjoint = [n](matrix a) {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <polhode/called.hpp>
 #include <polhode/lie/complex_matrix.hpp>
 #include <polhode/vec.hpp>
 
@@ -49,10 +50,6 @@ struct sine_basis {
     static const std::array circles{circle(3), circle(5)};
     return circles[static_cast<std::size_t>(n / 2 - 1)];
   }
-  template <class S>
-  static complex_number<S> lifted(const complex_number<double>& z) {
-    return {S(z.real), S(z.imaginary)};
-  }
 
   /// All modes, of k_1 mod n and k_2 mod n, row by row.
   template <class S>
@@ -72,7 +69,7 @@ struct sine_basis {
   }
   /// H(v).
   template <int n, class S>
-  [[gnu::noinline]] static complex_matrix<S, n> hermitian(const element<S>& v) {
+  POLHODE_CALLED static complex_matrix<S, n> hermitian(const element<S>& v) {
     const auto w = modes(v);
     const auto& on = circle_of(n);
     complex_matrix<S, n> out;
@@ -80,7 +77,7 @@ struct sine_basis {
       for (int b = a; b < n; ++b) {
         complex_number<S> sum;
         for (int k1 = 0; k1 < n; ++k1)
-          sum = sum + lifted<S>(on.at[k1 * (a + b) % n]) * w[static_cast<std::size_t>(n * k1 + b - a)];
+          sum = sum + times_constant(on.at[k1 * (a + b) % n], w[static_cast<std::size_t>(n * k1 + b - a)]);
         if (a == b) sum.imaginary = S(0.0);
         out(a, b) = sum;
         out(b, a) = conjugate(sum);
@@ -97,14 +94,14 @@ struct sine_basis {
 
  private:
   template <class S, int n>
-  [[gnu::noinline]] static element<S> rounded_modes_of(const complex_matrix<S, n>& h) {
+  POLHODE_CALLED static element<S> rounded_modes_of(const complex_matrix<S, n>& h) {
     const auto& on = circle_of(n);
     element<S> out(n * n - 1);
     for_each_mode(n, [&](int place, int k1, int k2) {
       complex_number<S> sum;
       for (int a = 0; a < n; ++a) {
         const int b = (a + k2 + n) % n;
-        sum = sum + conjugate(lifted<S>(on.at[k1 * (a + b) % n])) * h(a, b);
+        sum = sum + times_constant(conjugate(on.at[k1 * (a + b) % n]), h(a, b));
       }
       out[place] = S(std::numbers::sqrt2 / n) * sum.real;
       out[place + 1] = S(std::numbers::sqrt2 / n) * sum.imaginary;

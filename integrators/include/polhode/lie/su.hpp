@@ -29,44 +29,26 @@ struct su : sine_basis {
   }
 
   template <class S>
-  [[gnu::noinline]] static element<S> bracket(const element<S>& xi, const element<S>& eta) {
-    const int n = rows_of(xi.size);
-    const auto& on = circle_of(n);
-    const auto x = modes(xi), y = modes(eta);
-    element<S> out(xi.size);
-    const S unit(n / (2 * std::numbers::pi) * std::numbers::sqrt2);
-    for_each_mode(n, [&](int place, int m1, int m2) {
-      m2 = wrapped(m2, n);
-      complex_number<S> sum;
-      for (int k1 = 0, first = 0; k1 < n; ++k1, first = wrapped(first + m2 - n, n))
-        for (int k2 = 0, angle = first; k2 < n; ++k2, angle = wrapped(angle - m1, n)) {  // k x m mod n
-          if (angle == 0) continue;
-          const auto k = static_cast<std::size_t>(n * k1 + k2);
-          const auto l = static_cast<std::size_t>(n * wrapped(m1 - k1, n) + wrapped(m2 - k2, n));
-          sum = sum + (S(on.at[angle].imaginary) * x[k]) * y[l];
-        }
-      out[place] = unit * sum.real;
-      out[place + 1] = unit * sum.imaginary;
-    });
-    return out;
+  POLHODE_CALLED static element<S> bracket(const element<S>& xi, const element<S>& eta) {
+    return at_size(xi.size, [&](auto n) { return bracket_of<n>(modes(xi), modes(eta)); });
   }
   template <class S>
   static element<S> coad(const element<S>& xi, const element<S>& mu) {
     return bracket(mu, xi);
   }
   template <class S>
-  [[gnu::noinline]] static element<S> exp_action(const element<S>& xi, const element<S>& mu) {
+  POLHODE_CALLED static element<S> exp_action(const element<S>& xi, const element<S>& mu) {
     return at_size(xi.size, [&](auto n) { return moved(exponential_less_one(generator_of<n>(xi)), mu); });
   }
   /// By the unitary matrix (1 - X/2)^-1 (1 + X/2); the Cayley transform of the coadjoint operator would keep |mu|
   /// alone.
   template <class S>
-  [[gnu::noinline]] static element<S> cayley_action(const element<S>& xi, const element<S>& mu) {
+  POLHODE_CALLED static element<S> cayley_action(const element<S>& xi, const element<S>& mu) {
     return at_size(xi.size, [&](auto n) { return moved(cayley_less_one(generator_of<n>(xi)), mu); });
   }
   /// Right to rounding for |u| < 1/2.
   template <class S>
-  [[gnu::noinline]] static element<S> dexp_inv(const element<S>& u, const element<S>& v) {
+  POLHODE_CALLED static element<S> dexp_inv(const element<S>& u, const element<S>& v) {
     return dexp_inv_by_series<su>(u, v);
   }
 
@@ -94,7 +76,7 @@ struct su : sine_basis {
   /// A point of the orbit of `onto` next to mu: H + sum_k c_k H^k, k = 0 … n-1, its c_k by Newton's method. Where
   /// eigenvalues coincide |mu| alone is put right. Written as what is added to mu, as in so3.hpp.
   template <class S>
-  [[gnu::noinline]] static element<S> orbit_projection(const element<S>& mu, const element<S>& onto) {
+  POLHODE_CALLED static element<S> orbit_projection(const element<S>& mu, const element<S>& onto) {
     const S size = square_root(dot(onto, onto)), unit = S(1.0) / size;
     return at_size(mu.size, [&](auto n) {
       return mu + size * modes_of(towards(hermitian<n>(unit * mu), hermitian<n>(unit * onto),
@@ -103,6 +85,27 @@ struct su : sine_basis {
   }
 
  private:
+  template <int n, class Modes, class S = decltype(Modes::value_type::real)>
+  static element<S> bracket_of(const Modes& x, const Modes& y) {
+    const auto& on = circle_of(n);
+    element<S> out(n * n - 1);
+    const S unit(n / (2 * std::numbers::pi) * std::numbers::sqrt2);
+    for_each_mode(n, [&](int place, int m1, int m2) {
+      m2 = wrapped(m2, n);
+      complex_number<S> sum;
+      for (int k1 = 0, first = 0; k1 < n; ++k1, first = wrapped(first + m2 - n, n))
+        for (int k2 = 0, angle = first; k2 < n; ++k2, angle = wrapped(angle - m1, n)) {  // k x m mod n
+          if (angle == 0) continue;
+          const auto k = static_cast<std::size_t>(n * k1 + k2);
+          const auto l = static_cast<std::size_t>(n * wrapped(m1 - k1, n) + wrapped(m2 - k2, n));
+          sum = sum + times_constant(on.at[angle].imaginary, x[k]) * y[l];
+        }
+      out[place] = unit * sum.real;
+      out[place + 1] = unit * sum.imaginary;
+    });
+    return out;
+  }
+
   /// i n / 4 pi H(xi).
   template <int n, class S>
   static complex_matrix<S, n> generator_of(const element<S>& xi) {
@@ -134,7 +137,7 @@ struct su : sine_basis {
     return out;
   }
   template <class S>
-  [[gnu::noinline]] static traces<S> traces_of(const element<S>& mu, int last) {
+  POLHODE_CALLED static traces<S> traces_of(const element<S>& mu, int last) {
     return at_size(mu.size, [&](auto n) { return power_traces(hermitian<n>(mu), last); });
   }
   /// The polynomial of h that, added to h, gives it the traces of a. apart = a - h.
@@ -143,7 +146,7 @@ struct su : sine_basis {
                                       complex_matrix<S, n> apart) {
     constexpr int corrections = 5;
     const auto one = complex_matrix<S, n>::identity(n);
-    complex_matrix<S, n> whole;
+    auto whole = S(0.0) * one;
     for (int i = 0; i < corrections; ++i) {
       const auto c = correction(power_traces(h, 2 * n - 2), trace_differences(h, a, apart), n);
       auto sum = c[n - 1] * h + c[n - 2] * one;

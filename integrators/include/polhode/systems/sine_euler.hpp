@@ -51,21 +51,21 @@ struct sine_euler : double_bracket<sine_euler, su> {
   /// The dissipation alone, to second order: the mean of its generators at both ends of an Euler step, as one
   /// exponential.
   template <class S>
-  [[gnu::noinline]] state<S> dissipation_flow(const state<S>& mu, double t) const {
+  POLHODE_CALLED state<S> dissipation_flow(const state<S>& mu, double t) const {
     if (theta == 0) return mu;
     return averaged_flow<su>([&](const state<S>& x) { return S(theta * t) * su::coad(omega(x), x); }, mu);
   }
   /// The motion without dissipation, to second order: a palindrome of the flows of all lines, each exact.
   template <class S>
-  [[gnu::noinline]] state<S> free_flow(const state<S>& mu, double t) const {
+  POLHODE_CALLED state<S> free_flow(const state<S>& mu, double t) const {
     return first_turn(last_turn(first_turn(mu, t / 2), t), t / 2);
   }
   template <class S>
-  [[gnu::noinline]] state<S> first_turn(const state<S>& mu, double t) const {
+  POLHODE_CALLED state<S> first_turn(const state<S>& mu, double t) const {
     return line_turn(mu, 0, t);
   }
   template <class S>
-  [[gnu::noinline]] state<S> last_turn(state<S> mu, double t) const {
+  POLHODE_CALLED state<S> last_turn(state<S> mu, double t) const {
     for (int i = 1; i < rows; ++i) mu = line_turn(mu, i, t / 2);
     mu = line_turn(mu, rows, t);
     for (int i = rows - 1; i >= 1; --i) mu = line_turn(mu, i, t / 2);
@@ -76,7 +76,7 @@ struct sine_euler : double_bracket<sine_euler, su> {
   /// with s = m x d the modes m + j d, j = 0 … n - 1, are convolved with n / 2 pi sin(2 pi a s / n) w_{a d} / |a d|^2,
   /// and so their Fourier transforms turn at rates of their own. What it adds is computed: rounding takes no side.
   template <class S>
-  [[gnu::noinline]] state<S> line_turn(const state<S>& mu, int which, double t) const {
+  POLHODE_CALLED state<S> line_turn(const state<S>& mu, int which, double t) const {
     return su::at_size(mu.size, [&](auto n) { return turned<n>(mu, which, t); });
   }
 
@@ -95,14 +95,14 @@ struct sine_euler : double_bracket<sine_euler, su> {
         number transform;
         for (int a = 1; a <= n / 2; ++a)
           rate = rate + S(n / std::numbers::pi * on.at[a * s % n].imaginary) *
-                            (conjugate(su::lifted<S>(on.at[a * q % n])) * flow[at(a * d1, a * d2)]).imaginary;
+                            times_constant(conjugate(on.at[a * q % n]), flow[at(a * d1, a * d2)]).imaginary;
         for (int j = 0; j < n; ++j)
-          transform = transform + conjugate(su::lifted<S>(on.at[j * q % n])) * w[at(m1 + j * d1, m2 + j * d2)];
+          transform = transform + times_constant(conjugate(on.at[j * q % n]), w[at(m1 + j * d1, m2 + j * d2)]);
         const auto [sin, cos] = sincos(S(S(t / 2) * rate));
         const number change = S(S(2.0 / n) * sin) * (number{-sin, cos} * transform);
         for (int j = 0; j < n; ++j) {
           auto& sum = added[at(m1 + j * d1, m2 + j * d2)];
-          sum = sum + su::lifted<S>(on.at[j * q % n]) * change;
+          sum = sum + times_constant(on.at[j * q % n], change);
         }
       }
       for (int j = 0; j < n; ++j)
