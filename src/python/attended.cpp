@@ -22,6 +22,7 @@ progress_sink attendance::sink() {
 void attendance::look() {
   try {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (stop_ && caller_ != 0) PyThreadState_SetAsyncExc(caller_, PyExc_KeyboardInterrupt);
     if (progress_.is_none() || stop_) return;
     std::unique_lock lock(guard_);
     if (share_ == told_) return;

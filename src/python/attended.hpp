@@ -28,6 +28,18 @@ class attendance {
   /// For the work: says how far it is, and throws `stopped` where it is to end.
   progress_sink sink();
 
+  /// A callable at work, which a stop interrupts where it is. Lives with the lock held.
+  class inside {
+   public:
+    explicit inside(attendance& of) : of_(of) { of_.caller_ = PyThread_get_thread_ident(); }
+    ~inside() { of_.caller_ = 0; }
+    inside(const inside&) = delete;
+    inside& operator=(const inside&) = delete;
+
+   private:
+    attendance& of_;
+  };
+
   /// For who waits, with the lock held: signals that have come, and the progress to be told.
   void look();
   void rethrow() const;
@@ -39,6 +51,7 @@ class attendance {
   std::exception_ptr why_;
   double share_ = -1, told_ = -1;
   std::string what_;
+  unsigned long caller_ = 0;  ///< its thread, by Python's number; guarded by the interpreter's lock
 };
 
 /// What `work` returns. It runs in a thread of its own; this one, which holds the lock now and then only, looks after

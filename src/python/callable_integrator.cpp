@@ -35,6 +35,7 @@ template <class Call>
 auto called(attendance& run, Call call) {
   stop_if_asked();
   const py::gil_scoped_acquire lock;
+  const attendance::inside here(run);
   try {
     return call();
   } catch (const py::error_already_set&) {

@@ -68,7 +68,7 @@ report::results verified(const scene& s, const callables& foreign, verify_option
   attendance run(std::move(progress));
   o.effort = static_cast<effort>(choose("--effort", effort_name, efforts));
   o.foreign = opened(foreign, run);
-  check_options(s, o);
+  attended(run, [&] { check_options(s, o); });  // what is bound is tried
   if (out) {
     report::check_output_folder(*out);
     o.so_far = [&](const report::results& part) { save(part, *out); };
@@ -101,8 +101,7 @@ std::string selected(const scene& s, const callables& foreign, select_options o)
 py::tuple simulated_bodies(const scene& s, const callables& foreign, simulate_options o, py::object progress) {
   attendance run(std::move(progress));
   o.foreign = opened(foreign, run);
-  check_simulation(s, o);
-  const auto plan = planned_recording(s, o);
+  const auto plan = attended(run, [&] { return planned_recording(s, o); });
   const auto each = static_cast<py::ssize_t>(plan.components.size());
   py::object records = py::none();
   if (o.record_every > 0) {

@@ -20,6 +20,8 @@ class Interrupts(unittest.TestCase):
 
     def test_python_scheme(self):
         self.interrupted('polhode.verify("paper", [strangers.their_heun], ["weak"], effort="thorough", threads=2)')
+    def test_endless_step(self):
+        self.interrupted('def endless(*given):\n  while True: pass\npolhode.verify("paper", [endless], ["weak"], threads=2)')
     def test_our_schemes(self):
         self.interrupted('polhode.verify("paper", ["heun"], ["gibbs", "strong"], effort="thorough", threads=2)')
     def test_select(self):

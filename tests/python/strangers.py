@@ -84,7 +84,7 @@ def free(scene, pi, t):
     return pi
 
 
-@polhode.scheme(casimir='kept', poisson=True, strong_commuting=1, strong_general=0.5, weak_one_vector=2, weak_isotropic=2, deterministic=2)
+@polhode.scheme(casimir='kept', poisson=True, strong_commuting=1, strong_general=0.5, weak_one_vector=2, weak_isotropic=2, weak_general=2, deterministic=2)
 def their_strang_weak2(scene, state, dt, dw):
     """Noise sigma sqrt(1 - sigma^2 dt / 12): isotropic noise alone."""
     strength = scene.sigma[0, 0]

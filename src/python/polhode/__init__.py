@@ -37,7 +37,7 @@ _MOST_THREADS, _MOST_SEED = 1024, 2**64 - 1
 
 def verify(scene: SceneLike = 'paper', schemes: Optional[Iterable[Integrator]] = None,
            experiments: Optional[Iterable[str]] = None, effort: str = 'quick', seed: int = 1,
-           threads: Optional[int] = None, out: 'Optional[Union[str, os.PathLike[str]]]' = None, cache: bool = False,
+           threads: Optional[int] = None, out: Optional[Union[str, os.PathLike[str]]] = None, cache: bool = False,
            progress: Optional[Progress] = None) -> Report:
     """Holds the claims of integrators against a scene, each experiment in turn.
 
@@ -154,29 +154,29 @@ def scene(given: SceneLike = 'paper', dt: Optional[float] = None) -> Scene:
     return told(core.to_json(core.finest_dt if dt is None else dt))
 
 
-def scenes() -> 'list[dict[str, str]]':
+def scenes() -> list[dict[str, str]]:
     """The built-in scenes: name, title."""
     return [{'name': name, 'title': title} for name, title in _core.scenes()]
 
 
-def schemes(scene: SceneLike = 'paper') -> 'list[dict[str, Any]]':
+def schemes(scene: SceneLike = 'paper') -> list[dict[str, Any]]:
     """The laboratory's own schemes that apply to a scene, with their claims."""
     return json.loads(opened(scene).schemes())['schemes']
 
 
-def experiments() -> 'list[dict[str, Any]]':
+def experiments() -> list[dict[str, Any]]:
     """What `verify` asks: name, question, notes."""
     return json.loads(_core.experiments())['experiments']
 
 
-def _sorted_out(given: 'list[Any]') -> 'tuple[list[Any], list[str]]':
+def _sorted_out(given: list[Any]) -> tuple[list[Any], list[str]]:
     """Functions as the laboratory takes them, and the names of all."""
     theirs = [None if isinstance(one, str) else as_scheme(one) for one in given]
     names = [one if isinstance(one, str) else made.name for one, made in zip(given, theirs)]
     return [offered(one) for one in theirs if one is not None], names
 
 
-def _list(what: str, given: Optional[Iterable[str]]) -> 'list[str]':
+def _list(what: str, given: Optional[Iterable[str]]) -> list[str]:
     if isinstance(given, str):
         raise ValueError(f'{what}: {given!r}: accepted: a list of names')
     return list(given or ())

@@ -37,7 +37,7 @@ class Simulation:
     """
 
     states: np.ndarray
-    components: 'list[str]'
+    components: list[str]
     times: Optional[np.ndarray]
     records: Optional[np.ndarray]
     summary: Answer

@@ -9,7 +9,7 @@ import numpy as np
 _SAME = 1e-9  # of an interval: times that come regularly, but for rounding
 
 
-def written(states: Any, times: Any, dt: Optional[float], folder: str) -> 'tuple[str, Optional[float]]':
+def written(states: Any, times: Any, dt: Optional[float], folder: str) -> tuple[str, Optional[float]]:
     """The file, and the time from state to state where it has none of its own.
 
     Where states come regularly an array is written, else a table with every digit.

@@ -9,7 +9,7 @@ from typing import Any, Union
 from . import _core
 from ._schemes import KEPT
 
-Row = 'dict[str, Any]'
+Row = dict[str, Any]
 _KINDS = ('holds', 'refuted', 'inconclusive', 'not tried', 'skipped')
 _COLOURS = {'holds': '#1a7f37', 'refuted': '#cf222e', 'inconclusive': '#9a6700', 'not tried': '#777', 'skipped': '#777'}
 
@@ -37,21 +37,21 @@ class Report:
         self.scene = document['scene']
         self.provenance = document['provenance']
 
-    def _of(self, kind: str) -> 'list[Row]':
+    def _of(self, kind: str) -> list[Row]:
         return [row for row in self.verdicts if row['verdict'] == kind]
 
     @property
-    def holds(self) -> 'list[Row]':
+    def holds(self) -> list[Row]:
         """Verdicts on claims that hold."""
         return self._of('holds')
 
     @property
-    def refuted(self) -> 'list[Row]':
+    def refuted(self) -> list[Row]:
         """Verdicts on claims that are refuted."""
         return self._of('refuted')
 
     @property
-    def inconclusive(self) -> 'list[Row]':
+    def inconclusive(self) -> list[Row]:
         """Verdicts on claims that were tried and not decided."""
         return self._of('inconclusive')
 
@@ -71,7 +71,7 @@ class Report:
         """The whole, as results.json holds it."""
         return self._results.to_json()
 
-    def save(self, folder: 'Union[str, os.PathLike[str]]') -> str:
+    def save(self, folder: Union[str, os.PathLike[str]]) -> str:
         """Writes folder/<scene>/report.html, report.md, results.json, measurements.csv, verdicts.csv, junit.xml.
 
         Returns the path of the page. Raises ValueError where the folder holds anything but reports, OSError where the disk
@@ -107,7 +107,8 @@ class Report:
     def _reasons(self) -> str:
         def told(row: Any) -> str:
             what = f'{row["experiment"]}, {row["scheme"]}: {row["claim"]}'
-            return f'<li><b style="color:{_COLOURS[row["verdict"]]}">{row["verdict"]}</b> {html.escape(what)}: {html.escape(row["reason"])}</li>'
+            kind = row['verdict']
+            return f'<li><b style="color:{_COLOURS[kind]}">{kind}</b> {html.escape(what)}: {html.escape(row["reason"])}</li>'
         rows = self.refuted + self.inconclusive
         return f'<ul>{"".join(told(row) for row in rows)}</ul>' if rows else ''
 
@@ -129,7 +130,7 @@ def _claim(name: str, order: float) -> str:
     return f"{name}='kept'" if order == KEPT else f'{name}={order:g}'
 
 
-def _flat(row: 'dict[str, Any]') -> 'dict[str, Any]':
+def _flat(row: dict[str, Any]) -> dict[str, Any]:
     out = {key: value for key, value in row.items() if key != 'at'}
     out.update((at['name'], at['value']) for at in row['at'])
     return out

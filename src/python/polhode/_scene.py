@@ -12,7 +12,7 @@ import numpy as np
 
 from . import _core
 
-SceneLike = Union[str, 'os.PathLike[str]', Mapping[str, Any]]
+SceneLike = Union[str, os.PathLike[str], Mapping[str, Any]]
 
 
 class Scene(types.SimpleNamespace):

@@ -94,7 +94,7 @@ def as_scheme(given: Any) -> Scheme:
     raise ValueError(f'schemes: {given!r}: accepted: names of schemes, and functions that make a step')
 
 
-def offered(one: Scheme) -> 'tuple[dict[str, Any], Callable[[str], Any]]':
+def offered(one: Scheme) -> tuple[dict[str, Any], Callable[[str], Any]]:
     """What the laboratory is handed: the description, and what opens a problem."""
     about = {field.name: getattr(one, field.name) for field in dataclasses.fields(one)}
     del about['function']
@@ -158,7 +158,7 @@ def _read_only(array: np.ndarray) -> np.ndarray:
     return array
 
 
-def _is_state(found: Any, shape: 'tuple[int, ...]') -> bool:
+def _is_state(found: Any, shape: tuple[int, ...]) -> bool:
     return isinstance(found, np.ndarray) and found.dtype == np.float64 and found.shape == shape
 
 
@@ -173,6 +173,8 @@ def _raised(one: Scheme, fault: Exception) -> str:
     words = ' '.join(str(fault).split())[:300]
     frames = traceback.extract_tb(fault.__traceback__)[1:]
     theirs = [frame for frame in frames if frame.filename == one.file] or frames
-    where = f'{os.path.basename(theirs[-1].filename)}, line {theirs[-1].lineno}' if theirs else f'called with {_ARGUMENTS[one.takes]}'
+    where = f'called with {_ARGUMENTS[one.takes]}'
+    if theirs:
+        where = f'{os.path.basename(theirs[-1].filename)}, line {theirs[-1].lineno}'
     hint = '; its arguments are read-only, a step returns new states' if 'read-only' in words else ''
     return f'raised {type(fault).__name__}: {words} ({where}){hint}'
