@@ -51,6 +51,7 @@ class BadCallables(case.Case):
     def test_late(self): self.told(fails_late, 'raised RuntimeError: late in two lines')
 
     def test_nan_is_no_failure(self):
+        @polhode.scheme(casimir=1, **strangers.ORDERS)
         def nans(scene, state, dt, dw): return np.full_like(state, np.nan)
         report = polhode.verify('paper', [nans], ['casimir'], **case.QUICK)
         self.assertFalse([row for row in report.verdicts if row['claim'] == 'the integrator works'])

@@ -12,6 +12,7 @@ class Twins(twins.Case):
         report = polhode.verify('paper', [theirs, ours], experiments, **case.QUICK)
         self.assertGreater(self.same(report, ours, theirs.name), 10)
 
+    def test_heun(self): self.equal(strangers.their_heun, 'weak')
     def test_lie_heun(self): self.equal(strangers.their_lie_heun, 'strong', 'energy', 'weak')
     def test_magnus(self): self.equal(strangers.their_magnus, 'energy', 'weak')
     def test_strang_weak2(self): self.equal(strangers.their_strang_weak2, 'strong', 'energy', 'weak')
