@@ -51,7 +51,8 @@ selection select(const scene& s, const select_options& o) {
   for (const auto& entry : find_system(s.system)->observables) observables.push_back(entry.name);
   if (o.time && !(*o.time > 0 && std::isfinite(*o.time)))
     throw input_error(fmt::format("--time '{:g}': accepted: a number above 0", *o.time));
-  for (const auto& one : o.foreign) measure_claims(s, one, o.threads, o.seed);
+  for (const auto& one : o.foreign)
+    measure_claims(s, one, {o.goal == "stationary" ? "gibbs" : o.goal}, o.threads, o.seed);
   const auto bound = bind_scene(s, o.foreign);
   if (bound.sphere() || !observable_of(bound, o.observable)) choose("--observable", o.observable, observables);
   std::vector<rejection> silent;

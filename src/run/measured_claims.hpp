@@ -12,9 +12,10 @@
 
 namespace polhode {
 
-/// Tries the scheme on the scene, then measures what the scheme does not claim and this scene can tell, and sets it as
-/// claimed. Nothing where all is claimed. The fits that were read: order, interval, from which experiment.
-void measure_claims(const scene&, const std::shared_ptr<foreign::foreign_scheme>&, int threads, std::uint64_t seed);
+/// Tries the scheme on the scene, then measures what it does not claim, this scene can tell and one of the experiments
+/// (empty: all) rests on, and sets it as claimed.
+void measure_claims(const scene&, const std::shared_ptr<foreign::foreign_scheme>&,
+                    const std::vector<std::string>& experiments, int threads, std::uint64_t seed);
 
 /// Verdicts on orders that were not claimed accuse nobody: what would be refuted or inconclusive is told as measured.
 /// A wrong limit remains one: an integrator of this scene converges to its equation.

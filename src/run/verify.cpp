@@ -152,7 +152,8 @@ report::results verify(const scene& s, const verify_options& options, const prog
   apply_isa(options.isa);
   generator_named(options.generator);
   for (const auto& one : options.foreign)
-    if (is_wanted(one->about().name, options)) measure_claims(s, one, options.threads, options.seed);
+    if (is_wanted(one->about().name, options))
+      measure_claims(s, one, options.experiments, options.threads, options.seed);
   return verify_subject(bind_scene(s, options.foreign), options, progress);
 }
 
