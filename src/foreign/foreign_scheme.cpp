@@ -73,15 +73,16 @@ scheme_info foreign_scheme::info() const {
 void foreign_scheme::try_on(const subject& s) {
   failure_.reset();
   refusal_.clear();
+  const problem p{s.scene, s.model->dimension(), s.model->layout().channels,
+                  s.scene.horizon / static_cast<double>(s.scene.steps.back())};
   try {
-    const auto found = probe(*integrator_, {s.scene, s.model->dimension(), s.model->layout().channels,
-                                            s.scene.horizon / static_cast<double>(s.scene.steps.back())});
-    if (!found.repeats)
-      fail("the same step from the same state under the same noise has another result");
-    else if (!found.two_at_a_time && !about_.one_thread) {
+    const auto found = probe(*integrator_, p);
+    if (!found.repeats) return fail("the same step from the same state under the same noise has another result");
+    if (!found.two_at_a_time && !about_.one_thread) {
       about_.one_thread = true;
       about_.from += ", on one thread as two interfere";
     }
+    cost_ = cost_of_step(*integrator_, p);
   } catch (const foreign::refusal& r) {
     refusal_ = r.what();
   } catch (const foreign::failure& f) {

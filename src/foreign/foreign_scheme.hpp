@@ -31,6 +31,9 @@ class foreign_scheme {
   /// Why it does not run on the scene on which it was tried; empty: it does.
   const std::string& refusal() const { return refusal_; }
 
+  /// Nanoseconds of a step of one path, as it was tried.
+  double cost() const { return cost_; }
+
   /// Orders that were measured take the place of those that are not claimed (run/measured_claims.hpp).
   void take_as_claimed(const foreign::claims& measured) { about_.claims = measured; }
   const foreign::claims& given() const { return given_; }
@@ -53,6 +56,7 @@ class foreign_scheme {
   mutable std::mutex guard_, turn_;
   std::optional<std::string> failure_;
   std::string refusal_;
+  double cost_ = 0;
 };
 
 using foreign_schemes = std::vector<std::shared_ptr<foreign_scheme>>;

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstring>
 #include <exception>
 #include <latch>
+#include <limits>
 #include <thread>
 #include <vector>
 
@@ -190,6 +193,20 @@ probed probe(integrator& i, const problem& p) {
   if (text.starts_with('-')) throw failure(text.substr(1));
   if (text.size() != 3) throw failure(ending(status));
   return {text[1] == '1', text[2] == '1'};
+}
+
+double cost_of_step(integrator& i, const problem& p) {
+  tried_block b(i.about(), p);
+  const auto opened = i.open(p);
+  double fastest = std::numeric_limits<double>::infinity();
+  for (int call = 0; call < 5; ++call) {
+    b.start();
+    const auto begun = std::chrono::steady_clock::now();
+    opened->advance(b.all());
+    const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - begun;
+    fastest = std::min(fastest, taken.count() / (steps * block_lanes));
+  }
+  return fastest;
 }
 
 }  // namespace polhode::foreign

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <string_view>
 
+#include "experiments/common/dear_experiments.hpp"
 #include "experiments/gibbs/gibbs_sampled.hpp"
 #include "experiments/laws/transfer_report.hpp"
 #include "experiments/weak/weak_alone.hpp"
@@ -32,6 +34,15 @@ subject sampled(subject s) {
   return s;
 }
 
+constexpr double dear = 250;  // ns of a step of one path: a million steps of a block take a quarter of a minute
+
+/// Nothing: asks no more of a dear scheme than it must.
+std::optional<experiment> for_dear(const experiment& e) {
+  if (e.info.name == "casimir") return dear_casimir_experiment();
+  if (e.info.name == "stability") return dear_stability_experiment();
+  return {};
+}
+
 /// The part of schemes that draw random numbers of their own.
 part alone(experiment e, subject s) {
   if (e.info.name == "weak") {
@@ -54,26 +65,38 @@ bool is_reported(const report::results& so_far, std::string_view scheme) {
 }  // namespace
 
 std::vector<part> parts_for(const experiment& e, const subject& s, const foreign::foreign_schemes& foreign,
-                            std::vector<report::skip>& skipped) {
+                            report::results& out) {
   if (foreign.empty()) return {{s, e}};
-  std::vector<std::string> driven, own;
+  std::vector<std::string> driven, slow, own;
   for (const auto& entry : s.schemes) {
     const std::string name(entry.info.name);
     const auto* of = find_foreign(foreign, name);
     const bool draws = of != nullptr && of->about().takes == foreign::noise_access::own_numbers;
     if (of != nullptr && of->failure())
-      skipped.push_back({e.info.name, name, "the integrator has failed: " + *of->failure()});
+      out.skipped.push_back({e.info.name, name, "the integrator has failed: " + *of->failure()});
     else if (draws && needs_increments(e))
-      skipped.push_back({e.info.name, name,
-                         "draws random numbers of its own: two runs under one noise, which this compares, need an "
-                         "integrator that takes increments"});
+      out.skipped.push_back({e.info.name, name,
+                             "draws random numbers of its own: two runs under one noise, which this compares, need an "
+                             "integrator that takes increments"});
     else
-      (draws ? own : driven).push_back(name);
+      (draws ? own : of != nullptr && of->cost() > dear ? slow : driven).push_back(name);
   }
-  std::vector<part> out;
-  if (!driven.empty()) out.push_back({restricted(s, driven), e});
-  if (!own.empty()) out.push_back(alone(e, restricted(s, own)));
-  return out;
+  std::vector<part> parts;
+  const auto shorter = for_dear(e);
+  if (!shorter) std::ranges::copy(slow, std::back_inserter(driven));
+  if (!driven.empty()) parts.push_back({restricted(s, driven), e});
+  if (shorter && !slow.empty()) parts.push_back({restricted(s, slow), *shorter});
+  if (!own.empty()) parts.push_back(alone(e, restricted(s, own)));
+  if (shorter)
+    for (const auto& name : slow)
+      out.savings.push_back({e.info.name,
+                             name,
+                             e.info.name == "casimir" ? "all but a tenth of the million steps, the drift taken on"
+                                                      : "cases with parameters moved",
+                             fmt::format("a step of one path takes {:.0f} ns, more than {:.0f}",
+                                         find_foreign(foreign, name)->cost(), dear),
+                             {}});
+  return parts;
 }
 
 void append_of_schemes(const subject& part, report::results more, report::results& out) {

@@ -15,10 +15,10 @@ struct part {
   polhode::experiment experiment;
 };
 
-/// The parts of a run; a row in `skipped` for each scheme that the experiment cannot ask. Schemes that draw random
-/// numbers of their own are sampled: for them the exact laws of a sphere are references alone.
-std::vector<part> parts_for(const experiment&, const subject&, const foreign::foreign_schemes&,
-                            std::vector<report::skip>& skipped);
+/// The parts of a run; a row in `skipped` for each scheme that the experiment cannot ask, and in `savings` for each of
+/// which it asks less, as a step takes long. Schemes that draw random numbers of their own are sampled: for them the
+/// exact laws of a sphere are references alone.
+std::vector<part> parts_for(const experiment&, const subject&, const foreign::foreign_schemes&, report::results&);
 
 /// Appends what a further part of an experiment says of its schemes; what it says of the scene the first has said.
 void append_of_schemes(const subject& part, report::results more, report::results& out);

@@ -65,7 +65,7 @@ report::results finished(report::results out, const stopwatch& watch) {
 void run_on_parts(const experiment& e, const context& c, const verify_options& options, report::results& out) {
   kept_results kept{options.store};
   for (const auto& one : options.foreign) kept.but_of.push_back(one->about().name);
-  const auto parts = parts_for(e, c.subject, options.foreign, out.skipped);
+  const auto parts = parts_for(e, c.subject, options.foreign, out);
   for (const auto& part : parts) {
     const context on_part{part.subject, c.effort, c.threads, c.seed, c.generator, c.progress, c.before};
     if (&part == &parts.front()) {

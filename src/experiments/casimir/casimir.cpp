@@ -8,16 +8,16 @@
 #include "experiments/casimir/casimir_drift.hpp"
 #include "experiments/casimir/casimir_long_run.hpp"
 #include "experiments/casimir/poisson_map.hpp"
-#include "experiments/common/experiment.hpp"
+#include "experiments/common/dear_experiments.hpp"
 #include "experiments/common/rounding_floor.hpp"
 #include "experiments/common/sequential.hpp"
 
 namespace polhode {
 namespace {
 
-void run(const context& c, report::results& out) {
+void run(const context& c, bool dear, report::results& out) {
   noise_log log(*c.subject.model, blocks_of(most_drift_paths(c)), {{"", 0}, {"precise", 0}});
-  report_long_runs(c, log, out);
+  report_long_runs(c, dear, log, out);
   report_casimir_drift(c, log, out);
   log.report("casimir", out);
   for (const auto& scheme : c.subject.schemes) {
@@ -49,7 +49,13 @@ experiment casimir_experiment() {
         "Normals: fast ones (right to 1e-6) in the long runs, precise ones for the drift."}},
       3,
       [](const subject&) -> std::optional<std::string> { return std::nullopt; },
-      run};
+      [](const context& c, report::results& out) { run(c, false, out); }};
+}
+
+experiment dear_casimir_experiment() {
+  auto e = casimir_experiment();
+  e.run = [](const context& c, report::results& out) { run(c, true, out); };
+  return e;
 }
 
 }  // namespace polhode

@@ -69,9 +69,10 @@ void report_long_run(const long_run& run, double dt, recorder record) {
 
 }  // namespace
 
-void report_long_runs(const context& c, noise_log& log, report::results& out) {
+void report_long_runs(const context& c, bool dear, noise_log& log, report::results& out) {
   const auto& s = c.subject;
-  const int chunks = by_effort(c.effort, s.model->dimension() > few_components ? 100 : 1000, 2500, 10'000);
+  const bool shorter = dear || (c.effort == effort::quick && s.model->dimension() > few_components);
+  const int chunks = shorter ? 100 : by_effort(c.effort, 1000, 2500, 10'000);
   const double dt = s.scene.horizon / static_cast<double>(s.scene.steps.back());
   std::vector<long_run> runs;
   for (const auto& scheme : s.schemes)

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ensemble/noise/paths.hpp"
+#include "experiments/common/dear_experiments.hpp"
 #include "experiments/common/levels.hpp"
 #include "experiments/stability/mean_energies.hpp"
 #include "experiments/stability/mean_square_report.hpp"
@@ -42,9 +43,10 @@ void report_long_runs(const context& c, const std::vector<stability_case>& cases
   }
 }
 
-void run(const context& c, report::results& out) {
+void run(const context& c, bool dear, report::results& out) {
   heard_noise noise(c.subject);
   auto cases = stability_cases(c);
+  if (dear) cases.erase(cases.begin() + 1, cases.end());
   find_mean_energies(c, cases, noise.listener(heard_noise::reference));
   const auto& schemes = c.subject.schemes;
   const std::size_t n = cases.size();
@@ -65,7 +67,7 @@ void run(const context& c, report::results& out) {
     report_mean_square(c, record);
     report_escape(cases[0], schemes[s], record);
   }
-  if (c.effort == effort::thorough) report_long_runs(c, cases, all, noise, out);
+  if (c.effort == effort::thorough && !dear) report_long_runs(c, cases, all, noise, out);
   noise.report(out);
 }
 
@@ -132,7 +134,13 @@ experiment stability_experiment() {
   return {{"stability", "How large may a step be before the scheme breaks, and by what does it break first?", notes()},
           3,
           skip_reason,
-          run};
+          [](const context& c, report::results& out) { run(c, false, out); }};
+}
+
+experiment dear_stability_experiment() {
+  auto e = stability_experiment();
+  e.run = [](const context& c, report::results& out) { run(c, true, out); };
+  return e;
 }
 
 }  // namespace polhode
