@@ -196,8 +196,7 @@ static double uniform(uint64_t *state) {
   x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
   return ((double)((x ^ (x >> 31)) >> 11) + 0.5) / 9007199254740992.0;
 }
-static double strength_of_own_noise = 1;
-static int advance_by_own_numbers(void *self, const polhode_batch *batch) {
+static int advance_with_noise(void *self, const polhode_batch *batch, double strength) {
   const stepper *st = self;
   const body *b = &st->b;
   const int paths = batch->paths;
@@ -209,19 +208,15 @@ static int advance_by_own_numbers(void *self, const polhode_batch *batch) {
       for (int c = 0; c < b->channels; ++c) {
         const double radius = sqrt(-2 * log(uniform(&state))), angle = 6.283185307179586 * uniform(&state);
         for (int k = 0; k < 3; ++k)
-          noise[k] += b->sigma[c][k] * strength_of_own_noise * sqrt(b->dt) * radius * cos(angle);
+          noise[k] += b->sigma[c][k] * strength * sqrt(b->dt) * radius * cos(angle);
       }
       st->one(b, pi, noise, NULL);
       for (int k = 0; k < 3; ++k) batch->states[k * paths + p] = pi[k];
     }
   return 0;
 }
-static int advance_too_loud(void *self, const polhode_batch *batch) {
-  strength_of_own_noise = sqrt(2.0);
-  const int code = advance_by_own_numbers(self, batch);
-  strength_of_own_noise = 1;
-  return code;
-}
+static int advance_by_own_numbers(void *self, const polhode_batch *batch) { return advance_with_noise(self, batch, 1); }
+static int advance_too_loud(void *self, const polhode_batch *batch) { return advance_with_noise(self, batch, sqrt(2.0)); }
 
 static int advance_and_write_on(void *self, const polhode_batch *batch) {
   batch->states[3 * batch->paths] = 1;
@@ -268,8 +263,8 @@ static const polhode_integrator all[] = {
                open_strang_weak2, advance),
     INTEGRATOR("unclaimed_heun", POLHODE_TAKES_INCREMENTS, 0, UNCLAIMED, open_heun, advance),
     INTEGRATOR("unclaimed_magnus", POLHODE_TAKES_AREAS, 0, UNCLAIMED, open_magnus, advance),
-    INTEGRATOR("own_lie_heun", POLHODE_OWN_NUMBERS, POLHODE_ONE_THREAD, KEEPING, open_lie_heun, advance_by_own_numbers),
-    INTEGRATOR("own_but_loud", POLHODE_OWN_NUMBERS, POLHODE_ONE_THREAD, KEEPING, open_lie_heun, advance_too_loud),
+    INTEGRATOR("own_lie_heun", POLHODE_OWN_NUMBERS, 0, KEEPING, open_lie_heun, advance_by_own_numbers),
+    INTEGRATOR("own_but_loud", POLHODE_OWN_NUMBERS, 0, KEEPING, open_lie_heun, advance_too_loud),
     INTEGRATOR("loud", POLHODE_TAKES_INCREMENTS, 0, KEEPING, open_loud, advance),
     INTEGRATOR("wrong_area_sign", POLHODE_TAKES_AREAS, 0, CLAIMS(1, 1, POLHODE_KEPT), open_wrong_sign, advance),
     INTEGRATOR("euler", POLHODE_TAKES_INCREMENTS, 0, CLAIMS(0.5, 1, 1), open_euler_for_stratonovich, advance),
