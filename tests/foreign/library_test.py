@@ -37,7 +37,7 @@ class SameVerdicts(unittest.TestCase):
     def same(self, results, theirs, ours):
         a, b = of(results, ours), of(results, theirs)
         self.assertEqual(a.keys(), b.keys())
-        self.assertGreater(len(a), 3)
+        self.assertGreater(len(a), 1)
         for key, v in a.items():
             self.assertEqual(v['verdict'], b[key]['verdict'], key)
             if v['estimate'] is None or 'rounding' in key[1]: continue  # that of another program
@@ -52,7 +52,8 @@ class SameVerdicts(unittest.TestCase):
             with self.subTest(scheme=scheme): self.same(results, 'c_' + scheme, scheme)
 
     def test_what_follows_from_operators_and_tangents(self):
-        code, results = verify('strang_weak2,c_strang_weak2', 'modified,lyapunov')
+        # exponents take half a minute: nightly
+        code, results = verify('strang_weak2,c_strang_weak2', 'modified,lyapunov' if 'nightly' in sys.argv else 'modified')
         self.assertEqual(code, 0)
         self.same(results, 'c_strang_weak2', 'strang_weak2')
 
@@ -82,27 +83,31 @@ class Defects(unittest.TestCase):
 
 class OwnNumbers(unittest.TestCase):
     def test_sampled_against_exact_means(self):
-        code, results = verify('own_lie_heun,own_but_loud', 'strong,energy,weak,gibbs')
-        self.assertEqual(code, 1)
-        healthy, loud = of(results, 'own_lie_heun'), of(results, 'own_but_loud')
+        code, results = verify('own_lie_heun', 'strong,energy,weak,gibbs')
+        healthy = of(results, 'own_lie_heun')
         self.assertEqual(refuted(results, 'own_lie_heun'), [])
         self.assertEqual(healthy['weak', 'means tend to the true ones']['verdict'], 'holds')
         self.assertEqual(healthy['energy', 'order of the energy law']['verdict'], 'holds')
         self.assertEqual({v['verdict'] for k, v in healthy.items() if k[0] == 'gibbs'}, {'holds'})
-        self.assertEqual(loud['weak', 'means tend to the true ones']['verdict'], 'refuted')
-        self.assertIn('refuted', {v['verdict'] for k, v in loud.items() if k[0] == 'gibbs'})
         skipped = [s['reason'] for s in results['skipped'] if (s['experiment'], s['scheme']) == ('strong', 'own_lie_heun')]
         self.assertIn('random numbers of its own', skipped[0])
         self.assertEqual(results['schemes'][0]['takes'], 'own numbers')
 
+    def test_too_strong_by_the_root_of_two(self):
+        code, results = verify('own_but_loud', 'gibbs')
+        self.assertEqual(code, 1)
+        self.assertTrue(any(r.startswith('mean of energy') for r in refuted(results, 'own_but_loud')), results['verdicts'])
+
 
 class Unclaimed(unittest.TestCase):
     def test_what_is_not_claimed_is_measured(self):
-        code, results = verify('unclaimed_heun,unclaimed_magnus', 'strong,energy,weak')
-        self.assertEqual(code, 0)
-        measured = {s['name']: s['measured'] for s in results['schemes']}
+        measured = {}
+        for scheme, experiments in (('unclaimed_heun', 'strong,energy,weak'), ('unclaimed_magnus', 'strong')):
+            code, results = verify(scheme, experiments)
+            self.assertEqual(code, 0)
+            measured[scheme] = results['schemes'][0]['measured']
         self.assertEqual(measured['unclaimed_heun'], {'strong_general': 0.5, 'weak_isotropic': 1, 'deterministic': 2})
-        self.assertEqual(measured['unclaimed_magnus'], {'strong_general': 1, 'weak_isotropic': 1, 'deterministic': 2, 'casimir': -1})
+        self.assertEqual(measured['unclaimed_magnus'], {'strong_general': 1, 'casimir': -1})
         self.assertEqual(verify('unclaimed_heun', 'casimir')[1]['schemes'][0]['measured'], {'deterministic': 2, 'casimir': 1})
 
 
