@@ -71,7 +71,7 @@ class Running(Case):
 
     def test_a_refused_scene_is_not_tried(self):
         rc, out, err = self.run_bad('refuses')
-        self.assertEqual((rc, err), (0, ''))
+        self.assertEqual((rc, err), (3, ''))  # nothing was verified
         self.assertEqual([s['reason'] for s in json.loads(out)['skipped'] if s['scheme'] == 'bad'], ['refused the scene: knows spins alone'])
         self.assert_none_left('refuses')
 

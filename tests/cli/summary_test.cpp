@@ -75,6 +75,19 @@ TEST(summary, counts_every_verdict_once) {
   EXPECT_EQ(lines.back(), "2 holds, 1 refuted, 1 inconclusive, 1 not tried, 4 skipped");
 }
 
+TEST(summary, tells_why_schemes_do_not_run_and_passes_no_run_of_none) {
+  auto r = results_with({verdict_kind::holds});
+  r.skipped.push_back({"", "mine", "knows bodies alone"});
+  r.skipped.push_back({"", "yours", "knows bodies alone"});
+  const auto text = cli::summary(r, 80);
+  EXPECT_NE(text.find("not run here: mine, yours: knows bodies alone\n"), std::string::npos) << text;
+  for (const auto& line : lines_of(text)) EXPECT_NE(line.find_first_not_of(" 0123456789"), std::string::npos) << text;
+  EXPECT_EQ(cli::exit_code(std::vector{r}), 0);
+  r.schemes.clear();
+  r.verdicts.clear();
+  EXPECT_EQ(cli::exit_code(std::vector{r}), 3);
+}
+
 TEST(summary, names_few_of_many) {
   const auto text = cli::summary(results_with(std::vector(40, verdict_kind::refuted)), 80);
   EXPECT_NE(text.find("and 28 more: see the report"), text.npos) << text;

@@ -48,6 +48,7 @@ std::vector<row> count(const report::results& r) {
       ++row_of(rows, v.experiment).counts[index_of(v.kind)];
   }
   for (const auto& s : r.skipped) {
+    if (s.experiment.empty()) continue;  // a scheme that does not run here stands in no row
     if (!s.scheme.empty())
       skipped.insert({s.experiment, s.scheme});
     else
@@ -134,6 +135,23 @@ std::string reuse(const report::results& r, std::size_t width) {
          '\n';
 }
 
+/// Schemes that do not run on this scene, by reason.
+std::string absent_schemes(const report::results& r, std::size_t width) {
+  std::vector<std::pair<std::string, std::string>> reasons;  // reason, names
+  for (const auto& s : r.skipped) {
+    if (!s.experiment.empty()) continue;
+    const auto known = std::ranges::find(reasons, s.reason, &std::pair<std::string, std::string>::first);
+    if (known == reasons.end())
+      reasons.emplace_back(s.reason, s.scheme);
+    else
+      known->second += ", " + s.scheme;
+  }
+  std::string out;
+  for (const auto& [reason, names] : reasons)
+    out += wrapped(one_line(fmt::format("not run here: {}: {}", names, reason)), width, 2) + '\n';
+  return out;
+}
+
 std::string origins(const report::results& r, std::size_t width) {
   std::string out;
   for (const auto& s : r.schemes)
@@ -157,14 +175,15 @@ std::string totals(std::span<const row> rows, std::size_t width) {
 std::string summary(const report::results& r, std::size_t width) {
   const auto rows = count(r);
   auto out = wrapped(fmt::format("{} ({})", one_line(r.scene.name), r.scene.system), width) + '\n';
-  out += table(rows, width) + skipped_experiments(r, width) + not_tried(r, width) + not_holding(r, width) +
-         origins(r, width) + reuse(r, width);
+  out += table(rows, width) + absent_schemes(r, width) + skipped_experiments(r, width) + not_tried(r, width) +
+         not_holding(r, width) + origins(r, width) + reuse(r, width);
   return out + totals(rows, width);
 }
 
 int exit_code(std::span<const report::results> all) {
   bool inconclusive = false;
   for (const auto& r : all) {
+    inconclusive = inconclusive || (r.schemes.empty() && !r.skipped.empty());  // none of those asked for runs here
     for (const auto& v : r.verdicts) {
       if (v.kind == verdict_kind::refuted) return 1;
       inconclusive = inconclusive || v.kind == verdict_kind::inconclusive;
