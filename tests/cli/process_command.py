@@ -67,7 +67,7 @@ class Running(Case):
         for (fault, reason, *_), ran in zip(faults, runs):
             with self.subTest(fault=fault): self.assert_reason(fault, ran, reason)
 
-    def test_states_that_are_no_numbers_are_data(self): self.assert_works('nan', self.run_bad('nan'), 1)
+    def test_states_that_are_no_numbers_are_data(self): self.assert_works('nan', self.run_bad('nan'), 3)
 
     def test_a_refused_scene_is_not_tried(self):
         rc, out, err = self.run_bad('refuses')

@@ -90,8 +90,7 @@ rounding_floor rounding_floor_of(const context& c, const subject& s, const schem
 }
 
 void report_floor(const std::string& claim, double units, recorder& record) {
-  if (!std::isfinite(units))
-    return record.verdict(claim, {.kind = report::verdict_kind::refuted, .reason = "a path was lost: not finite"});
+  if (!std::isfinite(units)) return record.verdict(claim, {.reason = "a path was lost: not finite"});  // inconclusive
   const auto rounding = record.value({"rounding", "", "2^-52", "deterministic"}, units);
   record.verdict(claim,
                  judge_distance({units, units, units}, floor_bound,
