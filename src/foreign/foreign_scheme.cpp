@@ -97,14 +97,6 @@ std::vector<std::pair<std::string, double>> foreign_scheme::measured() const {
   return out;
 }
 
-bool foreign_scheme::measures_order_of(std::string_view experiment) const {
-  const auto& c = given_;
-  if (experiment == "strong") return c.strong_commuting == 0 || c.strong_general == 0;
-  if (experiment == "energy") return c.deterministic == 0 || c.weak_general == 0;
-  if (experiment == "casimir") return c.casimir == 0 || c.deterministic == 0;
-  return c.weak_one_vector == 0 || c.weak_isotropic == 0 || c.weak_general == 0;
-}
-
 std::optional<std::string> foreign_scheme::failure() const {
   const std::lock_guard lock(guard_);
   return failure_;

@@ -37,9 +37,7 @@ class foreign_scheme {
   /// Orders that were measured take the place of those that are not claimed (run/measured_claims.hpp).
   void take_as_claimed(const foreign::claims& measured) { about_.claims = measured; }
   const foreign::claims& given() const { return given_; }
-  /// Whether an order that the experiment rests on was not claimed.
-  bool measures_order_of(std::string_view experiment) const;
-  /// What it came with, and what has been measured beside: name and order.
+  /// What was measured beside what it claims: name and order.
   std::vector<std::pair<std::string, double>> measured() const;
 
   /// Why it can no longer be called; nothing while it can.

@@ -19,6 +19,6 @@ void measure_claims(const scene&, const std::shared_ptr<foreign::foreign_scheme>
 
 /// Verdicts on orders that were not claimed accuse nobody: what would be refuted or inconclusive is told as measured.
 /// A wrong limit remains one: an integrator of this scene converges to its equation.
-void excuse_unclaimed(const foreign::foreign_schemes&, report::results&);
+void excuse_unclaimed(const foreign::foreign_schemes&, noise_class, report::results&);
 
 }  // namespace polhode

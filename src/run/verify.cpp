@@ -77,7 +77,7 @@ void run_on_parts(const experiment& e, const context& c, const verify_options& o
     append_of_schemes(part.subject, std::move(more), out);
   }
   report_failures(e, c.subject, options.foreign, out);
-  excuse_unclaimed(options.foreign, out);
+  excuse_unclaimed(options.foreign, c.subject.model->noise(), out);
 }
 
 bool is_wanted(std::string_view scheme, const verify_options& options) {

@@ -70,12 +70,13 @@ class Defects(unittest.TestCase):
         self.assertTrue(any(all(w in r for w in words) for r in reasons), reasons)
 
     def test_under_one_noise(self):
-        code, results = verify('c_lie_heun,loud,wrong_area_sign,euler', 'strong')
+        code, results = verify('c_lie_heun,loud,wrong_area_sign,euler,half_claimed', 'strong')
         self.assertEqual(code, 1)
         self.assertEqual(refuted(results, 'c_lie_heun'), [])
         self.assert_refuted(results, 'loud', 'limit is the Stratonovich solution', 'noise 1 1.37')
         self.assert_refuted(results, 'wrong_area_sign', 'strong order', 'areas')
         self.assert_refuted(results, 'euler', 'limit is the Stratonovich solution')
+        self.assert_refuted(results, 'half_claimed', 'strong order: ', 'against 1')  # what it leaves out excuses nothing
 
     def test_a_casimir_that_leaks_1e_6_a_step(self):
         self.assert_refuted(verify('leaking', 'casimir')[1], 'leaking', 'Casimir')

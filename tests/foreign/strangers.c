@@ -253,6 +253,7 @@ OPENED_BY(aborts)
 #define KEEPING CLAIMS(0.5, 1, POLHODE_KEPT)
 #define INTEGRATOR(name, takes, flags, claims, open, advance) \
   { sizeof(polhode_integrator), takes, flags, name, NULL, NULL, claims, open, advance, free }
+#define OVERCLAIMED {0, 1, 0, 0, 0, 2, POLHODE_KEPT, 0}
 #define UNCLAIMED {0, 0, 0, 0, 0, 0, 0, 0}
 
 static const polhode_integrator all[] = {
@@ -263,6 +264,8 @@ static const polhode_integrator all[] = {
                open_strang_weak2, advance),
     INTEGRATOR("unclaimed_heun", POLHODE_TAKES_INCREMENTS, 0, UNCLAIMED, open_heun, advance),
     INTEGRATOR("unclaimed_magnus", POLHODE_TAKES_AREAS, 0, UNCLAIMED, open_magnus, advance),
+    /* claims too much under noise of this class, and nothing for another */
+    INTEGRATOR("half_claimed", POLHODE_TAKES_INCREMENTS, 0, OVERCLAIMED, open_lie_heun, advance),
     INTEGRATOR("own_lie_heun", POLHODE_OWN_NUMBERS, 0, KEEPING, open_lie_heun, advance_by_own_numbers),
     INTEGRATOR("own_but_loud", POLHODE_OWN_NUMBERS, 0, KEEPING, open_lie_heun, advance_too_loud),
     INTEGRATOR("loud", POLHODE_TAKES_INCREMENTS, 0, KEEPING, open_loud, advance),
