@@ -27,11 +27,18 @@ function(polhode_isa_objects target level objects sources)
   target_compile_options(${objects} PRIVATE -march=x86-64-${level}
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
     $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>
-    # Zeros are written out: `rep stos` in a step costs more than the step.
-    "$<$<CXX_COMPILER_ID:GNU>:-mmemset-strategy=unrolled_loop:512:noalign,libcall:-1:noalign>"
     $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)  # g++ 12's own AVX-512 headers (GCC bug 105593)
   if(level STREQUAL v4)
     target_compile_options(${objects} PRIVATE -mprefer-vector-width=512)
+  endif()
+  # Vectors and matrices of packs are copied and zeroed a pack at a time: `rep movs`, and words that a load of a whole
+  # pack then waits for, cost a fifth of the steps of six components and more.
+  set(pack_bits_v3 256)
+  set(pack_bits_v4 512)
+  if(DEFINED pack_bits_${level} AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    set(by_packs vector_loop:8192:noalign,libcall:-1:noalign)
+    target_compile_options(${objects} PRIVATE -mmove-max=${pack_bits_${level}} -mstore-max=${pack_bits_${level}}
+      -mmemcpy-strategy=${by_packs} -mmemset-strategy=${by_packs} -fno-tree-loop-distribute-patterns)
   endif()
   if(level STREQUAL v2)  # processors of before 2013 are owed the same results, not speed: two thirds of the compiler's time
     target_compile_options(${objects} PRIVATE $<$<CONFIG:Release>:-O1>)

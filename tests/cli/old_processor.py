@@ -1,10 +1,14 @@
 #!/usr/bin/env python3
 """Runs polhode on an emulated processor without AVX: it must choose v2, finish and say so.
 
-usage: old_processor.py POLHODE QEMU     exit 77: skipped, as QEMU (qemu-x86_64) is not to be had"""
+usage: old_processor.py POLHODE QEMU LEVELS     exit 77: skipped, as QEMU (qemu-x86_64) is not to be had, or POLHODE is
+built for one instruction set (LEVELS, POLHODE_ISA_LEVELS of the build, is NATIVE)"""
 import json, os, subprocess, sys, tempfile
 
-polhode, qemu = sys.argv[1:]
+polhode, qemu, levels = sys.argv[1:]
+if levels == 'NATIVE':
+    print('skipped: built for one instruction set')
+    sys.exit(77)
 if not os.access(qemu, os.X_OK):
     print('skipped: no qemu-x86_64 found when the build was configured (Debian: qemu-user)')
     sys.exit(77)

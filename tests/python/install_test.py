@@ -14,7 +14,7 @@ class Installed(unittest.TestCase):
             self.assertLessEqual({'__init__.py', '_core.pyi', '_core.so', 'py.typed'}, set(found))
             with open(os.path.join(packages, 'polhode', '_core.pyi'), encoding='utf-8') as f: stubs = ast.parse(f.read())
             named = {n.name for n in stubs.body if isinstance(n, (ast.FunctionDef, ast.ClassDef))}
-            program = 'import polhode; print(polhode.__file__, *(n for n in dir(polhode._core) if not n.startswith("__")), sep="\\n")'
+            program = 'import polhode, polhode.testing; polhode.testing.AlarmBudget(1e-6); print(polhode.__file__, *(n for n in dir(polhode._core) if not n.startswith("__")), sep="\\n")'
             out = subprocess.run([sys.executable, '-B', '-c', program], env={**os.environ, 'PYTHONPATH': packages}, cwd=prefix, check=True,
                                  stdout=subprocess.PIPE, text=True).stdout.split('\n')
             self.assertTrue(out[0].startswith(packages), out[0])

@@ -50,10 +50,11 @@ function build(r: Results, earlier: Earlier | null): { page: Node[]; printables:
   };
   const densities = byExperiment(r.densities);
   const sections = experiments.map((name) => section(name, densities.get(name) ?? [], context));
+  const choice = advice(r, source);
   const places: [string, string][] = [
     ...(earlier ? [['changes', 'What has changed'] as [string, string]] : []),
     ...(r.verdicts.length > 0 ? [['board', 'Claims'] as [string, string]] : []),
-    ['advice', 'Which one?'],
+    ...(choice ? [['advice', 'Which one?'] as [string, string]] : []),
     ...experiments.map((name): [string, string] => [`experiment.${name}`, asWritten(name)]),
     ['left-out', 'Left out'],
     ['provenance', 'Provenance'],
@@ -61,17 +62,9 @@ function build(r: Results, earlier: Earlier | null): { page: Node[]; printables:
   const first = board(r, schemes, experiments),
     claims = schemeTable(r),
     changed = earlier && changes(earlier.comparison, earlier.results, r);
-  const parts = [
-    header(r),
-    changed,
-    first,
-    advice(r, source),
-    ...sections,
-    claims,
-    leftOut(r),
-    profile(r),
-    provenance(r),
-  ].filter((part): part is HTMLElement => part instanceof Node);
+  const parts = [header(r), changed, first, choice, ...sections, claims, leftOut(r), profile(r), provenance(r)].filter(
+    (part): part is HTMLElement => part instanceof Node,
+  );
   return { page: [bar(places, schemes), h('main', {}, ...parts)], printables, schemes };
 }
 

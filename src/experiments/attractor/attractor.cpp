@@ -111,7 +111,7 @@ experiment attractor_experiment() {
        "What becomes of bodies all over their orbit under one common noise?",
        {"On a sphere. Averages: per noise path the harmonics (to degree 2) of the random measure of 64 bodies from a "
         "uniform start, "
-        "after one body has forgotten it to 1e-4, and eleven more times, each a third of that later. Over N paths the "
+        "after one body has forgotten it to 1e-3, and eleven more times, each a third of that later. Over N paths the "
         "square of the mean's distance from the true law is "
         "b^2 + V/N, b the exact bias of the scheme's own law (transfer operator): with b^2 taken off the slope must be "
         "-1/2, and the mean over all paths must be the scheme's own law to a tenth of a standard deviation of any "

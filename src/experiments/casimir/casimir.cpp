@@ -33,12 +33,14 @@ experiment casimir_experiment() {
   return {
       {"casimir",
        "Does the scheme stay on the coadjoint orbit on which it started?",
-       {fmt::format("Schemes that claim it run for a million steps and more on {} paths at the scene's finest dt (at "
-                    "effort quick a tenth of it where a state has more than six components, taken on to a million as "
-                    "the drift grows); a relative drift of {:g} per million steps is the bound. Plotted: root mean "
-                    "square over the paths; "
-                    "bars reach to the largest.",
-                    block_lanes, rounding_bound),
+       {fmt::format(
+            "Schemes that claim it run for a million steps and more on {} paths at the scene's finest dt (at "
+            "effort quick a fifth of it and less where a state has more than three components or noise depends on "
+            "it, taken on to a million as the drift grows); a relative drift of {:g} per million steps is the "
+            "bound. Plotted: root mean "
+            "square over the paths; "
+            "bars reach to the largest.",
+            block_lanes, rounding_bound),
         "For the others: root-mean-square relative drift over the horizon against dt. Where a long run needs Levy "
         "areas "
         "they are drawn from a weak surrogate (independent normals of variance dt^2/4).",

@@ -16,7 +16,16 @@ namespace {
 
 constexpr double judged_steps = 1e6;
 constexpr int chunk_steps = 1000;
-constexpr int few_components = 6;  // of more a step is dear
+constexpr int few_components = 3;
+
+/// dear: by what is known of the schemes. At effort quick long states and noise that depends on them are so, too.
+int chunks_of(const context& c, bool dear) {
+  const auto& m = *c.subject.model;
+  if (dear) return 100;
+  if (c.effort == effort::quick && (m.dimension() > few_components || m.noise() == noise_class::state_dependent))
+    return std::max(40, 600 / m.dimension());
+  return by_effort(c.effort, 1000, 2500, 10'000);
+}
 
 /// One scheme on one block of paths for a long time.
 struct long_run {
@@ -71,8 +80,7 @@ void report_long_run(const long_run& run, double dt, recorder record) {
 
 void report_long_runs(const context& c, bool dear, noise_log& log, report::results& out) {
   const auto& s = c.subject;
-  const bool shorter = dear || (c.effort == effort::quick && s.model->dimension() > few_components);
-  const int chunks = shorter ? 100 : by_effort(c.effort, 1000, 2500, 10'000);
+  const int chunks = chunks_of(c, dear);
   const double dt = s.scene.horizon / static_cast<double>(s.scene.steps.back());
   std::vector<long_run> runs;
   for (const auto& scheme : s.schemes)

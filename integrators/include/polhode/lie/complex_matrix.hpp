@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <memory>
 
 #include <polhode/called.hpp>
 #include <polhode/scalar.hpp>
@@ -18,12 +20,19 @@ struct complex_number {
   friend complex_number operator-(const complex_number& a, const complex_number& b) {
     return {a.real - b.real, a.imaginary - b.imaginary};
   }
+  friend complex_number operator-(const complex_number& a) { return {-a.real, -a.imaginary}; }
   friend complex_number operator*(const complex_number& a, const complex_number& b) {
     return {a.real * b.real - a.imaginary * b.imaginary, a.real * b.imaginary + a.imaginary * b.real};
   }
   friend complex_number operator*(const S& s, const complex_number& a) { return {s * a.real, s * a.imaginary}; }
 };
 
+/// sum + a b, in four fused operations.
+template <class S>
+complex_number<S> plus_product(const complex_number<S>& sum, const complex_number<S>& a, const complex_number<S>& b) {
+  return {sum.real + a.real * b.real - a.imaginary * b.imaginary,
+          sum.imaginary + a.real * b.imaginary + a.imaginary * b.real};
+}
 template <class S>
 complex_number<S> conjugate(const complex_number<S>& a) {
   return {a.real, -a.imaginary};
@@ -73,6 +82,14 @@ struct complex_matrix {
   };
 
   complex_matrix() {}  // its entries are not set
+  /// Entry by entry: as one block of bytes a compiler copies it in words narrower than a pack.
+  complex_matrix(const complex_matrix& other) {
+    for (std::size_t k = 0; k < N * N; ++k) std::construct_at(&entries[k], other.entries[k]);
+  }
+  complex_matrix& operator=(const complex_matrix& other) {
+    for (std::size_t k = 0; k < N * N; ++k) entries[k] = other.entries[k];
+    return *this;
+  }
   entry& operator()(int i, int j) { return entries[static_cast<std::size_t>(N * i + j)]; }
   const entry& operator()(int i, int j) const { return entries[static_cast<std::size_t>(N * i + j)]; }
 
@@ -103,11 +120,34 @@ struct complex_matrix {
     for (int i = 0; i < N; ++i)
       for (int j = 0; j < N; ++j) {
         entry sum = a(i, 0) * b(0, j);
-        for (int k = 1; k < N; ++k) sum = sum + a(i, k) * b(k, j);
+        for (int k = 1; k < N; ++k) sum = plus_product(sum, a(i, k), b(k, j));
         out(i, j) = sum;
       }
     return out;
   }
 };
+
+/// a b where it is known to be Hermitian (sign 1) or skew-Hermitian (sign -1): half of the entries are computed.
+template <int sign, class S, int n>
+POLHODE_CALLED complex_matrix<S, n> product_of_sign(const complex_matrix<S, n>& a, const complex_matrix<S, n>& b) {
+  complex_matrix<S, n> out;
+  for (int i = 0; i < n; ++i)
+    for (int j = i; j < n; ++j) {
+      auto sum = a(i, 0) * b(0, j);
+      for (int k = 1; k < n; ++k) sum = plus_product(sum, a(i, k), b(k, j));
+      if (i == j) (sign > 0 ? sum.imaginary : sum.real) = S(0.0);
+      out(i, j) = sum;
+      if (i != j) out(j, i) = sign > 0 ? conjugate(sum) : -conjugate(sum);
+    }
+  return out;
+}
+
+template <class S, int n>
+complex_matrix<S, n> adjoint(const complex_matrix<S, n>& a) {
+  complex_matrix<S, n> out;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) out(i, j) = conjugate(a(j, i));
+  return out;
+}
 
 }  // namespace polhode

@@ -1,4 +1,4 @@
-// Exponentials and Cayley transforms of small square matrices, real (small_matrix.hpp) or complex (complex_matrix.hpp).
+// Exponentials and Cayley transforms of small square matrices, real (fixed_matrix.hpp) or complex (complex_matrix.hpp).
 #pragma once
 
 #include <polhode/called.hpp>
@@ -18,7 +18,7 @@ const S& conjugate(const S& x) {
 
 // What acts on a state is U - 1: its rounding is relative to the size of a step, not of 1.
 
-/// exp(x) - 1, by a Taylor polynomial of degree 12 of x / 2^s and s squarings; s is a lane's own.
+/// exp(x) - 1 of a skew-Hermitian x, by a Taylor polynomial of degree 12 of x / 2^s and s squarings; s is a lane's own.
 template <class matrix>
 POLHODE_CALLED matrix exponential_less_one(matrix x) {
   using S = typename matrix::scalar;
@@ -32,12 +32,19 @@ POLHODE_CALLED matrix exponential_less_one(matrix x) {
     square = select(large, S(S(0.25) * square), square);
   }
   x = scale * x;
-  // sum of x^k / k!, four terms at a time.
-  const matrix one = matrix::identity(x.n), x2 = x * x, x3 = x2 * x, x4 = x2 * x2;
-  const auto block = [&](double b, double c, double d) { return S(b) * x + S(c) * x2 + S(d) * x3; };
-  matrix out = S(1.0 / 40320) * one + block(1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800) + S(1.0 / 479001600) * x4;
-  out = S(1.0 / 24) * one + block(1.0 / 120, 1.0 / 720, 1.0 / 5040) + x4 * out;
-  out = block(1, 0.5, 1.0 / 6) + x4 * out;
+  // sum of x^k / k!, four terms at a time: rest + a + b x + c x^2 + d x^3, entry by entry.
+  const matrix x2 = product_of_sign<1>(x, x), x3 = product_of_sign<-1>(x2, x), x4 = product_of_sign<1>(x2, x2);
+  const auto plus_terms = [&](matrix rest, double a, double b, double c, double d) {
+    for (int row = 0; row < x.n; ++row) {
+      for (int k = 0; k < x.n; ++k)
+        rest(row, k) = rest(row, k) + S(b) * x(row, k) + S(c) * x2(row, k) + S(d) * x3(row, k);
+      rest(row, row) = rest(row, row) + typename matrix::entry{S(a)};
+    }
+    return rest;
+  };
+  matrix out = plus_terms(S(1.0 / 479001600) * x4, 1.0 / 40320, 1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800);
+  out = plus_terms(x4 * out, 1.0 / 24, 1.0 / 120, 1.0 / 720, 1.0 / 5040);
+  out = plus_terms(x4 * out, 0, 1, 0.5, 1.0 / 6);
   for (int i = 0; i < most_halvings && any(S(0.0), halvings > S(0.5)); ++i) {
     const auto pending = halvings > S(0.5);
     const matrix squared = S(2.0) * out + out * out;
@@ -73,28 +80,15 @@ POLHODE_CALLED matrix cayley_less_one(const matrix& x) {
   return out;
 }
 
-/// U* M U - M of U = 1 + V, which is unitary but for rounding. A step of Newton's method, U (3 - U* U) / 2, leaves
-/// rounding of the next order: what squarings leave would let the Casimirs drift.
+/// U* M U - M of U = 1 + V, which is unitary but for rounding, and a Hermitian M. A step of Newton's method,
+/// U (3 - U* U) / 2, leaves rounding of the next order: what squarings leave would let the Casimirs drift.
 template <class matrix>
 POLHODE_CALLED matrix conjugation(const matrix& v, const matrix& m) {
   using S = typename matrix::scalar;
-  const int n = v.n;
-  const auto adjoint = [n](matrix a) {
-    for (int i = 0; i < n; ++i) {
-      a(i, i) = conjugate(a(i, i));
-      for (int j = 0; j < i; ++j) {
-        const auto upper = a(j, i);
-        a(j, i) = conjugate(a(i, j));
-        a(i, j) = conjugate(upper);
-      }
-    }
-    return a;
-  };
-  const auto back = adjoint(v);
-  const auto excess = v + back + back * v;
-  const auto better = v + S(-0.5) * (excess + v * excess);
-  const auto half = m * better;
-  return half + adjoint(better) * (m + half);
+  const matrix back = adjoint(v), excess = v + back + product_of_sign<1>(back, v);
+  const matrix better = v + S(-0.5) * (excess + v * excess);
+  const matrix half = m * better;
+  return half + adjoint(half) + product_of_sign<1>(adjoint(better), half);
 }
 
 }  // namespace polhode

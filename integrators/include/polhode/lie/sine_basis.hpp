@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
+#include <utility>
 
 #include <polhode/called.hpp>
 #include <polhode/lie/complex_matrix.hpp>
@@ -33,8 +35,22 @@ struct sine_basis {
       for (int k2 = k1 == 0 ? 1 : -most; k2 <= most; ++k2, place += 2) f(place, k1, k2);
   }
 
+  /// The same, unrolled: f(integral constant of the index), of n^2 / 2 modes, whose numbers are mode_of<n>(index).
+  template <int n, class F>
+  static void for_each_mode_of(F f) {
+    [&]<int... i>(std::integer_sequence<int, i...>) { (f(std::integral_constant<int, i>{}), ...); }
+    (std::make_integer_sequence<int, n * n / 2>());
+  }
+  struct mode {
+    int k1, k2;
+  };
+  static constexpr mode mode_of(int index, int n) {
+    const int after_zero = index + n / 2 + 1;  // of the row k_1 = 0 the modes with k_2 > 0 alone
+    return {after_zero / n, after_zero % n - n / 2};
+  }
+
   /// k mod n, k from -n to n - 1.
-  static int wrapped(int k, int n) { return k < 0 ? k + n : k; }
+  static constexpr int wrapped(int k, int n) { return k < 0 ? k + n : k; }
 
   /// exp(2 pi i j / n).
   struct circle {
@@ -52,10 +68,9 @@ struct sine_basis {
   }
 
   /// All modes, of k_1 mod n and k_2 mod n, row by row.
-  template <class S>
-  static std::array<complex_number<S>, most_rows * most_rows> modes(const element<S>& v) {
-    const int n = rows_of(v.size);
-    std::array<complex_number<S>, most_rows * most_rows> out;
+  template <int n, class S>
+  static std::array<complex_number<S>, static_cast<std::size_t>(n* n)> modes(const element<S>& v) {
+    std::array<complex_number<S>, static_cast<std::size_t>(n * n)> out;
     const auto set = [&](int k1, int k2, const complex_number<S>& x) {
       out[static_cast<std::size_t>(n * wrapped(k1, n) + wrapped(k2, n))] = x;
     };
@@ -70,7 +85,7 @@ struct sine_basis {
   /// H(v).
   template <int n, class S>
   POLHODE_CALLED static complex_matrix<S, n> hermitian(const element<S>& v) {
-    const auto w = modes(v);
+    const auto w = modes<n>(v);
     const auto& on = circle_of(n);
     complex_matrix<S, n> out;
     for (int a = 0; a < n; ++a)

@@ -8,6 +8,8 @@
 // As n grows the bracket becomes that of Poisson, of functions on the torus.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <numbers>
 #include <type_traits>
 
@@ -30,7 +32,7 @@ struct su : sine_basis {
 
   template <class S>
   POLHODE_CALLED static element<S> bracket(const element<S>& xi, const element<S>& eta) {
-    return at_size(xi.size, [&](auto n) { return bracket_of<n>(modes(xi), modes(eta)); });
+    return at_size(xi.size, [&](auto n) { return bracket_of<n>(modes<n>(xi), modes<n>(eta)); });
   }
   template <class S>
   static element<S> coad(const element<S>& xi, const element<S>& mu) {
@@ -87,23 +89,36 @@ struct su : sine_basis {
  private:
   template <int n, class Modes, class S = decltype(Modes::value_type::real)>
   static element<S> bracket_of(const Modes& x, const Modes& y) {
-    const auto& on = circle_of(n);
     element<S> out(n * n - 1);
-    const S unit(n / (2 * std::numbers::pi) * std::numbers::sqrt2);
-    for_each_mode(n, [&](int place, int m1, int m2) {
-      m2 = wrapped(m2, n);
-      complex_number<S> sum;
-      for (int k1 = 0, first = 0; k1 < n; ++k1, first = wrapped(first + m2 - n, n))
-        for (int k2 = 0, angle = first; k2 < n; ++k2, angle = wrapped(angle - m1, n)) {  // k x m mod n
-          if (angle == 0) continue;
-          const auto k = static_cast<std::size_t>(n * k1 + k2);
-          const auto l = static_cast<std::size_t>(n * wrapped(m1 - k1, n) + wrapped(m2 - k2, n));
-          sum = sum + times_constant(on.at[angle].imaginary, x[k]) * y[l];
-        }
-      out[place] = unit * sum.real;
-      out[place + 1] = unit * sum.imaginary;
+    for_each_mode_of<n>([&](auto index) {
+      const auto sum = convolved<n, index>(x, y);
+      out[2 * index] = sum.real;
+      out[2 * index + 1] = sum.imaginary;
     });
     return out;
+  }
+  /// Of one mode m of the bracket sqrt(2) times the sum over k, first without the sines: those with k x m = j and, less
+  /// them, with -j, j = 1 … n/2.
+  template <int n, int index, class Modes, class number = typename Modes::value_type>
+  static number convolved(const Modes& x, const Modes& y) {
+    constexpr auto m = mode_of(index, n);
+    std::array<number, n / 2> with;
+#pragma GCC unroll 5
+    for (int k1 = 0; k1 < n; ++k1)
+#pragma GCC unroll 5
+      for (int k2 = 0; k2 < n; ++k2) {
+        const int angle = ((k1 * m.k2 - k2 * m.k1) % n + n) % n;
+        if (angle == 0) continue;
+        const auto& a = x[static_cast<std::size_t>(n * k1 + k2)];
+        const auto& b = y[static_cast<std::size_t>(n * ((m.k1 - k1 + n) % n) + (m.k2 - k2 + 2 * n) % n)];
+        auto& sum = with[static_cast<std::size_t>(std::min(angle, n - angle) - 1)];
+        sum = plus_product(sum, a, angle <= n / 2 ? b : -b);
+      }
+    constexpr double unit = n / (2 * std::numbers::pi) * std::numbers::sqrt2;
+    const auto& on = circle_of(n);
+    number sum = times_constant(unit * on.at[1].imaginary, with[0]);
+    for (std::size_t j = 2; j <= n / 2; ++j) sum = sum + times_constant(unit * on.at[j].imaginary, with[j - 1]);
+    return sum;
   }
 
   /// i n / 4 pi H(xi).

@@ -86,8 +86,8 @@ struct sine_euler : double_bracket<sine_euler, su> {
     const int d1 = which < n ? 1 : 0, d2 = which < n ? which : 1;
     const auto& on = su::circle_of(n);
     const auto at = [](int k1, int k2) { return static_cast<std::size_t>(n * ((k1 + n * n) % n) + (k2 + n * n) % n); };
-    const auto w = su::modes(mu), flow = su::modes(omega(mu));
-    auto added = su::modes(state<S>(mu.size));
+    const auto w = su::modes<n>(mu), flow = su::modes<n>(omega(mu));
+    auto added = su::modes<n>(state<S>(mu.size));
     for (int s = 1; s <= n / 2; ++s) {
       const int m1 = d1 == 0 ? s : 0, m2 = d1 == 0 ? 0 : -s;
       for (int q = 0; q < n; ++q) {

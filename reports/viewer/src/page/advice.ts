@@ -157,7 +157,9 @@ function card(r: Results, source: Source, goal: Goal): Child {
   );
 }
 
-export function advice(r: Results, source: Source): HTMLElement {
+/** Null where there is nothing to choose from: recorded data alone. */
+export function advice(r: Results, source: Source): HTMLElement | null {
+  if (r.schemes.length === 0) return null;
   return h(
     'section',
     { id: 'advice' },
