@@ -65,6 +65,14 @@ test('nothing measured, nothing at all', async () => {
   }
 });
 
+test('of recorded data no choice is offered', async () => {
+  const experiments = [{ ...rich.experiments[0], name: 'recorded' }],
+    page = await open(pageOf({ experiments }, 'recorded'));
+  assert.equal(await page.locator('#advice').count(), 0);
+  assert.ok(!(await page.textContent('body')).includes('Which one'));
+  await atEnd(page);
+});
+
 const seriesOf = (m) => ({ scheme: m.scheme, quantity: m.quantity, observable: m.observable, over: m.over });
 const described = (id, kind, rows, more = {}) => ({
   id,

@@ -159,7 +159,7 @@ function card(r: Results, source: Source, goal: Goal): Child {
 
 /** Null where there is nothing to choose from: recorded data alone. */
 export function advice(r: Results, source: Source): HTMLElement | null {
-  if (r.schemes.length === 0) return null;
+  if (r.schemes.length === 0 && r.experiments.some((e) => e.name === 'recorded')) return null;
   return h(
     'section',
     { id: 'advice' },
