@@ -17,7 +17,7 @@
 namespace polhode {
 namespace {
 
-constexpr double tight_share = 0.5;    // of the margin: the half-width at which sampling stops
+constexpr double tight_share = 0.4;    // of the margin: the half-width at which sampling stops
 constexpr double volume_share = 1e-3;  // of the fastest rate: how far the sum may lie from the mean divergence
 constexpr const char* spectrum_claim = "finds the exponents";
 constexpr const char* equation_name = "equation";  // under which it stands among the schemes
