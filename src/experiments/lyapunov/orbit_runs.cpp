@@ -9,8 +9,9 @@
 namespace polhode {
 namespace {
 
-// At the longer step: at least so many, and at most. From the start on: volume and divergence agree on every path.
-constexpr std::int64_t volume_chunks = 64, most_volume_chunks = 256;
+// At the longer step: at least so many, and at most. Volume and divergence agree on every path from its start on, but
+// one start, as that of vortices close to each other, would outweigh what follows.
+constexpr std::int64_t volume_forgetting = 64, volume_chunks = 64, most_volume_chunks = 256;
 
 constexpr double own_intervals = 2;  // of the equation's lambda_1: as wide may be that of the difference
 
@@ -145,6 +146,7 @@ std::int64_t scheme_paths::steps(std::size_t scheme) const {
 
 std::string scheme_paths::text(std::size_t scheme) const {
   const auto& s = schemes_[scheme];
+  if (!rates(scheme).allFinite()) return std::to_string(s.size.used) + " paths, not all of which came to an end";
   return s.size.text() + (s.whole ? "" : ", over a third of the planned time");
 }
 
@@ -153,6 +155,7 @@ Eigen::VectorXd volume_defects(const context& c, const orbit_frame& f, const sch
   const auto over = [&](std::int64_t chunks) -> Eigen::VectorXd {
     return 2 * fine.defects_over(chunks) - coarse.defects_over(chunks);
   };
+  over(volume_forgetting);
   Eigen::VectorXd out = over(volume_chunks);
   for (auto chunks = volume_chunks; chunks < most_volume_chunks && is_wide(out, tight); chunks *= 2)
     out = ((out + over(chunks)) / 2).eval();

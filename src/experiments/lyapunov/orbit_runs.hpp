@@ -29,7 +29,7 @@ class scheme_paths {
   /// [component][lane] of the first block, where its paths end, and after how many steps that is.
   std::span<const double> last_states(std::size_t scheme) const;
   std::int64_t steps(std::size_t scheme) const;
-  /// "128 of 256 planned paths were enough, over a third of the planned time".
+  /// "128 of 256 planned paths were enough, over a third of the planned time"; or that paths were lost.
   std::string text(std::size_t scheme) const;
 
  private:
