@@ -16,40 +16,44 @@
 namespace polhode {
 namespace {
 
-using change = std::function<void(std::span<double> dw)>;
+/// What becomes of an increment, [step][channel] its row.
+using change = std::function<double(double dw, std::size_t row)>;
 
-/// A kernel that goes wrong over many steps under one noise. Single ones, as in the transfer operator, are right.
-class wrong_sharing final : public test::kernel_decorator {
+/// A kernel that goes wrong over many steps. Single ones, as in the transfer operator, are right.
+class wrong_noise final : public test::kernel_decorator {
  public:
   using kernel_decorator::advance;
-  wrong_sharing(std::unique_ptr<kernel> inner, change how, bool from_the_start)
-      : kernel_decorator(std::move(inner)), how_(std::move(how)), from_the_start_(from_the_start) {}
+  wrong_noise(std::unique_ptr<kernel> inner, change how) : kernel_decorator(std::move(inner)), how_(std::move(how)) {}
 
-  /// The right noise and, behind it, the wrong one.
-  shared_steps share(const increment_view& path) const override {
-    std::vector<double> dw(path.dw.begin(), path.dw.end());
-    dw.insert(dw.end(), path.dw.begin(), path.dw.end());
-    how_(std::span(dw).subspan(path.dw.size()));
-    auto twice = path;
-    twice.dw = dw;
-    twice.steps = 2 * path.steps;
-    return kernel_decorator::share(twice);
-  }
-  void advance(std::span<double> states, const shared_steps& noise, std::int64_t first, std::int64_t steps,
-               piece p) const override {
-    const auto wrong = static_cast<std::int64_t>(noise.table.size() / noise.words / 2);
-    kernel_decorator::advance(states, noise, steps == 1 ? first : wrong + (from_the_start_ ? 0 : first), steps, p);
+  void advance(std::span<double> states, const increment_view& noise, piece p) const override {
+    std::vector<double> dw(noise.dw.begin(), noise.dw.end());
+    for (std::size_t i = 0; i < dw.size(); ++i) dw[i] = how_(dw[i], i / block_lanes);
+    auto wrong = noise;
+    wrong.dw = dw;
+    kernel_decorator::advance(states, wrong, p);
   }
 
  private:
   change how_;
-  bool from_the_start_;
 };
 
-std::optional<report::verdict_kind> verdict_with(const change& how, bool from_the_start, const std::string& claim) {
+/// A kernel whose common noise is counted from the first step of a run, whichever it is.
+class restarting final : public test::kernel_decorator {
+ public:
+  using kernel_decorator::advance;
+  using kernel_decorator::kernel_decorator;
+
+  void advance(std::span<double> states, const shared_steps& noise, std::int64_t first, std::int64_t steps,
+               piece p) const override {
+    kernel_decorator::advance(states, noise, steps == 1 ? first : 0, steps, p);
+  }
+};
+
+template <class Wrong, class... How>
+std::optional<report::verdict_kind> verdict_with(const std::string& claim, const How&... how) {
   auto s = restricted(bind_scene(load_scene("paper")), {"lie_heun"});
   s.schemes[0].make = [=, make = s.schemes[0].make](double dt) -> std::unique_ptr<kernel> {
-    return std::make_unique<wrong_sharing>(make(dt), how, from_the_start);
+    return std::make_unique<Wrong>(make(dt), how...);
   };
   report::results out;
   attractor_experiment().run({s, effort::quick, 2}, out);
@@ -58,23 +62,18 @@ std::optional<report::verdict_kind> verdict_with(const change& how, bool from_th
   return std::nullopt;
 }
 
-TEST(Attractor, StrongerCommonNoiseIsNotTheSchemesOwnLaw) {
-  const auto stronger = [](std::span<double> dw) {
-    for (double& x : dw) x *= 1.5;
-  };
-  EXPECT_EQ(verdict_with(stronger, false, "mean over noise paths"), report::verdict_kind::refuted);
+TEST(Attractor, StrongerNoiseIsNotTheSchemesOwnLaw) {
+  const change stronger = [](double dw, std::size_t) { return 1.5 * dw; };
+  EXPECT_EQ(verdict_with<wrong_noise>("mean over noise paths", stronger), report::verdict_kind::refuted);
 }
 
 TEST(Attractor, OneNoiseForAllPathsDoesNotAverageOut) {
-  const auto the_same = [](std::span<double> dw) {
-    for (std::size_t i = 0; i < dw.size(); ++i) dw[i] = 0.2 * std::sin(static_cast<double>(i * i));
-  };
-  EXPECT_EQ(verdict_with(the_same, false, "slope over noise paths"), report::verdict_kind::refuted);
+  const change the_same = [](double, std::size_t row) { return 0.2 * std::sin(static_cast<double>(row * row)); };
+  EXPECT_EQ(verdict_with<wrong_noise>("slope over noise paths", the_same), report::verdict_kind::refuted);
 }
 
 TEST(Attractor, NoiseCountedFromTheStartDoesNotConverge) {
-  const auto as_it_is = [](std::span<double>) {};
-  EXPECT_EQ(verdict_with(as_it_is, true, "pullback converges"), report::verdict_kind::refuted);
+  EXPECT_EQ(verdict_with<restarting>("pullback converges"), report::verdict_kind::refuted);
 }
 
 // Half the dissipation: then bodies spread.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ensemble/lanes.hpp"
 #include "ensemble/noise/noise_defect.hpp"
 #include "ensemble/noise/normal_block.hpp"
 #include "ensemble/noise/paths.hpp"
@@ -95,6 +94,21 @@ increment_view shared_increments::view(std::int64_t first_step, int steps) const
     return std::span(all).subspan(static_cast<std::size_t>(first_step * rows), static_cast<std::size_t>(steps * rows));
   };
   return {steps, part(dw_, layout_.channels), part(area_, layout_.pairs())};
+}
+
+increment_view increments_side_by_side::view(std::int64_t first_step, int steps) {
+  const std::size_t width = block_lanes / paths_.size();
+  const auto spread = [&](std::span<const double> increment_view::*part, lane_vector<double>& out) {
+    for (std::size_t path = 0; path < paths_.size(); ++path) {
+      const auto one = paths_[path].view(first_step, steps).*part;
+      out.resize(one.size() * block_lanes);
+      for (std::size_t i = 0; i < one.size(); ++i)
+        std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(i * block_lanes + path * width), width, one[i]);
+    }
+  };
+  spread(&increment_view::dw, dw_);
+  spread(&increment_view::area, area_);
+  return {steps, dw_, area_};
 }
 
 double shared_increments::bytes(const model& m, std::int64_t steps, bool with_areas) {

@@ -1,12 +1,14 @@
-// One noise for all bodies: the increments of one path over all steps, computed once.
+// One noise for many bodies: the increments of one path over all steps, computed once.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <polhode/noise/address.hpp>
 
 #include "ensemble/kernel.hpp"
+#include "ensemble/lanes.hpp"
 #include "ensemble/model.hpp"
 
 namespace polhode {
@@ -33,6 +35,19 @@ class shared_increments {
   noise_layout layout_;
   std::uint64_t drawn_;
   std::vector<double> dw_, area_;
+};
+
+/// A block in which every path drives as many neighbouring lanes.
+class increments_side_by_side {
+ public:
+  explicit increments_side_by_side(std::span<const shared_increments> paths) : paths_(paths) {}
+
+  /// Steps first_step … first_step + steps - 1; good until the next call.
+  increment_view view(std::int64_t first_step, int steps);
+
+ private:
+  std::span<const shared_increments> paths_;
+  lane_vector<double> dw_, area_;
 };
 
 }  // namespace polhode

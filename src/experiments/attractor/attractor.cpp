@@ -109,7 +109,7 @@ experiment attractor_experiment() {
   return {
       {"attractor",
        "What becomes of bodies all over their orbit under one common noise?",
-       {"On a sphere. Averages: per noise path the harmonics (to degree 2) of the random measure of 64 bodies from a "
+       {"On a sphere. Averages: per noise path the harmonics (to degree 2) of the random measure of 8 bodies from a "
         "uniform start, "
         "after one body has forgotten it to 1e-3, and eleven more times, each a third of that later. Over N paths the "
         "square of the mean's distance from the true law is "

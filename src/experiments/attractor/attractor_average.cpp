@@ -1,10 +1,11 @@
 // Averaged over noise paths, is the random measure the stationary law?
 //
-// Every noise path drives one block of bodies from a uniform start until one body alone has forgotten it; its random
-// measure is known by its harmonics. So it is twelve times over, each time once a body has forgotten the last look to a
-// tenth: as good as another path, at a third of its steps. Paths of one average are looked at at one time, so that
-// they are independent of each other. The mean over N paths of one scheme has the distance E D^2 = b^2 + V / N from the
-// true law, b the distance of the scheme's own stationary law, which its transfer operator gives exactly.
+// Every noise path drives a few bodies from a uniform start until one body alone has forgotten it; their random measure
+// is known by its harmonics. More bodies of one path say little: where they meet they are one. So it is twelve times
+// over, each time once a body has forgotten the last look to a tenth: as good as another path, at a third of its steps.
+// Paths of one average are looked at at one time, so that they are independent of each other. The mean over N paths of
+// one scheme has the distance E D^2 = b^2 + V / N from the true law, b the distance of the scheme's own stationary law,
+// which its transfer operator gives exactly.
 #include <fmt/format.h>
 
 #include <Eigen/Core>
@@ -21,6 +22,7 @@
 #include "experiments/common/sequential.hpp"
 #include "experiments/common/undecided.hpp"
 #include "sphere/harmonics/harmonics.hpp"
+#include "transfer/basis_sums.hpp"
 #include "transfer/transfer_refine.hpp"
 
 namespace polhode {
@@ -35,6 +37,7 @@ constexpr double tight_share = 0.4;
 constexpr double law_tolerance = 0.02;      // of the scheme's own bias
 constexpr double most_path_steps = 1.35e8;  // of one scheme at quick effort
 constexpr int least_paths = 320;
+constexpr int bodies = sum_lanes;  // of a path
 constexpr const char* average_claim = "mean over noise paths";
 
 /// The distance of the scheme's own stationary law from the true one, coefficient by coefficient.
@@ -68,31 +71,49 @@ struct time_course {
   std::int64_t steps() const { return until(looks - 1); }
 };
 
-void run_paths(const context& c, const attractor_frame& f, const time_course& course, int block,
-               std::span<const int> open, std::vector<scheme_run>& runs, const path_listener& hear) {
+/// Paths that fill a block with their bodies.
+struct path_group {
+  int first;
+  std::span<const shared_increments> noise;
+};
+
+void run_group(const context& c, const attractor_frame& f, const time_course& course, const path_group& paths,
+               std::span<const int> open, std::vector<scheme_run>& runs) {
+  constexpr std::int64_t piece = 32;  // steps: their increments stay in the nearest cache
   const Eigen::VectorXd truth = harmonic_moments::of_density(*f.law.density, degree);
-  const bool areas =
-      std::ranges::any_of(open, [&](int k) { return runs[static_cast<std::size_t>(k)].scheme->needs_areas; });
+  const auto start = uniform_states(c.seed, static_cast<std::uint64_t>(paths.first) * bodies, f.problem.radius);
+  std::vector<std::vector<double>> states(open.size(), start);
+  increments_side_by_side noise(paths.noise);
   harmonic_moments means(degree);
-  std::vector<double> states(3 * block_lanes);
-  const auto first = static_cast<std::uint64_t>(block) * block_lanes;
-  const auto all =
-      shared_increments::of_block(*c.subject.model, c.seed, course.steps(), f.dt, areas, fast_noise(c), first);
-  for (int path = block * block_lanes; path < (block + 1) * block_lanes; ++path) {
-    const auto address = static_cast<std::uint64_t>(path);
-    const auto& drawn = all[address - first];
-    hear(path, drawn.view(0, static_cast<int>(course.steps())));
-    for (const int k : open) {
-      auto& run = runs[static_cast<std::size_t>(k)];
-      start_uniformly(c.seed, address * block_lanes, f.problem.radius, states);
-      const auto noise = run.stepper->share(drawn.view(0, static_cast<int>(course.steps())));
-      for (int look = 0; look < looks; ++look) {
-        run.stepper->advance(states, noise, course.before(look), course.until(look) - course.before(look));
-        means.add(states);
-        run.means.col((block * looks + look) * block_lanes + path % block_lanes) = means.take() - truth;
-      }
+  for (int look = 0; look < looks; ++look) {
+    for (auto at = course.before(look); at < course.until(look); at += piece) {
+      const auto view = noise.view(at, static_cast<int>(std::min(piece, course.until(look) - at)));
+      for (std::size_t i = 0; i < open.size(); ++i)
+        runs[static_cast<std::size_t>(open[i])].stepper->advance(states[i], view);
+    }
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      means.add(states[i]);
+      const Eigen::MatrixXd found = means.take_by_neighbours().colwise() - truth;
+      const int block = paths.first / block_lanes, lane = paths.first % block_lanes;
+      runs[static_cast<std::size_t>(open[i])].means.middleCols((block * looks + look) * block_lanes + lane,
+                                                               found.cols()) = found;
     }
   }
+}
+
+void run_paths(const context& c, const attractor_frame& f, const time_course& course, int block,
+               std::span<const int> open, std::vector<scheme_run>& runs, const path_listener& hear) {
+  constexpr int in_group = block_lanes / bodies;
+  const bool areas =
+      std::ranges::any_of(open, [&](int k) { return runs[static_cast<std::size_t>(k)].scheme->needs_areas; });
+  const int first = block * block_lanes;
+  const auto all = shared_increments::of_block(*c.subject.model, c.seed, course.steps(), f.dt, areas, fast_noise(c),
+                                               static_cast<std::uint64_t>(first));
+  for (int lane = 0; lane < block_lanes; ++lane)
+    hear(first + lane, all[static_cast<std::size_t>(lane)].view(0, static_cast<int>(course.steps())));
+  for (int lane = 0; lane < block_lanes; lane += in_group)
+    run_group(c, f, course, {first + lane, std::span(all).subspan(static_cast<std::size_t>(lane), in_group)}, open,
+              runs);
 }
 
 void report_slope(const own_law& own, const Eigen::MatrixXd& means, std::uint64_t seed, recorder& record) {
@@ -147,9 +168,9 @@ std::vector<scheme_run> prepared(const context& c, const attractor_frame& f, int
 void report_averages(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double wait = -std::log(forgotten) / f.gap;
   const time_course course{f.steps_in(wait, f.dt), f.steps_in(wait / between_looks, f.dt)};
-  sampling_plan plan{least_paths, by_effort(c.effort, 1280, 5120, 20'480)};
+  sampling_plan plan{least_paths, by_effort(c.effort, 5120, 20'480, 81'920)};
   const double most = affordable(c.effort, most_path_steps);
-  const auto work = [&] { return 1.0 * block_lanes * static_cast<double>(course.steps()) * plan.most; };
+  const auto work = [&] { return 1.0 * bodies * static_cast<double>(course.steps()) * plan.most; };
   while (work() > most && plan.most > least_paths) plan.most /= 2;
   if (!affords(c, f.schemes,
                {"attractor", average_claim, "forgetting the start", "path-steps a scheme", work(),

@@ -18,15 +18,17 @@ void harmonic_moments::add(std::span<const double> states) {
   bodies_ += block_lanes;
 }
 
-Eigen::VectorXd harmonic_moments::take() {
-  const int size = basis_.size(), bodies = std::exchange(bodies_, 0);
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(size - 1);
-  for (int group = 0; group < block_lanes / sum_lanes; ++group)
+Eigen::VectorXd harmonic_moments::take() { return take_by_neighbours().rowwise().mean(); }
+
+Eigen::MatrixXd harmonic_moments::take_by_neighbours() {
+  const int size = basis_.size(), groups = block_lanes / sum_lanes;
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(size - 1, groups);
+  for (int group = 0; group < groups; ++group)
     for (int i = 1; i < size; ++i)
       for (int lane = 0; lane < sum_lanes; ++lane)
-        out[i - 1] += sums_[static_cast<std::size_t>((group * size + i) * sum_lanes + lane)];
+        out(i - 1, group) += sums_[static_cast<std::size_t>((group * size + i) * sum_lanes + lane)];
   std::ranges::fill(sums_, 0.0);
-  return unit_of_mean / bodies * out;
+  return unit_of_mean * groups / std::exchange(bodies_, 0) * out;
 }
 
 Eigen::VectorXd harmonic_moments::of_density(const Eigen::VectorXd& density, int degree) {

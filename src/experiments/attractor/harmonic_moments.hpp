@@ -20,6 +20,8 @@ class harmonic_moments {
   void add(std::span<const double> states);
   /// The means over all that was added since the last call.
   Eigen::VectorXd take();
+  /// The same, a column for each sum_lanes neighbouring lanes.
+  Eigen::MatrixXd take_by_neighbours();
 
   /// The same coefficients of a density in harmonics against the area of the unit sphere.
   static Eigen::VectorXd of_density(const Eigen::VectorXd& density, int degree);

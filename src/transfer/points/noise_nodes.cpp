@@ -1,5 +1,6 @@
 #include "transfer/points/noise_nodes.hpp"
 
+#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
@@ -28,13 +29,63 @@ struct normal_rule : normal_rule_points {
   }
 };
 
-/// Directions of the space of the active channels, a row each, of equal or of quadrature weight.
-struct direction_rule {
+/// A row a point.
+struct cubature {
   Eigen::MatrixXd at;
   Eigen::VectorXd weights;
 };
 
-direction_rule directions_in(int channels) {
+cubature product_of(const normal_rule_points& axis, int axes) {
+  const auto n = axis.nodes.size();
+  const auto count = static_cast<Eigen::Index>(std::llround(std::pow(n, axes)));
+  cubature out{Eigen::MatrixXd(count, axes), Eigen::VectorXd::Ones(count)};
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (Eigen::Index d = 0, rest = i; d < axes; ++d, rest /= n) {
+      out.at(i, d) = axis.nodes[rest % n];
+      out.weights[i] *= axis.weights[rest % n];
+    }
+  return out;
+}
+
+/// Signs of three normals whose product is given: any two are independent.
+cubature half_of_the_signs(int product) {
+  cubature out{Eigen::MatrixXd(4, 3), Eigen::VectorXd::Constant(4, 0.25)};
+  for (int i = 0; i < 4; ++i) {
+    const int first = 1 - i % 2 * 2, second = 1 - i / 2 * 2;
+    out.at.row(i) << first, second, product * first * second;
+  }
+  return out;
+}
+
+/// Three normals to degree five: E[1], E[x^2], E[x^4] and E[x^2 y^2] settle the weights and the squares of the radii.
+cubature degree_five() {
+  cubature out{Eigen::MatrixXd::Zero(14, 3), Eigen::VectorXd(14)};
+  out.weights << Eigen::VectorXd::Constant(6, 0.16), Eigen::VectorXd::Constant(8, 0.005);
+  for (int i = 0; i < 6; ++i) out.at(i, i / 2) = (1 - i % 2 * 2) * std::sqrt(2.5);
+  for (int i = 0; i < 8; ++i)
+    for (int d = 0; d < 3; ++d) out.at(6 + i, d) = (1 - (i >> d & 1) * 2) * std::sqrt(5.0);
+  return out;
+}
+
+/// Standard normals in place of areas. side: of two classes in which increments alternate.
+cubature areas_by(int nodes, int areas, Eigen::Index side) {
+  if (areas == 3 && nodes == 2) return half_of_the_signs(side % 2 == 0 ? 1 : -1);
+  if (areas == 3 && nodes == 3) return degree_five();
+  return product_of(normal_rule(nodes), areas);
+}
+
+/// Writes a node: standard normals of active channels and areas.
+void add_node(noise_nodes& out, const noise_layout& layout, double weight, const Eigen::RowVectorXd& channels,
+              const Eigen::RowVectorXd& areas, bool with_areas) {
+  if (weight <= negligible) return;
+  out.weight.push_back(weight);
+  for (int k = 0; k < layout.channels; ++k) out.dw.push_back(k < channels.size() ? std::sqrt(out.dt) * channels[k] : 0);
+  for (int k = 0; with_areas && k < layout.pairs(); ++k)
+    out.area.push_back(k < areas.size() ? out.dt / 2 * areas[k] : 0);
+}
+
+/// Directions of the space of the active channels, of equal or of quadrature weight.
+cubature directions_in(int channels) {
   constexpr int degree = 9, angles = 16;
   if (channels == 1) return {Eigen::Vector2d(1, -1), Eigen::Vector2d::Constant(0.5)};
   if (channels == 2) {
@@ -71,19 +122,18 @@ normal_rule_points radii_of(int channels) {
 
 noise_nodes far_nodes_of(const model& m, bool with_areas, double dt) {
   const auto layout = m.layout();
-  const int active = layout.active, areas = with_areas ? layout.active_pairs() : 0;
-  const auto directions = directions_in(active);
-  const auto radii = radii_of(active);
+  const int pairs = with_areas ? layout.active_pairs() : 0;
+  const auto directions = directions_in(layout.active);
+  const auto radii = radii_of(layout.active);
+  const std::array areas{areas_by(2, pairs, 0), areas_by(2, pairs, 1)};
   noise_nodes out{dt, {}, {}, {}};
   for (Eigen::Index r = 0; r < radii.nodes.size(); ++r)
-    for (Eigen::Index d = 0; d < directions.weights.size(); ++d)
-      for (int signs = 0; signs < 1 << areas; ++signs) {
-        out.weight.push_back(radii.weights[r] * directions.weights[d] / (1 << areas));
-        for (int k = 0; k < layout.channels; ++k)
-          out.dw.push_back(k < active ? std::sqrt(dt) * radii.nodes[r] * directions.at(d, k) : 0);
-        for (int k = 0; with_areas && k < layout.pairs(); ++k)
-          out.area.push_back(k >= areas ? 0 : (signs >> k & 1) == 0 ? dt / 2 : -dt / 2);
-      }
+    for (Eigen::Index d = 0; d < directions.weights.size(); ++d) {
+      const auto& all = areas[static_cast<std::size_t>((r + d) % 2)];
+      for (Eigen::Index i = 0; i < all.weights.size(); ++i)
+        add_node(out, layout, radii.weights[r] * directions.weights[d] * all.weights[i],
+                 radii.nodes[r] * directions.at.row(d), all.at.row(i), with_areas);
+    }
   return out;
 }
 
@@ -93,27 +143,16 @@ double rare_share(int active_channels) {
 
 noise_nodes nodes_of(const model& m, bool with_areas, double dt, const noise_rule& rule) {
   const auto layout = m.layout();
-  const int active = layout.active, areas = with_areas ? layout.active_pairs() : 0;
-  const normal_rule hermite(rule.channel), area(rule.area);
+  const int pairs = with_areas ? layout.active_pairs() : 0;
+  const auto channels = product_of(normal_rule(rule.channel), layout.active);
+  const std::array areas{areas_by(rule.area, pairs, 0), areas_by(rule.area, pairs, 1)};
   noise_nodes out{dt, {}, {}, {}};
-  std::vector<int> at(static_cast<std::size_t>(active + areas), 0);
-  const auto axis = [&](int d) -> const normal_rule& { return d < active ? hermite : area; };
-  for (bool more = true; more;) {
-    double weight = 1;
-    for (int d = 0; d < active + areas; ++d) weight *= axis(d).weights[at[static_cast<std::size_t>(d)]];
-    if (weight > negligible) {
-      out.weight.push_back(weight);
-      const auto node = [&](int d) { return axis(d).nodes[at[static_cast<std::size_t>(d)]]; };
-      for (int k = 0; k < layout.channels; ++k) out.dw.push_back(k < active ? std::sqrt(dt) * node(k) : 0);
-      for (int k = 0; with_areas && k < layout.pairs(); ++k)
-        out.area.push_back(k < areas ? dt / 2 * node(active + k) : 0);
-    }
-    more = false;
-    for (int d = 0; d < active + areas && !more; ++d) {
-      auto& i = at[static_cast<std::size_t>(d)];
-      more = ++i < axis(d).nodes.size();
-      if (!more) i = 0;
-    }
+  for (Eigen::Index k = 0; k < channels.weights.size(); ++k) {
+    Eigen::Index side = 0;
+    for (Eigen::Index rest = k; rest > 0; rest /= rule.channel) side += rest % rule.channel;
+    const auto& all = areas[static_cast<std::size_t>(side % 2)];
+    for (Eigen::Index i = 0; i < all.weights.size(); ++i)
+      add_node(out, layout, channels.weights[k] * all.weights[i], channels.at.row(k), all.at.row(i), with_areas);
   }
   return out;
 }

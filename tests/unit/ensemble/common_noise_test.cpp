@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <span>
 
 #include "ensemble/noise/paths.hpp"
 #include "ensemble/noise/shared_increments.hpp"
@@ -43,6 +44,19 @@ TEST(SharedIncrements, OfABlockAreThoseOfEachPath) {
       EXPECT_EQ(numbers(found.dw), numbers(expected.dw));
       EXPECT_EQ(numbers(found.area), numbers(expected.area));
     }
+  }
+}
+
+TEST(SharedIncrements, SideBySideEachDrivesItsOwnLanes) {
+  const auto s = paper();
+  const auto paths = shared_increments::of_block(*s.model, 7, 20, 0.1, true, {}, 0);
+  increments_side_by_side four{std::span(paths).subspan(8, 4)};
+  const auto view = four.view(5, 10);
+  ASSERT_EQ(view.steps, 10);
+  for (std::size_t lane = 0; lane < block_lanes; ++lane) {
+    const auto own = paths[8 + lane / 16].view(5, 10);
+    for (std::size_t i = 0; i < own.dw.size(); ++i) ASSERT_EQ(view.dw[i * block_lanes + lane], own.dw[i]);
+    for (std::size_t i = 0; i < own.area.size(); ++i) ASSERT_EQ(view.area[i * block_lanes + lane], own.area[i]);
   }
 }
 
