@@ -1,6 +1,7 @@
 #include "experiments/lyapunov/orbit_growth.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <polhode/noise/normal.hpp>
 
@@ -23,10 +24,14 @@ all_lanes lanes_of(std::vector<double>& vectors, int which, std::size_t size) {
 
 orbit_block::orbit_block(const orbit_geometry& g, const orbit_start& start, std::uint64_t seed,
                          std::uint64_t first_path, int vectors, bool volume)
+    : orbit_block(g, start.block(seed, first_path), seed, first_path, vectors, volume) {}
+
+orbit_block::orbit_block(const orbit_geometry& g, std::vector<double> states, std::uint64_t seed,
+                         std::uint64_t first_path, int vectors, bool volume)
     : geometry_(g),
       vectors_(vectors),
       volume_(volume),
-      states_(start.block(seed, first_path)),
+      states_(std::move(states)),
       tangents_(states_.size() * static_cast<std::size_t>(vectors)) {
   for (std::uint64_t i = 0; i < tangents_.size(); ++i) {
     const auto lane = i % block_lanes, draw = first_draw + i / block_lanes;

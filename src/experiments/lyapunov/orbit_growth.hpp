@@ -30,6 +30,9 @@ class orbit_block {
   /// volume: whether it is followed, which takes four drifts a component and chunk.
   orbit_block(const orbit_geometry&, const orbit_start&, std::uint64_t seed, std::uint64_t first_path, int vectors,
               bool volume = true);
+  /// The same from these states on.
+  orbit_block(const orbit_geometry&, std::vector<double> states, std::uint64_t seed, std::uint64_t first_path,
+              int vectors, bool volume = true);
 
   /// Through a chunk of steps.
   void advance(const tangent_flow&, const increment_view&);

@@ -24,15 +24,27 @@ increment_view chunk_of(const context& c, increment_buffer& noise, int block, st
                     static_cast<std::uint64_t>(chunk * orbit_block::chunk), orbit_block::chunk, dt);
 }
 
-/// The first block of paths of a scheme at dt / refined, its volume followed.
+/// The first block of paths of a scheme, their start forgotten: no tangents are needed for that.
+std::vector<double> forgotten_start(const context& c, const orbit_frame& f, const scheme_entry& scheme) {
+  const auto stepper = scheme.make(f.dt);
+  auto noise = noise_for(c, scheme.needs_areas);
+  auto states = f.start.block(c.seed, 0);
+  for (std::int64_t chunk = 0; chunk < volume_forgetting; ++chunk)
+    stepper->advance(states, chunk_of(c, noise, 0, chunk, f.dt));
+  return states;
+}
+
+/// From there on at dt / refined, its volume followed.
 class volume_run {
  public:
-  volume_run(const context& c, const orbit_frame& f, const scheme_entry& scheme, int refined)
+  volume_run(const context& c, const orbit_frame& f, const scheme_entry& scheme, int refined,
+             const std::vector<double>& start)
       : context_(c),
         refined_(refined),
         flow_(derivative_flow(scheme.tangent(f.dt / refined))),
         noise_(noise_for(c, scheme.needs_areas)),
-        paths_(f.geometry, f.start, c.seed, 0, f.vectors()) {}
+        paths_(f.geometry, start, c.seed, 0, f.vectors()),
+        passed_(refined * volume_forgetting) {}
 
   /// Growth less divergence, per time, over so many chunks of dt.
   Eigen::VectorXd defects_over(std::int64_t chunks) {
@@ -48,7 +60,7 @@ class volume_run {
   std::unique_ptr<tangent_flow> flow_;
   increment_buffer noise_;
   orbit_block paths_;
-  std::int64_t passed_ = 0;
+  std::int64_t passed_;
 };
 
 /// No mean comes of a lost path, however many follow: its width, which is no number, is not too wide.
@@ -151,11 +163,11 @@ std::string scheme_paths::text(std::size_t scheme) const {
 }
 
 Eigen::VectorXd volume_defects(const context& c, const orbit_frame& f, const scheme_entry& scheme, double tight) {
-  volume_run coarse(c, f, scheme, 1), fine(c, f, scheme, 2);
+  const auto start = forgotten_start(c, f, scheme);
+  volume_run coarse(c, f, scheme, 1, start), fine(c, f, scheme, 2, start);
   const auto over = [&](std::int64_t chunks) -> Eigen::VectorXd {
     return 2 * fine.defects_over(chunks) - coarse.defects_over(chunks);
   };
-  over(volume_forgetting);
   Eigen::VectorXd out = over(volume_chunks);
   for (auto chunks = volume_chunks; chunks < most_volume_chunks && is_wide(out, tight); chunks *= 2)
     out = ((out + over(chunks)) / 2).eval();

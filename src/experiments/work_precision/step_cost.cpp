@@ -17,7 +17,7 @@ namespace polhode {
 namespace {
 
 // Of a run; a fixed amount of work, so that what is counted does not depend on it.
-constexpr int chunk = 16, noisy_chunks = 32, silent_chunks = 128, least_chunks = 4;
+constexpr int chunk = 16, most_chunks = 16, least_chunks = 4;
 constexpr int slots = 9, end = 1;  // the second of nine and the last but one hold their median in 96 of 100 cases
 constexpr int runs = 2;            // of a slot: the quicker one counts
 
@@ -28,12 +28,11 @@ double thread_time() {
   return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
 }
 
-/// Of a run. Steps of a body without noise are short; those of more components cost about the square of their number.
-int chunks_for(const subject& s, bool implicit) {
-  constexpr int few = 3;
+/// Of a run. Steps of n components cost about n^2.
+int chunks_for(const subject& s) {
+  constexpr int of_one_component = 288;
   const int n = s.model->dimension();
-  if (n > few) return std::max(least_chunks, noisy_chunks * few * few / (n * n));
-  return s.model->layout().silent() && !implicit ? silent_chunks : noisy_chunks;
+  return std::clamp(of_one_component / (n * n), least_chunks, most_chunks);
 }
 
 /// States at a place of their own in a page for each slot, all over it: loads and stores a page apart look alike to the
@@ -61,7 +60,7 @@ class timed_block {
         silent_(c.subject.model->layout().silent()),
         stepper_(scheme.make(dt)),
         noise_(*c.subject.model, chunk, scheme.needs_areas, {c.generator, noise_quality::fast}),
-        chunks_(chunks_for(c.subject, scheme.info.implicit)),
+        chunks_(chunks_for(c.subject)),
         start_(replicated(c.subject.scene.momentum)),
         states_(start_.size(), slot),
         chunks_to_horizon_(
@@ -113,8 +112,8 @@ class yardstick {
     double best = HUGE_VAL;
     for (int i = 0; i < runs; ++i) {
       const double begin = thread_time();
-      run_yardstick({chunk * noisy_chunks, memory_->table.data(), memory_->states.data(), memory_->mixed.data()});
-      best = std::min(best, (thread_time() - begin) / (double{chunk} * noisy_chunks * block_lanes));
+      run_yardstick({chunk * most_chunks, memory_->table.data(), memory_->states.data(), memory_->mixed.data()});
+      best = std::min(best, (thread_time() - begin) / (double{chunk} * most_chunks * block_lanes));
     }
     return best;
   }
@@ -183,8 +182,8 @@ double ns_per_normal(const context& c) {
   std::array<double, 9> ns{};
   for (double& one : ns) {
     const double begin = thread_time();
-    for (int i = 0; i < noisy_chunks; ++i) noise.fill(c.seed, 0, static_cast<std::uint64_t>(i) * chunk, chunk, 1);
-    one = (thread_time() - begin) / (double{chunk} * noisy_chunks * block_lanes * active);
+    for (int i = 0; i < most_chunks; ++i) noise.fill(c.seed, 0, static_cast<std::uint64_t>(i) * chunk, chunk, 1);
+    one = (thread_time() - begin) / (double{chunk} * most_chunks * block_lanes * active);
   }
   return std::ranges::min(ns);
 }
