@@ -17,7 +17,7 @@ namespace polhode {
 namespace {
 
 // Of a run; a fixed amount of work, so that what is counted does not depend on it.
-constexpr int chunk = 16, most_chunks = 16, least_chunks = 4;
+constexpr int chunk = 16, most_chunks = 16;
 constexpr int slots = 9, end = 1;  // the second of nine and the last but one hold their median in 96 of 100 cases
 constexpr int runs = 2;            // of a slot: the quicker one counts
 
@@ -28,11 +28,11 @@ double thread_time() {
   return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
 }
 
-/// Of a run. Steps of n components cost about n^2.
+/// Of a run. What a step of n components costs grows faster than n^2.
 int chunks_for(const subject& s) {
-  constexpr int of_one_component = 288;
+  constexpr int of_one_component = 432;
   const int n = s.model->dimension();
-  return std::clamp(of_one_component / (n * n), least_chunks, most_chunks);
+  return std::clamp(of_one_component / (n * n * n), 1, most_chunks);
 }
 
 /// States at a place of their own in a page for each slot, all over it: loads and stores a page apart look alike to the
@@ -66,8 +66,8 @@ class timed_block {
         chunks_to_horizon_(
             static_cast<int>(std::clamp(std::ceil(c.subject.scene.horizon / (dt * chunk)), 1.0, double(chunks_)))) {}
 
-  /// A quarter of a run: fills the caches.
-  void warm_up() { advance(chunks_ / 4); }
+  /// A quarter of a run, or a chunk: fills the caches.
+  void warm_up() { advance(std::max(1, chunks_ / 4)); }
   /// ns a path and step.
   double run() {
     const double begin = thread_time();
