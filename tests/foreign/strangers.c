@@ -83,9 +83,10 @@ static void dissipation_flow(const body *b, double t, double *pi) {
   const double factor = sqrt(square / dot(pi, pi));
   for (int k = 0; k < 3; ++k) pi[k] *= factor;
 }
-/* Isotropic noise. */
+/* Noise that is isotropic, or one vector: then it needs no change. */
 static void strang_weak2(const body *b, double *pi, const double *noise, const double *area) {
-  const double strength = b->sigma[0][0], factor = sqrt(1 - strength * strength * b->dt / 12);
+  const double strength = b->channels == 3 && b->sigma[1][1] == b->sigma[0][0] ? b->sigma[0][0] : 0,
+               factor = sqrt(1 - strength * strength * b->dt / 12);
   double smaller[3];
   for (int k = 0; k < 3; ++k) smaller[k] = factor * noise[k];
   dissipation_flow(b, b->dt / 2, pi);
