@@ -37,7 +37,7 @@ class shared_increments {
   std::vector<double> dw_, area_;
 };
 
-/// A block in which every path drives as many neighbouring lanes.
+/// A block in which every path, of a number that divides block_lanes, drives as many neighbouring lanes.
 class increments_side_by_side {
  public:
   explicit increments_side_by_side(std::span<const shared_increments> paths) : paths_(paths) {}
