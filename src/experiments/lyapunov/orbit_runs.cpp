@@ -11,7 +11,7 @@ namespace {
 
 // At the longer step: at least so many, and at most. Volume and divergence agree on every path from its start on, but
 // one start, as that of vortices close to each other, would outweigh what follows.
-constexpr std::int64_t volume_forgetting = 64, volume_chunks = 64, most_volume_chunks = 256;
+constexpr std::int64_t volume_forgetting = 64, volume_chunks = 64, most_volume_chunks = 2048;
 
 constexpr double own_intervals = 2;  // of the equation's lambda_1: as wide may be that of the difference
 
