@@ -1,4 +1,5 @@
-// Experiment attractor: noise that is shared wrongly, and bodies that do not meet, are refuted.
+// Experiment attractor: noise that is not the scheme's, a start that is not where it should be, and bodies that do not
+// meet, are refuted.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "ensemble/observing/sphere_bins.hpp"
 #include "experiments/attractor/attractor.hpp"
@@ -21,8 +20,7 @@ namespace {
 
 constexpr int coarsest = 16;  // boxes along a hemisphere: larger ones see the sphere and its rim
 constexpr double dimension_margin = 0.15;
-constexpr double tight_share = 0.4;  // of the margin: the half-width at which sampling stops
-constexpr int noise_paths = 64;
+constexpr int noise_paths = 64;            // a third of the margin is then left to the interval
 constexpr double longer = 2;               // than the mean time to fall below a box: rates fluctuate along a path
 constexpr double most_path_steps = 1.1e9;  // of one scheme at quick effort
 constexpr const char* dimension_claim = "information dimension";
@@ -58,16 +56,15 @@ void add_clouds(const context& c, const dimension_plan& plan, const scheme_entry
 
 bool tight(const std::vector<cloud>& clouds) {
   const auto found = fit_dimension(clouds, box_kind::information, usable_levels(clouds));
-  return found && half_width(found->value) <= tight_share * dimension_margin;
+  return found && half_width(found->value) <= 0.2 * dimension_margin;
 }
 
-/// A quarter of the paths, half of them or all, where they make the interval tight.
+/// Half of the paths where they make the interval tight.
 std::vector<cloud> clouds_of(const context& c, const dimension_plan& plan, const scheme_entry& scheme,
                              const path_listener& hear) {
   std::vector<cloud> clouds;
-  for (int first = 0, last = plan.paths / 4; first < plan.paths && !(first > 0 && tight(clouds));
-       first = std::exchange(last, 2 * last))
-    add_clouds(c, plan, scheme, first, last, hear, clouds);
+  add_clouds(c, plan, scheme, 0, plan.paths / 2, hear, clouds);
+  if (!tight(clouds)) add_clouds(c, plan, scheme, plan.paths / 2, plan.paths, hear, clouds);
   return clouds;
 }
 

@@ -131,8 +131,7 @@ experiment lyapunov_experiment() {
         "Exponents of a scheme: found if within a thousandth of the scene's fastest rate of the exact ones, at 128 "
         "steps per fastest time scale. They are its own, not sampled (see below). Paths that have forgotten their "
         "start "
-        "(eight relaxation times), 256 observed for as long again (quick: 128), are held against them: growth of "
-        "lengths and areas "
+        "(eight relaxation times), 256 observed for as long again, are held against them: growth of lengths and areas "
         "under the derivative of the scheme's own step (dual numbers). Of these means the noise that is known to "
         "vanish is taken out by least squares (control variates). Where the operator cannot be had, the 95 % interval "
         "of such paths, five times as long and as many as it takes, decides.",

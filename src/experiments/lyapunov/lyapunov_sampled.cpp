@@ -158,9 +158,7 @@ void report_sampled_exponents(const context& c, const std::vector<scheme_entry>&
     const auto run =
         run_length_of(compared_step(c.subject), *forgotten, (briefly ? observed_briefly : observed) * *forgotten);
     sampled_growth sampled(c, entries, run);
-    const int few = by_effort(c.effort, 128, 256, 256);
-    sampled.sample(briefly ? sampling_plan{few, few} : sampling_plan{256, by_effort(c.effort, 1024, 2048, 4096)},
-                   tight_value * margin);
+    sampled.sample({256, briefly ? 256 : by_effort(c.effort, 1024, 2048, 4096)}, tight_value * margin);
     for (std::size_t i = 0; i < some.size(); ++i)
       report_scheme(sampled, i, run.dt, asked, own_of(some[i]), records[some[i]]);
     if (!briefly || some.size() == schemes.size()) sampled.report_noise(out);  // of the longest run
