@@ -72,17 +72,20 @@ class asked {
 
 /// Refines one part of a rule while `small(change)` does not hold; rule_at(i) is the whole rule with its i-th choice.
 struct refined {
-  std::size_t used = 0;   ///< the last choice tried
-  Eigen::ArrayXd error;   ///< with it
-  Eigen::ArrayXd change;  ///< from the one before
+  std::size_t used = 0;  ///< the last choice tried
+  Eigen::ArrayXd error;  ///< with it
+  Eigen::ArrayXd step;   ///< from the one before
+  std::size_t before() const { return std::max<std::size_t>(used, 1) - 1; }
+  /// Of the first choice alone nothing is known.
+  Eigen::ArrayXd change() const { return used > 0 ? step.abs() : error.abs(); }
 };
 template <class RuleAt, class Small>
 refined refine_part(const asked& answers, Eigen::ArrayXd first, std::size_t choices, const RuleAt& rule_at,
                     const Small& small) {
-  refined out{0, first, first.abs()};
+  refined out{0, first, Eigen::ArrayXd::Zero(first.size())};
   while (out.used + 1 < choices && answers.affordable(rule_at(out.used + 1))) {
     const Eigen::ArrayXd next = answers.error(rule_at(++out.used));
-    out.change = (next - out.error).abs();
+    out.step = next - out.error;
     out.error = next;
     if (small(out)) break;
   }
@@ -102,8 +105,8 @@ transfer_answer refine(const ladder& l, bool with_areas, const transfer_target& 
       [&](std::size_t i) {
         return transfer_rule{bases[i], least};
       },
-      [&](const refined& r) { return answers.small(r.change, r.error); });
-  const auto small_noise = [&](const refined& r) { return answers.small(r.change, basis.error); };
+      [&](const refined& r) { return answers.small(r.change(), r.error); });
+  const auto small_noise = [&](const refined& r) { return answers.small(r.change(), basis.error); };
   const auto channel = refine_part(
       answers, coarsest, nodes.size(),
       [&](std::size_t i) {
@@ -117,14 +120,16 @@ transfer_answer refine(const ladder& l, bool with_areas, const transfer_target& 
       },
       small_noise);
 
-  // The last change was small, so the choice before it does as well, at a fraction of the cost.
-  const std::size_t n = std::max<std::size_t>(channel.used, 1) - 1, m = std::max<std::size_t>(area.used, 1) - 1;
-  const transfer_rule rule{bases[basis.used], {nodes[n], area_nodes[m]}};
-  const auto error = n + m == 0 ? basis.error : answers.error(rule);
-  Eigen::ArrayXd change = basis.change + channel.change;
-  if (with_areas) change += area.change;
+  // The last changes were small, so the choices before them do as well, at a fraction of the cost; that of the basis is
+  // known and added.
+  const noise_rule noise{nodes[channel.before()], area_nodes[area.before()]};
+  const bool as_least = noise == least;
+  const transfer_rule rule{bases[as_least ? basis.used : basis.before()], noise};
+  const Eigen::ArrayXd error = as_least ? basis.error : answers.error(rule) + basis.step;
+  Eigen::ArrayXd change = basis.change() + channel.change();
+  if (with_areas) change += area.change();
   change = change.max(answers.floor());
-  return {error, change, error.allFinite() && answers.small(change, error), rule, 0, basis.change};
+  return {error, change, error.allFinite() && answers.small(change, error), rule, 0, basis.change()};
 }
 
 }  // namespace

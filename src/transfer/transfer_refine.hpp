@@ -1,8 +1,8 @@
 // How finely a transfer operator has to be computed, found by refining until answers stop to change.
 //
 // The basis, the nodes a channel and the nodes an area are refined each with the others at their coarsest, as the error
-// of one hardly knows of the others, until two successive answers agree. The answer is that of all together, its
-// uncertainty the sum of the last changes.
+// of one hardly knows of the others, until two successive answers agree. The answer is that of all together, each as it
+// was before its last refinement, with the last change by the basis added; its uncertainty the sum of the last changes.
 #pragma once
 
 #include <Eigen/Core>

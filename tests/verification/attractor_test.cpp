@@ -98,13 +98,13 @@ void expect_the_noise_of(const report::results& r, const std::vector<std::string
 }
 
 TEST(Attractor, ClaimsHoldWhereBodiesSpread) {
-  for (const char* claim : {"slope over noise paths", "mean over noise paths", "pullback converges"})
+  for (const char* claim : {"slope over noise paths", "mean over noise paths", "pullback converges",
+                            "neighbours part at the rate lambda_1"})
     expect_to_hold(on_paper(), claim, 2);
-  expect_to_hold(on_paper(), "information dimension", 1);
   expect_dimensions_in_their_order();
   expect_the_exact_bias_to_tell_the_orders_apart();
   expect_densities_relative_to_the_uniform_one();
-  expect_the_noise_of(on_paper(), {"averages", "pullback", "dimensions", "densities"});
+  expect_the_noise_of(on_paper(), {"averages", "pullback", "neighbours", "dimensions", "densities"});
 }
 
 TEST(Attractor, ClaimsHoldWhereBodiesCollect) {

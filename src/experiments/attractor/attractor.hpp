@@ -48,9 +48,9 @@ using path_listener = std::function<void(int path, const increment_view&)>;
 void report_averages(const context&, const attractor_frame&, noise_log&, report::results&);
 /// Snapshots at time 0 of bodies that started at -T, one noise.
 void report_pullback(const context&, const attractor_frame&, noise_log&, report::results&);
-/// Where lambda_1 < 0: the rate at which close bodies meet.
-void report_synchronisation(const context&, const attractor_frame&, noise_log&, report::results&);
-/// Where lambda_1 > 0: dimensions of snapshots.
+/// The rate at which close bodies meet or part.
+void report_neighbours(const context&, const attractor_frame&, noise_log&, report::results&);
+/// Where lambda_1 > 0: dimensions of snapshots, without a claim.
 void report_dimensions(const context&, const attractor_frame&, noise_log&, report::results&);
 /// Densities to look at: bodies under one noise path at half, one, two and four units of time.
 struct snapshots {

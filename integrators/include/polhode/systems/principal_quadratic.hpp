@@ -28,14 +28,20 @@ struct principal_quadratic {
   template <class S>
   vec<S, 3> dissipation_flow(const vec<S, 3>& mu, double theta, double t) const {
     const S c2 = dot(mu, mu);
-    const double least = std::min({lambda[0], lambda[1], lambda[2]});
-    vec<S, 3> y = mu;
-    for (int k = 0; k < 3; ++k) {
-      const double excess = lambda[k] - least;
-      if (excess > 0) y[k] = exponential(S(S(-theta * t * excess) * c2)) * mu[k];
-    }
+    const auto y = weighed(mu, c2, theta * t);
     const S factor = square_root(select(c2 == S(0.0), S(1.0), S(c2 / dot(y, y))));
     return so3::orbit_projection(factor * y, mu);
+  }
+
+  /// y: the state of that flow but for its length, theta_t = theta t, of a multiple of mu and |mu|^2.
+  template <class S>
+  vec<S, 3> weighed(vec<S, 3> mu, const S& c2, double theta_t) const {
+    const double least = std::min({lambda[0], lambda[1], lambda[2]});
+    for (int k = 0; k < 3; ++k) {
+      const double excess = lambda[k] - least;
+      if (excess > 0) mu[k] = exponential(S(S(-theta_t * excess) * c2)) * mu[k];
+    }
+    return mu;
   }
 
   /// The free motion for a time t, to second order: rotations about the axes 1, 2 (half the time), 3 (all of it), 2, 1
@@ -66,6 +72,12 @@ struct principal_quadratic {
   vec<S, 3> last_turn(vec<S, 3> mu, double t) const {
     if (odd_axis() < 0) turn<2>(mu, t, lambda[1]);
     return mu;
+  }
+  /// Half the first turn, the last, half the first: the free motion to second order; exact where there is no last.
+  template <class S>
+  vec<S, 3> two_turn_flow(const vec<S, 3>& mu, double t) const {
+    if (odd_axis() >= 0) return first_turn(mu, t);
+    return first_turn(last_turn(first_turn(mu, t / 2), t), t / 2);
   }
 
  private:

@@ -30,7 +30,8 @@ struct spin : double_bracket<spin, so3> {
       : double_bracket(dissipation, std::move(noise_vectors)),
         field{{field_vector[0], field_vector[1], field_vector[2]}},
         diagonal_(quadratic.isDiagonal(0)),
-        has_field_(field[0] != 0 || field[1] != 0 || field[2] != 0) {
+        strength_(std::sqrt(dot(field, field))),
+        direction_((strength_ > 0 ? 1 / strength_ : 0) * field) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(quadratic);
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
     if (!diagonal_) axes = eigen.eigenvectors();
@@ -66,16 +67,18 @@ struct spin : double_bracket<spin, so3> {
   template <class S>
   POLHODE_CALLED vec<S, 3> dissipation_flow(const vec<S, 3>& pi, double t) const {
     if (theta == 0) return pi;
-    if (!has_field_) return kept(damped(pi, t), pi);
-    if (principal_.spherical()) return kept(aligned_with_field(pi, t), pi);
-    return kept(aligned_with_field(damped(aligned_with_field(pi, t / 2), t), t / 2), pi);
+    if (!has_field()) return kept(damped(pi, t), pi);
+    const S c = square_root(dot(pi, pi));
+    if (principal_.spherical()) return kept(of_length(c, aligned({c, pi}, root_of(c, t))), pi);
+    const S root = root_of(c, t / 2);
+    return kept(of_length(c, aligned(weighed(aligned({c, pi}, root).part, c, t), root)), pi);
   }
 
-  /// The motion without dissipation, to second order: half the turn about the field, that of the quadratic part, half
-  /// the turn about the field.
+  /// The motion without dissipation, to second order: half the turn about the field, the quadratic part as a palindrome
+  /// of its two turns, half the turn about the field.
   template <class S>
   POLHODE_CALLED vec<S, 3> free_flow(const vec<S, 3>& pi, double t) const {
-    return around(pi, t, [&](const vec<S, 3>& x) { return principal_.free_flow(x, t); });
+    return around(pi, t, [&](const vec<S, 3>& x) { return principal_.two_turn_flow(x, t); });
   }
 
   /// The same in the fewest turns: the first about a principal axis, exact; the last a palindrome of the rest.
@@ -86,7 +89,7 @@ struct spin : double_bracket<spin, so3> {
   }
   template <class S>
   POLHODE_CALLED vec<S, 3> last_turn(const vec<S, 3>& pi, double t) const {
-    if (principal_.odd_axis() >= 0) return has_field_ ? kept(about_field(pi, t), pi) : pi;
+    if (principal_.odd_axis() >= 0) return has_field() ? kept(about_field(pi, t), pi) : pi;
     return around(pi, t, [&](const vec<S, 3>& x) { return principal_.last_turn(x, t); });
   }
 
@@ -96,17 +99,24 @@ struct spin : double_bracket<spin, so3> {
     return {{S(v[0]), S(v[1]), S(v[2])}};
   }
 
-  /// Pi' = Pi x (Pi x b), b = |b| e, for a time t of either sign, exact; amount = |b| t. Of n = Pi/c the part across e
-  /// shrinks and z = n.e falls, by
-  ///   z(t) = (z (1 + E) - (1 - E)) / d,  across(t) = across 2 sqrt(E) / d,  d = 1 - z + E (1 + z),
-  /// E = exp(-2 c amount): z(t) = tanh(artanh z - c amount) without its poles.
+  /// A state but for its length: `part` is a multiple of Pi, of the given length.
   template <class S>
-  static vec<S, 3> aligned(const vec<S, 3>& pi, const vec<S, 3>& e, const S& amount) {
-    const S c = square_root(dot(pi, pi)), along = dot(pi, e), z = along / c;
-    const S root = exponential(S(-amount * c)), square = root * root;
-    const S d = (S(1.0) - z) + square * (S(1.0) + z);
-    const auto across = pi - along * e;
-    return (S(2.0) * root / d) * across + (c * (z * (S(1.0) + square) - (S(1.0) - square)) / d) * e;
+  struct direction_of {
+    S length;
+    vec<S, 3> part;
+  };
+  template <class S>
+  static vec<S, 3> of_length(const S& c, const direction_of<S>& d) {
+    return S(c / select(d.length == S(0.0), S(1.0), d.length)) * d.part;
+  }
+
+  /// Pi' = Pi x (Pi x b), b = |b| e, for a time t of either sign, exact: a boost of the null vector (length, part)
+  /// along -e, root = exp(-|Pi| |b| t). Of n = Pi/|Pi| the part along e falls like z(t) = tanh(artanh z - |Pi| |b| t).
+  template <class S>
+  static direction_of<S> boosted(const direction_of<S>& d, const vec<S, 3>& e, const S& root) {
+    const S along = dot(d.part, e), square = root * root, less = S(1.0) - root;
+    return {(d.length - along) + square * (d.length + along),
+            S(2.0) * root * d.part + (less * (less * along - (S(1.0) + root) * d.length)) * e};
   }
 
  private:
@@ -130,7 +140,7 @@ struct spin : double_bracket<spin, so3> {
   /// Half the turn about the field, a flow of the principal axes, and the other half.
   template <class S, class Flow>
   vec<S, 3> around(const vec<S, 3>& pi, double t, Flow flow) const {
-    if (!has_field_) return principal_.spherical() ? pi : kept(in_axes(pi, flow), pi);
+    if (!has_field()) return principal_.spherical() ? pi : kept(in_axes(pi, flow), pi);
     if (principal_.spherical()) return kept(about_field(pi, t), pi);
     return kept(about_field(in_axes(about_field(pi, t / 2), flow), t / 2), pi);
   }
@@ -138,16 +148,15 @@ struct spin : double_bracket<spin, so3> {
   /// same rounding step after step would let the Casimir drift.
   template <class S>
   vec<S, 3> kept(const vec<S, 3>& after, const vec<S, 3>& before) const {
-    return diagonal_ && !has_field_ ? after : so3::orbit_projection(after, before);
+    return diagonal_ && !has_field() ? after : so3::orbit_projection(after, before);
   }
 
   /// Rotation by -t field: one angle for all states. As what is added to Pi, so that what is rounded alike step after
   /// step is small against the step.
   template <class S>
   vec<S, 3> about_field(const vec<S, 3>& pi, double t) const {
-    const double strength = std::sqrt(dot(field, field));
-    const auto [sin, cos] = sincos(0.5 * t * strength);
-    const auto e = lifted<S>((1 / strength) * field);
+    const auto [sin, cos] = sincos(0.5 * t * strength_);
+    const auto e = lifted<S>(direction_);
     const auto turned = cross(pi, e);
     return pi + (S(2 * sin * cos) * turned + S(2 * sin * sin) * cross(turned, e));
   }
@@ -156,13 +165,29 @@ struct spin : double_bracket<spin, so3> {
     return in_axes(pi, [&](const vec<S, 3>& y) { return principal_.dissipation_flow(y, theta, t); });
   }
 
+  /// The dissipation of the quadratic part, of a state of length c, but for the length.
   template <class S>
-  vec<S, 3> aligned_with_field(const vec<S, 3>& pi, double t) const {
-    const double strength = std::sqrt(dot(field, field));
-    return aligned(pi, lifted<S>((1 / strength) * field), S(theta * t * strength));
+  direction_of<S> weighed(const vec<S, 3>& part, const S& c, double t) const {
+    const auto y = diagonal_ ? principal_.weighed(part, S(c * c), theta * t)
+                             : times(across_, principal_.weighed(times(axes_, part), S(c * c), theta * t));
+    return {square_root(dot(y, y)), y};
   }
 
-  bool diagonal_, has_field_;
+  /// The dissipation of the field, of a state of length c, is a boost by this root.
+  template <class S>
+  S root_of(const S& c, double t) const {
+    return exponential(S(S(-theta * t * strength_) * c));
+  }
+  template <class S>
+  direction_of<S> aligned(const direction_of<S>& d, const S& root) const {
+    return boosted(d, lifted<S>(direction_), root);
+  }
+
+  bool has_field() const { return strength_ > 0; }
+
+  bool diagonal_;
+  double strength_;           ///< of the field
+  vec<double, 3> direction_;  ///< of the field
   principal_quadratic principal_{};
   vec<vec<double, 3>, 3> rows_{}, axes_{}, across_{};  ///< of `quadratic`, of its principal axes, and these transposed
 };

@@ -85,44 +85,43 @@ struct varying_spin : spin {
     if (last < 0) return pi;
     const auto share = [&](int i) { return i == last ? w.dw[i] : S(S(0.5) * w.dw[i]); };
     if (form_ == state_noise::quadratic)
-      return palindrome(pi, last, [&](int i, const vec<S, 3>& x) { return turned_by_itself(i, x, share(i)); });
-    const S length = square_root(dot(pi, pi)), inverse = S(1.0) / length;
+      return so3::orbit_projection(
+          palindrome(pi, last, [&](int i, const vec<S, 3>& x) { return turned_by_itself(i, x, share(i)); }), pi);
+    const S length = square_root(dot(pi, pi));
     vec<spiral<S>, 3> spirals;
     for (int i = 0; i <= last; ++i) spirals[i] = spiral_of(i, share(i), length);
-    return palindrome(pi, last, [&](int i, const vec<S, 3>& x) { return wound(i, x, spirals[i], length, inverse); });
+    const auto wind = [&](int i, const direction_of<S>& x) { return wound(i, x, spirals[i]); };
+    return so3::orbit_projection(of_length(length, palindrome(direction_of<S>{length, pi}, last, wind)), pi);
   }
 
  private:
-  /// What a flow of damped noise does wherever it starts: the sine and cosine of its angle, E of `aligned` and its
-  /// root.
+  /// What a flow of damped noise does wherever it starts: the sine and cosine of its angle, the root of its boost.
   template <class S>
   struct spiral {
-    S sin, cos, root, square;
+    S sin, cos, root;
   };
   template <class S>
   spiral<S> spiral_of(int i, const S& t, const S& length) const {
     const S angle = S(length_[i]) * t;
     const auto [sin, cos] = sincos(angle);
     const S root = exponential(S(S(-theta) * angle * length));
-    return {sin, cos, root, root * root};
+    return {sin, cos, root};
   }
 
   /// flow(i, pi): that of V_i, for the share of dW^i that it has there.
-  template <class S, class Flow>
-  static vec<S, 3> palindrome(const vec<S, 3>& pi, int last, Flow flow) {
-    auto next = pi;
+  template <class State, class Flow>
+  static State palindrome(State next, int last, Flow flow) {
     for (int i = 0; i < last; ++i) next = flow(i, next);
     for (int i = last; i >= 0; --i) next = flow(i, next);
-    return so3::orbit_projection(next, pi);
+    return next;
   }
-  /// Of damped noise, |pi| = length: the turn about v_i and the approach to it (`aligned`) at once, as they commute.
+  /// Of damped noise: the turn about v_i and the approach to it at once, as they commute.
   template <class S>
-  vec<S, 3> wound(int i, const vec<S, 3>& pi, const spiral<S>& by, const S& length, const S& inverse) const {
+  direction_of<S> wound(int i, const direction_of<S>& d, const spiral<S>& by) const {
     const auto e = lifted<S>(unit_[i]);
-    const S along = dot(pi, e), z = along * inverse;
-    const S over = S(1.0) / ((S(1.0) - z) + by.square * (S(1.0) + z)), shrunk = S(2.0) * by.root * over;
-    return S(shrunk * by.cos) * (pi - along * e) + S(shrunk * by.sin) * cross(pi, e) +
-           S(length * over * (z * (S(1.0) + by.square) - (S(1.0) - by.square))) * e;
+    const S along = dot(d.part, e);
+    const auto turned = along * e + (by.cos * (d.part - along * e) + by.sin * cross(d.part, e));
+    return boosted({d.length, turned}, e, by.root);
   }
   /// Of quadratic noise for a time t: the turn about v_i by an angle that it keeps.
   template <class S>

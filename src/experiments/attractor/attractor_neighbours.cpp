@@ -1,7 +1,8 @@
-// Where lambda_1 < 0 all bodies under one noise meet in one random point: at the rate lambda_1?
+// Neighbours under one noise meet where lambda_1 < 0, so that all bodies end in one random point, and part where
+// lambda_1 > 0: at the rate lambda_1?
 //
 // Bodies in pairs at a tiny distance, under the noise of many paths: the mean of log(distance) over a long time, once
-// directions have forgotten their start, falls at lambda_1 a unit of time. One pair a path: rates differ between paths
+// directions have forgotten their start, grows by lambda_1 a unit of time. One pair a path: rates differ between paths
 // far more than between pairs of one path. So a lane is a path, and a block of first bodies and one of second ones see
 // the same block of noise.
 #include <fmt/format.h>
@@ -21,12 +22,21 @@ namespace polhode {
 namespace {
 
 constexpr double close = 1e-6;        // of the radius: small against the sphere, large against rounding
-constexpr double folds = 3;           // the distance falls by exp(3) on the way
+constexpr double folds = 3;           // where they meet, the distance falls by exp(3) on the way
+constexpr double contractions = 10;   // where they part, areas fall by about exp(10)
 constexpr double forgotten = 1e-3;    // of the start, before the clock runs
 constexpr double rate_margin = 0.05;  // of |lambda_2|: at so coarse a step a scheme of order one is off by that
 constexpr double tight_share = 0.5;
 constexpr double most_steps = 10'000;
-constexpr const char* synchronisation_claim = "collapse at the rate lambda_1";
+
+/// What is asked, and where it is written.
+struct neighbour_words {
+  const char *claim, *quantity, *part;
+};
+neighbour_words words_of(double lambda1) {
+  if (lambda1 < 0) return {"collapse at the rate lambda_1", "collapse rate", "collapse"};
+  return {"neighbours part at the rate lambda_1", "parting rate", "neighbours"};
+}
 
 struct clock {
   double dt;
@@ -40,7 +50,8 @@ clock clock_of(const attractor_frame& f) {
   t.piece = f.steps_in(-1 / f.lambda2(), t.dt);
   const double piece = static_cast<double>(t.piece) * t.dt;
   t.before = f.steps_in(-std::log(forgotten) / f.gap, piece);
-  t.measured = f.steps_in(-folds / *f.exponents.lambda1, piece);
+  const double lambda1 = *f.exponents.lambda1;
+  t.measured = f.steps_in(lambda1 < 0 ? -folds / lambda1 : -contractions / f.lambda2(), piece);
   return t;
 }
 
@@ -78,9 +89,9 @@ void add_log_distance(const pairs& p, double factor, std::span<double> sums) {
 
 /// Pieces after which the pairs are brought together again: no distance grows to the size of the sphere, or falls to
 /// rounding (Benettin et al., Meccanica 15 (1980) 9). Rates by scheme and path; all schemes see the same noise.
-class synchronising_block {
+class neighbours_block {
  public:
-  synchronising_block(const context& c, const attractor_frame& f, const clock& t, int block)
+  neighbours_block(const context& c, const attractor_frame& f, const clock& t, int block)
       : context_(c),
         radius_(f.problem.radius),
         clock_(t),
@@ -134,7 +145,8 @@ report::verdict judge_rate(const clock& t, const interval_estimate& found, doubl
   if (!std::isfinite(found.value)) return {.expected = exact, .reason = "bodies were lost: not finite"};
   report::verdict v{.expected = exact, .estimate = found.value, .low = found.low, .high = found.high};
   v.kind = judge(exact, found.low, found.high, margin);
-  if (v.kind == report::verdict_kind::holds && found.high >= 0) v.kind = report::verdict_kind::inconclusive;
+  if (v.kind == report::verdict_kind::holds && exact < 0 && found.high >= 0)
+    v.kind = report::verdict_kind::inconclusive;
   v.reason = fmt::format(
       "{:.5f} [{:.5f}, {:.5f}] against lambda_1 = {:.5f} +- {:.2g} (a twentieth of |lambda_2|), over a time of {:.3g} "
       "at dt = {:.4g}",
@@ -144,13 +156,14 @@ report::verdict judge_rate(const clock& t, const interval_estimate& found, doubl
 
 }  // namespace
 
-void report_synchronisation(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
+void report_neighbours(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double exact = *f.exponents.lambda1, margin = rate_margin * -f.lambda2();
+  const auto words = words_of(exact);
   const auto t = clock_of(f);
   const std::int64_t steps = t.steps();
   if (!affords(c, f.schemes,
-               {"attractor", synchronisation_claim, fmt::format("lambda_1 = {:.2e}", exact), "steps",
-                static_cast<double>(steps), [](effort) { return most_steps; }},
+               {"attractor", words.claim, fmt::format("lambda_1 = {:.2e}", exact), "steps", static_cast<double>(steps),
+                [](effort) { return most_steps; }},
                out))
     return;
   const sampling_plan plan{1024, by_effort(c.effort, 2048, 16'384, 65'536)};
@@ -158,7 +171,7 @@ void report_synchronisation(const context& c, const attractor_frame& f, noise_lo
   std::vector<std::vector<double>> rates(f.schemes.size(), std::vector<double>(most));
   std::vector<std::unique_ptr<kernel>> kernels;
   for (const auto& scheme : f.schemes) kernels.push_back(scheme.make(t.dt));
-  const auto part = log.open({"collapse"}, blocks_of(plan.most));
+  const auto part = log.open({words.part}, blocks_of(plan.most));
   const auto run_block = [&](int block, std::span<const int> open) {
     std::vector<const kernel*> steppers;
     std::vector<std::span<double>> found;
@@ -169,7 +182,7 @@ void report_synchronisation(const context& c, const attractor_frame& f, noise_lo
       found.push_back(std::span(rates[k]).subspan(static_cast<std::size_t>(block) * block_lanes, block_lanes));
       areas = areas || f.schemes[k].needs_areas;
     }
-    synchronising_block(c, f, t, block).run(steppers, areas, found, [&](const increment_view& v) {
+    neighbours_block(c, f, t, block).run(steppers, areas, found, [&](const increment_view& v) {
       log.add(block, v, t.dt, part);
     });
   };
@@ -182,8 +195,8 @@ void report_synchronisation(const context& c, const attractor_frame& f, noise_lo
   for (std::size_t k = 0; k < f.schemes.size(); ++k) {
     recorder record("attractor", f.schemes[k].info.name, out);
     const auto found = mean_interval(so_far(k, sizes[k].used));
-    const auto written = record.value({"collapse rate", "", "per time", "sampled"}, found);
-    record.verdict(synchronisation_claim, judge_rate(t, found, exact, margin), {written});
+    const auto written = record.value({words.quantity, "", "per time", "sampled"}, found);
+    record.verdict(words.claim, judge_rate(t, found, exact, margin), {written});
     record.remark(sizes[k].text());
   }
 }
