@@ -19,7 +19,7 @@ namespace polhode {
 namespace {
 
 constexpr int coarsest = 16;             // boxes along a hemisphere: larger ones see the sphere and its rim
-constexpr double longer = 4;             // than the mean time to fall below a box: rates fluctuate along a path
+constexpr double longer = 3;             // than the mean time to fall below a box: rates fluctuate along a path
 constexpr double most_path_steps = 3e8;  // at quick effort
 constexpr std::array names{"box-counting", "information", "correlation"};
 
@@ -93,7 +93,7 @@ const scheme_entry& best_of(const context& c, const std::vector<scheme_entry>& s
 void report_dimensions(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double time = longer * std::log(1 / side_of(hemisphere_bins::side)) / -f.lambda2();
   const dimension_plan plan{f.dt, f.steps_in(time, f.dt), by_effort(c.effort, 20'480, 40'960, 40'960),
-                            by_effort(c.effort, 8, 32, 64)};
+                            by_effort(c.effort, 5, 32, 64)};
   const double path_steps = static_cast<double>(plan.steps * plan.bodies) * plan.paths;
   if (f.schemes.empty()) return;
   if (path_steps > affordable(c.effort, most_path_steps)) {

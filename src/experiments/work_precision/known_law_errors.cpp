@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
+#include <iterator>
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/work_precision/combined_law_error.hpp"
@@ -57,51 +57,69 @@ std::vector<priced_average> averages_of(const scheme_entry& e) {
   return out;
 }
 
-/// At the rows of the schemes that keep the sphere, and at longer steps.
-std::vector<task> first_tasks(const context& c, const error_kind& kind, double longest) {
-  std::vector<task> out;
+/// An average and steps, from long to short.
+struct priced_row {
+  priced_average who;
+  std::vector<double> steps;
+};
+
+/// At the rows of the schemes that keep the sphere, and at longer steps. Combinations first, as each takes longest.
+std::vector<priced_row> first_rows(const context& c, const error_kind& kind, double longest) {
+  std::vector<priced_row> out;
   for (const auto& s : c.subject.schemes) {
     if (!s.info.casimir.exact) continue;
     std::vector<double> steps;
     for (const auto& e : kind.errors)
       if (e.scheme == s.info.name) steps.push_back(e.dt);
     if (steps.empty()) continue;
-    for (double dt = 2 * std::ranges::max(steps); dt <= longest * (1 + 1e-12); dt *= 2) steps.push_back(dt);
-    for (const auto& who : averages_of(s))
-      for (const double dt : steps) out.push_back({who, dt});
+    std::ranges::sort(steps, std::greater());
+    for (double dt = 2 * steps.front(); dt <= longest * (1 + 1e-12); dt *= 2) steps.insert(steps.begin(), dt);
+    for (const auto& who : averages_of(s)) out.push_back({who, steps});
+  }
+  std::ranges::stable_partition(out, [](const priced_row& row) { return row.who.combination != nullptr; });
+  return out;
+}
+
+/// Of a combination no shorter steps than the first whose error cannot be told from none: they would only cost more.
+std::vector<known_error> measured(const measure& m, const priced_row& row) {
+  std::vector<known_error> out;
+  for (const double dt : row.steps) {
+    out.push_back(m.of({row.who, dt}));
+    if (row.who.combination && out.back().high <= finest_error) break;
   }
   return out;
 }
 
-/// Between a step and its half, where the error hardly falls.
-std::vector<task> between(const measure& m, const std::vector<task>& tasks, const std::vector<known_error>& found) {
-  std::map<std::string, std::map<double, std::size_t>> by_name;
-  for (std::size_t i = 0; i < tasks.size(); ++i) by_name[found[i].scheme].emplace(tasks[i].dt, i);
-  std::vector<task> out;
-  for (const auto& [name, steps] : by_name)
-    for (auto fine = steps.begin(), coarse = std::next(fine); coarse != steps.end(); fine = coarse++) {
-      const double coarse_error = found[coarse->second].value;
-      const bool falls = coarse_error < finest_error || found[fine->second].value * hardly < coarse_error;
-      const double dt = m.possible(coarse->first * 2 / 3);
-      if (!falls && dt < coarse->first && dt > fine->first) out.push_back({tasks[coarse->second].who, dt});
-    }
-  return out;
-}
-
-std::vector<known_error> measured_at(const context& c, const measure& m, const std::vector<task>& tasks) {
-  std::vector<known_error> out(tasks.size());
-  parallel_for(c.threads, static_cast<int>(tasks.size()), [&](int i) {
+std::vector<std::vector<known_error>> measured_rows(const context& c, const measure& m,
+                                                    const std::vector<priced_row>& rows) {
+  std::vector<std::vector<known_error>> out(rows.size());
+  parallel_for(c.threads, static_cast<int>(rows.size()), [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    out[at] = m.of(tasks[at]);
+    out[at] = measured(m, rows[at]);
   });
   return out;
 }
 
+/// Between a step and its half, where the error hardly falls: a row each.
+std::vector<priced_row> between(const measure& m, const std::vector<priced_row>& rows,
+                                const std::vector<std::vector<known_error>>& found) {
+  std::vector<priced_row> out;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t i = 0; i + 1 < found[r].size(); ++i) {
+      const auto &coarse = found[r][i], &fine = found[r][i + 1];
+      const bool falls = coarse.value < finest_error || fine.value * hardly < coarse.value;
+      const double dt = m.possible(coarse.dt * 2 / 3);
+      if (!falls && dt < coarse.dt && dt > fine.dt) out.push_back({rows[r].who, {dt}});
+    }
+  return out;
+}
+
 void replace(const context& c, const measure& m, double longest, error_kind& kind) {
-  const auto tasks = first_tasks(c, kind, longest);
-  auto found = measured_at(c, m, tasks);
-  const auto further = measured_at(c, m, between(m, tasks, found));
-  found.insert(found.end(), further.begin(), further.end());
+  const auto rows = first_rows(c, kind, longest);
+  auto by_row = measured_rows(c, m, rows);
+  std::ranges::move(measured_rows(c, m, between(m, rows, by_row)), std::back_inserter(by_row));
+  std::vector<known_error> found;
+  for (const auto& row : by_row) found.insert(found.end(), row.begin(), row.end());
   std::erase_if(kind.errors, [&](const known_error& e) {
     return std::ranges::find(found, e.scheme, &known_error::scheme) != found.end();
   });

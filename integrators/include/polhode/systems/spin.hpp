@@ -148,7 +148,8 @@ struct spin : double_bracket<spin, so3> {
   /// same rounding step after step would let the Casimir drift.
   template <class S>
   vec<S, 3> kept(const vec<S, 3>& after, const vec<S, 3>& before) const {
-    return diagonal_ && !has_field() ? after : so3::orbit_projection(after, before);
+    if (diagonal_ && !has_field()) return after;
+    return so3::orbit_projection(after, before);
   }
 
   /// Rotation by -t field: one angle for all states. As what is added to Pi, so that what is rounded alike step after
