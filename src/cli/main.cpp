@@ -2,9 +2,9 @@
 #include <new>
 
 #include "cli/commands.hpp"
+#include "cli/freed_memory.hpp"
 #include "cli/terminal/signals.hpp"
 #include "cli/terminal/terminal.hpp"
-#include "platform/memory.hpp"
 #include "reports/model/errors.hpp"
 
 namespace polhode::cli {
@@ -36,7 +36,7 @@ int guarded(int argc, char** argv) noexcept {
 }  // namespace polhode::cli
 
 int main(int argc, char** argv) {
-  polhode::keep_freed_memory();
+  polhode::cli::keep_freed_memory();
   polhode::cli::hold_standard_streams();
   polhode::cli::install_signal_handlers();
   return polhode::cli::guarded(argc, argv);

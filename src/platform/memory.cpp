@@ -5,10 +5,6 @@
 #include <limits>
 #include <string>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 namespace polhode {
 namespace {
 
@@ -34,14 +30,6 @@ double free_in_group() {
 }
 
 }  // namespace
-
-void keep_freed_memory() {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-  mallopt(M_ARENA_MAX, 1);  // others hold 64 MB at most, and give back what is above
-#endif
-}
 
 double available_memory() { return std::min(free_in_system(), free_in_group()); }
 

@@ -123,7 +123,8 @@ experiment attractor_experiment() {
         "The rate at which bodies 1e-6 apart meet or part (set back to that distance now and then), over many noise "
         "paths, against the exact lambda_1.",
         "Where lambda_1 > 0, to look at: numbers of boxes of equal area that are occupied, that hold the information, "
-        "that hold the pairs, against their side; mean slopes over noise paths, of one scheme. D_2 <= D_1 <= D_0. "
+        "that hold the pairs, against their side; mean slopes over noise paths of the Wong-Zakai equation. D_2 <= D_1 "
+        "<= D_0. "
         "Finite "
         "samples miss boxes, the more the smaller: D_0 comes out too low, D_1 slightly (first order corrected), D_2 "
         "not. No claim: D_1 tends to Kaplan and Yorke's as boxes get small against the size at which the growth of "

@@ -12,7 +12,6 @@
 #include "experiments/attractor/attractor.hpp"
 #include "experiments/common/progress_counter.hpp"
 #include "experiments/common/sequential.hpp"
-#include "experiments/laws/transfer_report.hpp"
 #include "statistics/box_dimension.hpp"
 
 namespace polhode {
@@ -34,14 +33,13 @@ double side_of(int boxes) { return std::sqrt(8.0) / boxes; }
 
 using cloud = std::vector<box_level>;
 
-std::vector<cloud> clouds_of(const context& c, const dimension_plan& plan, const scheme_entry& scheme,
-                             const path_listener& hear) {
+/// Of the Wong-Zakai equation: of nobody's scheme.
+std::vector<cloud> clouds_of(const context& c, const dimension_plan& plan, const path_listener& hear) {
   auto p = common_noise_plan(c);
   p.steps = plan.steps;
   p.bodies = plan.bodies;
   p.snapshots = {plan.steps};
-  p.with_areas = scheme.needs_areas;
-  const auto stepper = scheme.make(plan.dt);
+  const auto stepper = c.subject.model->reference(plan.dt);
   progress_counter done(plan.paths, c.progress);
   std::vector<cloud> clouds;
   for (int path = 0; path < plan.paths; ++path, done.add()) {
@@ -82,12 +80,6 @@ void report_boxes(const seen_dimension& seen, std::span<const cloud> clouds, rec
   record.value({fmt::format("{} dimension", names[k]), "", "", "sampled"}, d);
 }
 
-/// The first of the highest weak order.
-const scheme_entry& best_of(const context& c, const std::vector<scheme_entry>& schemes) {
-  return *std::ranges::max_element(
-      schemes, {}, [&](const scheme_entry& scheme) { return weak_order_on(scheme.info, c.subject.model->noise()); });
-}
-
 }  // namespace
 
 void report_dimensions(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
@@ -95,7 +87,6 @@ void report_dimensions(const context& c, const attractor_frame& f, noise_log& lo
   const dimension_plan plan{f.dt, f.steps_in(time, f.dt), by_effort(c.effort, 20'480, 40'960, 40'960),
                             by_effort(c.effort, 5, 32, 64)};
   const double path_steps = static_cast<double>(plan.steps * plan.bodies) * plan.paths;
-  if (f.schemes.empty()) return;
   if (path_steps > affordable(c.effort, most_path_steps)) {
     out.skipped.push_back({"attractor", "",
                            fmt::format("dimensions: contracting below a box takes {:.1e} path-steps, and {:.1e} are "
@@ -104,12 +95,11 @@ void report_dimensions(const context& c, const attractor_frame& f, noise_log& lo
     return;
   }
   const double exact = f.exponents.dimension;
-  recorder("attractor", "", out).value({"Kaplan-Yorke dimension", "", "", "exact"}, exact, exact, exact);
-  const auto& scheme = best_of(c, f.schemes);
+  recorder record("attractor", "", out);
+  record.value({"Kaplan-Yorke dimension", "", "", "exact"}, exact, exact, exact);
   const auto part = log.open({"dimensions"}, blocks_of(plan.paths));
   const auto clouds =
-      clouds_of(c, plan, scheme, [&](int path, const increment_view& v) { log.add_path(path, v, plan.dt, part); });
-  recorder record("attractor", scheme.info.name, out);
+      clouds_of(c, plan, [&](int path, const increment_view& v) { log.add_path(path, v, plan.dt, part); });
   const auto usable = usable_levels(clouds);
   for (const auto kind : box_kinds) report_boxes({kind, usable, fit_dimension(clouds, kind, usable)}, clouds, record);
 }

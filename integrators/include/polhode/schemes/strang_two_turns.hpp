@@ -5,7 +5,7 @@
 //
 // A palindrome of flows, each of weak order two at least, is of weak order two. Q and R: systems/constant_noise.hpp,
 // weak_order_two. Isotropic noise on so(3): T = sigma sqrt(1 - sigma^2 dt/12). strang_weak2 has the same noise in the
-// palindrome of five turns, which takes three times as many and errs by more.
+// palindrome of five turns (of a spin's three), which takes more of them and errs by more.
 //
 // Source: Strang, SIAM J. Numer. Anal. 5 (1968) 506-517; the noise step is derived where it stands. Keeps every
 // Casimir. Cost a step: strang's.

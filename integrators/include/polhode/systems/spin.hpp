@@ -169,8 +169,7 @@ struct spin : double_bracket<spin, so3> {
   /// The dissipation of the quadratic part, of a state of length c, but for the length.
   template <class S>
   direction_of<S> weighed(const vec<S, 3>& part, const S& c, double t) const {
-    const auto y = diagonal_ ? principal_.weighed(part, S(c * c), theta * t)
-                             : times(across_, principal_.weighed(times(axes_, part), S(c * c), theta * t));
+    const auto y = in_axes(part, [&](const vec<S, 3>& x) { return principal_.weighed(x, S(c * c), theta * t); });
     return {square_root(dot(y, y)), y};
   }
 
