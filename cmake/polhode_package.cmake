@@ -4,6 +4,7 @@ option(POLHODE_PACKAGE "Prepare Debian packages for cpack" OFF)
 if(NOT POLHODE_PACKAGE)
   return()
 endif()
+include(GNUInstallDirs)
 find_program(POLHODE_HELP2MAN help2man)
 find_program(POLHODE_GZIP gzip)
 foreach(tool HELP2MAN GZIP)
@@ -61,27 +62,28 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME polhode)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION math)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
-set(CPACK_COMPONENT_COMMAND_DESCRIPTION "${PROJECT_DESCRIPTION}
- Decides with intervals whether an integrator of stochastic Lie-Poisson
- systems keeps its promises: coadjoint orbits, strong and weak order, the
- energy law and the stationary law. Takes schemes of its own, libraries,
- programs and recorded data, and writes a report.")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each has its own: the first line of its description
+set(CPACK_COMPONENT_COMMAND_DESCRIPTION "verifies stochastic geometric integrators
+Decides with intervals whether an integrator of stochastic Lie-Poisson
+systems keeps its promises: coadjoint orbits, strong and weak order, the
+energy law and the stationary law. Takes schemes of its own, libraries,
+programs and recorded data, and writes a report.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libpolhode-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libboost-dev, libgsl-dev, libfmt-dev, libtomlplusplus-dev, \
 nlohmann-json3-dev, libpugixml-dev, libpng-dev, libcli11-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS polhode)
-set(CPACK_COMPONENT_DEV_DESCRIPTION "Stochastic geometric integrators, headers and laboratory
- Header-only integrators for dissipative stochastic Lie-Poisson systems, a
- test kit with a declared budget of false alarms, the C interface for
- integrators to be verified, and the library that the command polhode is
- made of.")
+set(CPACK_COMPONENT_DEV_DESCRIPTION "stochastic geometric integrators, and what polhode is made of
+Header-only integrators for dissipative stochastic Lie-Poisson systems, a
+test kit with a declared budget of false alarms, the C interface for
+integrators to be verified, and the library that the command polhode is
+made of.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-polhode)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy")
-set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Verification of stochastic geometric integrators, from Python
- Holds numpy callables against scenes with the verdicts of the command
- polhode, gives exact references and recorded paths as arrays, and has a
- test kit with a declared budget of false alarms.")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "verification of stochastic geometric integrators, from Python
+Holds numpy callables against scenes with the verdicts of the command
+polhode, gives exact references and recorded paths as arrays, and has a
+test kit with a declared budget of false alarms.")
 include(CPack)
