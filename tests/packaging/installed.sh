@@ -87,6 +87,6 @@ int main() {
 }
 EOF
 # shellcheck disable=SC2046  # flags are words
-g++ -O2 $(pkg-config --cflags polhode) body.cpp -o body
+g++ -std=c++20 -O2 $(pkg-config --cflags polhode) body.cpp -o body
 ./body
 say 'all doors are open'

@@ -124,10 +124,9 @@ experiment attractor_experiment() {
         "paths, against the exact lambda_1.",
         "Where lambda_1 > 0, to look at: numbers of boxes of equal area that are occupied, that hold the information, "
         "that hold the pairs, against their side; mean slopes over noise paths of the Wong-Zakai equation. D_2 <= D_1 "
-        "<= D_0. "
-        "Finite "
-        "samples miss boxes, the more the smaller: D_0 comes out too low, D_1 slightly (first order corrected), D_2 "
-        "not. No claim: D_1 tends to Kaplan and Yorke's as boxes get small against the size at which the growth of "
+        "<= D_0. Finite samples miss boxes, the more the smaller: D_0 comes out too low, D_1 slightly (first order "
+        "corrected), D_2 not. No claim: D_1 tends to Kaplan and Yorke's as boxes get small against the size at which "
+        "the growth of "
         "lengths has outrun its own fluctuations, and bodies that can be followed do not fill boxes so small. Before "
         "that it is too high while the uniform start shrinks to the attractor, and too low afterwards.",
         "Elsewhere, on a coadjoint orbit: bodies start at random coadjoint images of the scene's momentum (uniform on "
