@@ -35,8 +35,8 @@ experiment casimir_experiment() {
        "Does the scheme stay on the coadjoint orbit on which it started?",
        {fmt::format(
             "Schemes that claim it run for a million steps and more on {} paths at the scene's finest dt (at "
-            "effort quick a fifth of it and less where a state has more than three components or noise depends on "
-            "it, taken on to a million as the drift grows); a relative drift of {:g} per million steps is the "
+            "effort quick a fifth of it and less where a state has more than three components or lies in a field, or "
+            "noise depends on it, taken on to a million as the drift grows); a relative drift of {:g} per million steps is the "
             "bound. Plotted: root mean "
             "square over the paths; "
             "bars reach to the largest.",

@@ -18,12 +18,16 @@ constexpr double judged_steps = 1e6;
 constexpr int chunk_steps = 1000;
 constexpr int few_components = 3;
 
-/// dear: by what is known of the schemes. At effort quick long states and noise that depends on them are so, too.
+/// Where a step costs several of a rigid body's.
+bool dear_steps(const subject& s) {
+  return s.model->dimension() > few_components || s.model->noise() == noise_class::state_dependent ||
+         (s.sphere() && s.sphere()->has_field());
+}
+
+/// dear: by what is known of the schemes.
 int chunks_of(const context& c, bool dear) {
-  const auto& m = *c.subject.model;
   if (dear) return 100;
-  if (c.effort == effort::quick && (m.dimension() > few_components || m.noise() == noise_class::state_dependent))
-    return std::max(40, 600 / m.dimension());
+  if (c.effort == effort::quick && dear_steps(c.subject)) return std::max(40, 600 / c.subject.model->dimension());
   return by_effort(c.effort, 1000, 2500, 10'000);
 }
 

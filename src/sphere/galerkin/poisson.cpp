@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "algebra/decompositions.hpp"
+#include "algebra/banded_solve.hpp"
 
 namespace polhode {
 namespace {
@@ -29,11 +29,9 @@ std::optional<projected_value> poisson_mean(const sparse_matrix& tall, const Eig
   if (!block.empty() && block.front() == 0) block.erase(block.begin());
   Eigen::VectorXd u = Eigen::VectorXd::Zero(tall.cols());
   if (!block.empty()) {
-    Eigen::SparseLU<sparse_matrix> lu(submatrix(square, block));
-    if (lu.info() != Eigen::Success) return std::nullopt;
-    const Eigen::VectorXd right = f(block), solved = lu.solve(right);
-    if (!solved.allFinite()) return std::nullopt;
-    u(block) = solved;
+    const auto solved = banded_solve(submatrix(square, block), f(block));
+    if (!solved) return std::nullopt;
+    u(block) = *solved;
   }
   Eigen::VectorXd remainder = -(tall * u);
   remainder.head(f.size()) += f;
