@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Its exit code is the widest x86-64 level that this processor has: 2, 3 or 4, else 1. As src/platform/isa.cpp asks.
 int main() {
   __builtin_cpu_init();

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # What nearly every source reads, read once: two thirds of their compile time were spent on it. A target has them and further
 # ones of its own (polhode_read_common_headers(target [HEADER…])), or AS another target whose flags are the same.
 # Switched off as any other project's: -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The command, and the package's component `laboratory`: what a program with schemes or systems of its own is linked with.
 set(laboratory_headers ${CMAKE_INSTALL_INCLUDEDIR}/polhode/laboratory)
 foreach(library polhode_laboratory polhode_reports)

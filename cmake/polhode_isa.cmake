@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Sources that are compiled once per instruction set. Every inline function in them, ours or the standard library's, would be
 # merged by the linker with its namesake of another instruction set, and AVX-512 would run where there is none. So the objects
 # of one set are linked into one relocatable object, and of its symbols only the entries polhode_* stay visible.

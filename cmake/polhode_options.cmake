@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # What every target of the laboratory is compiled with. Users of the installed headers never see these.
 add_library(polhode_options INTERFACE)
 target_compile_features(polhode_options INTERFACE cxx_std_20)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Debian packages: `polhode`, the command; `libpolhode-dev`, what programs are compiled and linked with; `python3-polhode`.
 # ci/package builds them. They need a page of the manual, which is made from the command's help.
 option(POLHODE_PACKAGE "Prepare Debian packages for cpack" OFF)

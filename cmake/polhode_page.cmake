@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The template of the report page: reports/viewer/dist/report.html becomes strings of the writers.
 # Included, it defines polhode_embed_page(target); run as a script (-DPAGE=... -DOUT=...), it writes the source.
 if(NOT CMAKE_SCRIPT_MODE_FILE)

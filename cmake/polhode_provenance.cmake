@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # polhode_build.hpp: version, commit, compiler and flags. Looked up at every build, rewritten only if something changed.
 # Included, it defines polhode_add_provenance(target); run as a script, it writes the header.
 if(NOT CMAKE_SCRIPT_MODE_FILE)

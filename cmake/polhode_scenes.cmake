@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The built-in scenes: every reports/scenes/*.toml becomes a string of the laboratory.
 # Included, it defines polhode_embed_scenes(target); run as a script (-DSCENES=... -DOUT=...), it writes the source.
 if(NOT CMAKE_SCRIPT_MODE_FILE)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Verifications of one's own integrator as tests of one's own project; installed with the package.
 #
 #   polhode_add_verification(NAME mine SCENE scene.toml WITH $<TARGET_FILE:mine> SCHEMES my_heun)

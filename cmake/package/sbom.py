@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """What polhode is made of, as SPDX 2.3 and as CycloneDX 1.5: sbom.py SOURCE OUT writes OUT/polhode.{spdx,cdx}.json.
 
 Libraries are those that the build links, with the versions that Debian has installed here; packages of the page are those

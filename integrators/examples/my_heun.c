@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Heun's method for the dissipative stochastic rigid body, as a library for `polhode verify SCENE --with ./my_heun.so`:
  *   cc -std=c99 -O2 -shared -fPIC -I<prefix>/include my_heun.c -o my_heun.so
  */

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: Apache-2.0
 ! Heun's method for the dissipative stochastic rigid body in Fortran, for `polhode verify SCENE --with ./my_heun.so`:
 !   gfortran -O2 -shared -fPIC my_heun.f90 -o my_heun.so
 ! The types repeat <polhode/abi.h> member by member.

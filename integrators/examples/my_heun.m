@@ -1,3 +1,4 @@
+% SPDX-License-Identifier: Apache-2.0
 % Heun's method for the dissipative stochastic rigid body: polhode verify SCENE --with 'octave-cli -q my_heun.m'
 1;
 function out = cross_of(a, b)

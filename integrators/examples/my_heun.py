@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Heun's method for the dissipative stochastic rigid body: polhode verify SCENE --with 'python3 my_heun.py'"""
 import json, sys
 import numpy as np

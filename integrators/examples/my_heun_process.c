@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Heun's method for the dissipative stochastic rigid body: cc -std=c99 -O3 my_heun_process.c -o my_heun_process */
 #include <stdint.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Tests of random things with a declared probability of a false alarm; the standard library alone.
 
 The same tests as the headers polhode/testing/*.hpp, which give sources, formulas and what is assumed. Every test has

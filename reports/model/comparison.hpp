@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two results side by side: what differs beyond noise. Plain values.
 #pragma once
 

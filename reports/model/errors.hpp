@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The two ways in which a command can fail that are nobody's bug.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers that can be drawn and written, and what is said where there is none.
 #pragma once
 

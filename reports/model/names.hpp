@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // In which order every report shows experiments and schemes: declared ones first, then whatever else the results
 // mention; no name twice.
 #pragma once

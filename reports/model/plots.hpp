@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What there is to see of a result: plots and short tables, as plain values that the page and every writer read.
 // A description holds no measurement: its lines name the series from which a reader takes them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A published figure beside what this project finds for it. Plain values.
 #pragma once
 

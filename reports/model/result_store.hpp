@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where results wait to be asked for again.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The result of one run over one scene: plain values, written by the experiments, read by the writers.
 // Nothing here computes. A number that does not exist is an empty optional with a status, never a NaN.
 #pragma once

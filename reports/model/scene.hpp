@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The problem on which the schemes are tried: plain values. What the parameters of a system mean, its own table says.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The result of one simulated ensemble: plain values, as in results.hpp.
 #pragma once
 

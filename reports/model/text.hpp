@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text that comes from outside, one UTF-8 character after the other: made fit for one line of a terminal.
 #pragma once
 

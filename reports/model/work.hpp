@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Work that a run did, left out, or took from an earlier one: plain values.
 #pragma once
 

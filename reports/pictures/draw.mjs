@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The README's pictures of the committed report of the scene `paper`, by Chromium.   usage: draw.mjs [CHROMIUM]
 import { createRequire } from 'node:module';
 import { fileURLToPath } from 'node:url';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reports/plots/comparisons.hpp"
 
 #include <fmt/format.h>

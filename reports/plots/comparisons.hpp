@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers of schemes that belong to no abscissa: beside each other, or schemes x conditions.
 #pragma once
 

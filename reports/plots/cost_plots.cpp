@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reports/plots/cost_plots.hpp"
 
 #include <fmt/format.h>

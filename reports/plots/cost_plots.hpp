@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost against error with the Pareto front, and what each accuracy costs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values over dt, over numbers of steps or over any other abscissa, a line a scheme.
 #pragma once
 

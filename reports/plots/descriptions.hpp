@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which plots and short tables there are of a result, and in which order: found from the shape of the measurements and
 // not from the name of an experiment, so that a new experiment or quantity appears by itself.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is known of the equation itself at places of its parameter space, apart from any scheme: curves over one
 // parameter, maps over two.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The measurements of one experiment, from which the builders of plots take what they show.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Maps of schemes over dt and one more coordinate, a panel a scheme, with the border that was found for each value of
 // that coordinate.
 #pragma once

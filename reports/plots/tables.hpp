@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is known without a scheme and drawn nowhere: of the scene, and of conditions.
 #pragma once
 

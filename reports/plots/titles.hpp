@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What plots are called, and what is said below them.
 #pragma once
 

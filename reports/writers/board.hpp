@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the readable reports share: in which order things stand, and how the verdicts count up.
 #pragma once
 

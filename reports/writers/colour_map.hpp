@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Colour maps that are evenly brighter from end to end, as polynomials.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What has changed between two results, for a reader: settings first, regressions before the rest.
 #pragma once
 

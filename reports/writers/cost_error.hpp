@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows that say what an error costs: points of one against the other, and a table.
 #pragma once
 

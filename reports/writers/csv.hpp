@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The measurements and the verdicts as tables for other programs (RFC 4180 quoting, one line a row).
 #pragma once
 

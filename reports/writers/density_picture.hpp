@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the bodies are: the logarithm of their density on the whole sphere (Mollweide's projection, equal area) and on
 // two hemispheres seen from outside (orthographic).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The few file operations that must not fail in silence. Each throws output_error, naming the path that the user knows
 // (`known_as`: staging directories are nobody's business) and what the system said.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report folder: complete or not there, whenever the process dies and however full the disk is.
 #pragma once
 

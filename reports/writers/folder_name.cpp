@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a scene's name, which may be any text, becomes the name of a folder.
 #include <fmt/format.h>
 

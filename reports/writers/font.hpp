@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Letters of 5 x 7 dots, as on character displays, with one more row for what hangs below: ASCII from blank to tilde.
 // Five columns a letter, lowest bit on top.
 #pragma once

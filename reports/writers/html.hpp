@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report as one page that needs nothing else: no network, no other file. The page is built by reports/viewer.
 #pragma once
 

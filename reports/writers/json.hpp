@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The whole of a result as one JSON document, and back. Every number reads back as the same number.
 #pragma once
 

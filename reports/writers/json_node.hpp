@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reading a JSON document key by key; what is not as expected is an input_error that names the place.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The JSON of a plot's description. Included by writers only.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reading back what json.cpp wrote: every complaint names the place in the document.
 #include <fmt/format.h>
 

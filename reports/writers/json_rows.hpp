@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rows of a result document, both ways: measurements, fits and verdicts. Included by writers only.
 //
 // Version 1 knew two coordinates, "dt" and "steps" under the name "abscissa", and wrote any other into a name:

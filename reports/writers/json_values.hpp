@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The JSON of the values that more than one document holds. Included by writers only.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verdicts as a JUnit file: one suite an experiment, one case a verdict. Inconclusive is a failure, not a pass.
 #pragma once
 

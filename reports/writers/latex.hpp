@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A result for a paper: one LaTeX source that compiles as it is, with the verdicts as a table (booktabs) and every plot
 // over a step size as a pgfplots picture that holds its own data.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a run did not compute, as rows of a table.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report for a reader in a terminal or a code review: the verdict first, then the boards, the fits, the rest.
 #pragma once
 

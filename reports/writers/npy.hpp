@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arrays for numpy.load: NPY format 1.0, little endian, C order.
 // Source: numpy.lib.format, "Format Version 1.0".
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How numbers appear: every digit for machines, four for readers, nothing at all where there is none.
 #pragma once
 

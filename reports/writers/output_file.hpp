@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every command that writes one file asks of its place first. Each refusal names the file as the user gave it.
 #pragma once
 

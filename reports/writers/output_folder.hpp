@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every command that writes a folder asks of it first. Each refusal names the folder as the user gave it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page that reports/viewer builds, in pieces, with the places that html.cpp fills.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A plot as plain values, ready to be drawn. It measures nothing and knows nothing of schemes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A picture as a PNG file: a palette, the same bytes for the same pixels.
 #pragma once
 

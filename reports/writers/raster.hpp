@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A picture of pixels to draw into, in at most 256 colours.
 #pragma once
 

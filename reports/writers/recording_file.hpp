@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recorded paths as a file of their own, streamed: written in pieces by several threads while the run goes on.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reports/writers/reproduction_html.hpp"
 
 #include <fmt/format.h>

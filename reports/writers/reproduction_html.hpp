@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reproductions as one page that needs nothing else: no network, no script, no other file.
 #pragma once
 

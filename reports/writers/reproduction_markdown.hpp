@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reproductions for a reader of Markdown: a table of cases, then a table a case.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a published number and ours read beside each other: as many digits as the interval has.
 #pragma once
 

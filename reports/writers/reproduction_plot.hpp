@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A published curve and ours as one SVG element.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Results kept in a folder, one file a key, so that a second run need not compute them again.
 #pragma once
 

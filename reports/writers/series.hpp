@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measurements gathered into series, and the description of a plot into what can be drawn.
 #pragma once
 

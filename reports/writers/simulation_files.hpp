@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The files of a simulation, made and written side by side.
 #pragma once
 

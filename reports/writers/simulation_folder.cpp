@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reports/writers/simulation_folder.hpp"
 
 #include "reports/writers/simulation_json.hpp"

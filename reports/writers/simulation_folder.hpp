@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The folder of a simulation: complete or not there, as for reports.
 #pragma once
 

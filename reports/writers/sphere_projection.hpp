@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which bins of a snapshot the samples of a picture see, row by row.
 #pragma once
 

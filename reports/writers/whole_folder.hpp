@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A folder that holds one product, complete or not there: a simulation, a page of reproductions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Linear equations whose matrix couples near indices alone, such as a Galerkin operator ordered by degree.
 #pragma once
 

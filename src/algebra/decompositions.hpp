@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Eigen's decompositions of real matrices, compiled once, in decompositions.cpp: a source that instantiates one takes
 // up to ten seconds more.
 #pragma once

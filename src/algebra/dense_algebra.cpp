@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "algebra/dense_algebra.hpp"
 
 #include "platform/isa_entry.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Eigen's products and its LU, compiled once per instruction set: elsewhere Eigen has the registers of x86-64 alone.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // exp(t A) b without exp(t A).
 #pragma once
 

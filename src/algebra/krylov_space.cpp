@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "algebra/krylov_space.hpp"
 
 #include <algorithm>

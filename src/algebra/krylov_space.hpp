@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Krylov spaces of a linear map.
 #pragma once
 

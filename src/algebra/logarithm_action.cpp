@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "algebra/logarithm_action.hpp"
 
 #include <Eigen/Dense>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // log(T) b without log(T).
 #pragma once
 

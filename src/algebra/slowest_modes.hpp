@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The slow end of a spectrum: eigenvalues of largest real part, and one eigenpair with both vectors.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A sparse operator taken apart into the blocks that do not talk to each other, and its invariant vector.
 #pragma once
 

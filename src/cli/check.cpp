@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // polhode check: recorded data against a scene's equation.
 #include "run/check.hpp"
 

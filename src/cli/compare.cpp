@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // polhode compare: what has changed between two results of one scene, beyond noise.
 #include "comparison/compare.hpp"
 

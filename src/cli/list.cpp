@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // polhode list: what there is, and what each scheme claims.
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // polhode: runs one command, turns every outcome into an exit code.
 #include <new>
 

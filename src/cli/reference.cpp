@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // polhode reference: exact answers about a scene, with how certain they are.
 #include <fmt/format.h>
 

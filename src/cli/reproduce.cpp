@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // polhode reproduce: published figures beside ours, a verdict each.
 #include "reproduction/reproduce.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // polhode select: the cheapest scheme and step that meet a target on a scene, with the evidence.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

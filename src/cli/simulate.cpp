@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // polhode simulate: an ensemble of bodies, its final states, its snapshots and their pictures.
 #include "run/simulate.hpp"
 

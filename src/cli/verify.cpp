@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // polhode verify: runs the experiments, writes the report, prints what came out.
 #include "run/verify.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two results of one scene: what has changed beyond noise?
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Costs of the steps of two runs, each in units of its run's yardstick: how they change, and from where on that is a
 // change (timings.hpp).
 #pragma once

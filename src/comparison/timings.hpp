@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Has a scheme become dearer or cheaper, beyond what two runs of one program differ by?
 //
 // A cost is taken in units of its run's yardstick, a loop that never changes and was timed beside it. Its change from

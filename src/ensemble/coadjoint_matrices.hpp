@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The coadjoint action of a system as matrices: what is linear algebra about its orbits.
 #pragma once
 

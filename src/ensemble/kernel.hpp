@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many paths of one scheme on one system, advanced together. The only virtual calls of the laboratory's loops are here:
 // one per block of paths and chunk of steps.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The loops around a scheme's step, compiled for packs. Instantiated where a system is bound, in src/systems, alone.
 //
 // Steps are the outer loop, packs the inner one: the packs of a block are independent of each other, so the chain of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A system behind one virtual face, a state at a time: what an experiment measures with, not its inner loop.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The noise of one step as a system bound to its step size sees it: none, one for every path, or one for all.
 #pragma once
 

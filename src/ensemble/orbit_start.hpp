@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies all over the coadjoint orbit of a momentum, by address.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A system as it is, in the forms in which the loops of kernel_of need it.
 #pragma once
 

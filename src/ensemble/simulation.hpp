@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An ensemble of bodies through time: one scheme, one system, stops at which the directions are counted.
 #pragma once
 

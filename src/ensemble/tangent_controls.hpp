@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sums that control variates of the growth of tangents are made of, compiled once per instruction set.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many paths of one scheme with the tangents of their flow.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tangents of a scheme's own step, by dual numbers: no derivative is written by hand. One form of the system for
 // every scene and step size, as a derivative is worth no specialisation. Instantiated where a system is bound, in
 // src/systems, alone.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies spread evenly over a sphere, by address.
 #pragma once
 

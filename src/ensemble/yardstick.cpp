@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "ensemble/yardstick.hpp"
 
 #include "platform/isa_entry.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A loop that never changes: what the processor is worth at this moment, to which the cost of a step is related.
 #pragma once
 

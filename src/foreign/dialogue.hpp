@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is said to a child and what it answers, within a time: neither side waits for the other for ever.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kernels of an integrator from elsewhere.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An integrator from elsewhere as a scheme of the laboratory: its kernels, its claims, and what became of it.
 #pragma once
 

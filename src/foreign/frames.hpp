@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The frames that a process and the laboratory exchange: docs/process-protocol.md.
 #pragma once
 

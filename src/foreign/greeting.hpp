@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a process introduces itself: docs/process-protocol.md.
 #pragma once
 

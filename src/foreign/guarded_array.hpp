@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An array between two pages that end whoever touches them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An integrator from elsewhere, whatever door it comes through: a library (library.hpp), a process (process.hpp) or an
 // interpreter. One meaning of shapes and claims for all; integrators/include/polhode/abi.h states it for those outside.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Integrators in a shared library with the C interface of integrators/include/polhode/abi.h.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every door holds of a description that it is given.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which door an argument of --with goes through.
 #pragma once
 

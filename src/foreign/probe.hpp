@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An integrator is tried before it is used. What runs inside this program does so in a process of its own: what it does
 // wrong ends that process.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Integrators in programs of their own, which speak on their standard streams: docs/process-protocol.md.
 #pragma once
 

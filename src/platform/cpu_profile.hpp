@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the processor time goes, by what each thread says it works on.
 //
 // Loops announce themselves at no cost worth counting; while a profile is taken, a thread of its own looks every few

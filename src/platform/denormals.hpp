@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers below 1e-308 are taken as zero while this lives: a component that decays for ever must not slow the loop a
 // hundredfold. Where the processor has no such switch nothing happens but that.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // POLHODE_FLATTEN: all that a function calls is inlined into it, so that packs stay in registers. Not under sanitizers,
 // where it would repeat their checks at every place of every call: hours of compiling.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Instruction sets for which the inner loops are compiled, chosen when the program starts.
 #pragma once
 

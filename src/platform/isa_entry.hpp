@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names of the functions that exist once per instruction set: POLHODE_ENTRY(f_) is f_v4 where POLHODE_ISA is v4.
 #pragma once
 

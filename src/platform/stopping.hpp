@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Work that somebody may stop: whoever runs it owns a flag, and it ends with an exception soon after that is raised.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the inner loops have done since the program began: what was skipped is shown by these, not by words.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a system offers the experiments beyond its equation, on one scene. What it leaves empty they do without, and say
 // so.
 #pragma once

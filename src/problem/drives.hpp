@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What drives every system beside its energy: dissipation of strength theta, and noise vectors sigma_i.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene of two momenta as what is exact on products of spheres sees it.
 #pragma once
 

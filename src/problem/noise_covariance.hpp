@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sum of sigma_i sigma_i^T over the noise vectors of a scene.
 #pragma once
 

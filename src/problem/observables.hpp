@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Functions of the state by their names, of any system: the one place where a name becomes a function.
 #pragma once
 

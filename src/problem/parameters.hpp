@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a system takes from a scene, stated once: parser, messages, JSON, page, cache key and `list systems` read these
 // tables and know no parameter by name.
 #pragma once

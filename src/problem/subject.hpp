@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the experiments see of a scene: a system and its schemes, as plain values and virtual faces.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The laboratory at work while Python waits: without the interpreter's lock, and interruptible from the keyboard.
 #pragma once
 

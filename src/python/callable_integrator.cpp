@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "python/callable_integrator.hpp"
 
 #include <pybind11/numpy.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A Python callable as an integrator of the laboratory.
 #pragma once
 

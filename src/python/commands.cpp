@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "python/commands.hpp"
 
 #include <pybind11/numpy.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The commands as Python calls them: interruptible, with callables as integrators; numbers as arrays, the rest as JSON.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // polhode._core: the commands of the laboratory as functions. The package around it (polhode/) is what users see.
 #include <pybind11/pybind11.h>
 

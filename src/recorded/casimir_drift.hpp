@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far recorded states are from the coadjoint orbit on which their path began.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Do recorded states follow a scene's equation, whatever wrote them and whatever step it took inside?
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "recorded/followed_equation.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which parameters the recorded transitions obey.
 //
 // The moment equations sum Y(p) = 0 of the transition test, one a test, solved for the parameters p by Gauss and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Have recorded paths the stationary law of the equation on their sphere?
 //
 // Of every path the time in which it forgets its start is left out; the rest is cut into pieces of several relaxation

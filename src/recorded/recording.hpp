@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // States that somebody recorded: of one path or many, at times of their own, in a file.
 //
 // CSV: a line of names, [path,]t,mu_1,…, in any order, under the system's own names of components or mu_k; lines that

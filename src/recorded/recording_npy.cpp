@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Source of the format: numpy.lib.format, "Format Version 1.0" to 3.0.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

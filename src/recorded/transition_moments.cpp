@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "recorded/transition_moments.hpp"
 
 #include <utility>

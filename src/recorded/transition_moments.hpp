@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the transitions of one interval say about an equation on a sphere, as sums.
 //
 // With P = exp(dt L), f and g harmonics, Y = [f(X') - (P f)(X)] g(X) has mean zero given X, and the conditional

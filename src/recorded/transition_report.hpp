@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The transition test as verdicts: of one sphere or several, of one interval or several.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Do these transitions follow that law? And if not, which one?
 //
 // Y / sqrt(V) of each test is normal, and Y^T V^-1 Y chi squared, as the number of transitions grows: martingale

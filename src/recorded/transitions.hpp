@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From states as they were recorded to pairs of successive ones.
 #pragma once
 

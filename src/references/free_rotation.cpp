@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "references/free_rotation.hpp"
 
 #include <gsl/gsl_sf_ellint.h>

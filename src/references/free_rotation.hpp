@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The free rigid body in closed form, by Jacobi's elliptic functions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The deterministic system by Boost.Odeint: an independent reference for sigma = 0.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Wong-Zakai equation, which is driven by a piecewise linear path: on a segment with increments dW over dt,
 //
 //   dmu/ds = ad*_{xi(mu)} mu,   xi(mu) = a(mu) dt + sum sigma_i dW^i,   s from 0 to 1,

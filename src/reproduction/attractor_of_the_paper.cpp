@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The paper's figure: 400,000 bodies all over the momentum sphere under one noise path, and what it says of them.
 #include <fmt/format.h>
 

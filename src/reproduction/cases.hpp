@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cases, one source each. Each says who published what, and where.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ephrati, Jansson, Lang and Luesink prove orders of an implicit midpoint rule for stochastic Lie-Poisson systems.
 #include <algorithm>
 #include <stdexcept>

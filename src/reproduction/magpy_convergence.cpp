@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // magpy measures strong orders by successive differences, E|X_dt - X_{dt/2}| at the end of 5,000 runs, and a line
 // through their logarithms.
 #include <fmt/format.h>

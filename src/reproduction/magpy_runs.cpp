@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reproduction/magpy_runs.hpp"
 
 #include <algorithm>

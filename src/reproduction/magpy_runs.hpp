@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // magpy's convergence task 5 with magpy's own random numbers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Published figures of the field, run again: what the command reproduce calls.
 #pragma once
 

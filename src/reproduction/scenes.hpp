@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scenes of the cases, and what is run on them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Figure 5 of Gogoi, Panda, Hazra and Pakrashi: orders 1, 2 and 3 on
 //
 //   dz = [1 + (z x A z)] x z dt + 0.002 (1 x z) o dW,   1 = (1, 1, 1),   A = 1 1^T - identity

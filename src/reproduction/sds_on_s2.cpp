@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Weak Ito-Taylor schemes on the sphere, tried by their authors on two equations: sds_figure_5.cpp, and
 //
 //   figures 3, 4: a body of random inertia, dz = drift dt + (Omega x z) dW in Ito's sense, Omega = I^-1 z

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What Gogoi, Panda, Hazra and Pakrashi publish, a figure each.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sunny.jl tests its Langevin sampler by the energy of two spins, E = S1.S2, whose law is exp(-E / kT) on [-1, 1].
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MicroMagnetic.jl draws the law of m_z of 27,000 spins with an easy axis over the exact one.
 //
 //   P(m) = exp(-chi (1 - m^2)) / Z on [-1, 1],  Z = 2 D(sqrt chi) / sqrt chi,  chi = K V / (k_B T)

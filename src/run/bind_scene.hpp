@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene and its system become what the experiments see.
 #pragma once
 

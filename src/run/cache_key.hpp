@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The key of a cached result: everything on which what one experiment says of one scheme depends, as text.
 #pragma once
 

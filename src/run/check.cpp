@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "run/check.hpp"
 
 #include <gsl/gsl_errno.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recorded data against a scene, as a result with its provenance.
 #pragma once
 

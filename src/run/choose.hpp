@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The choice of an integrator for a scene: what the command select calls.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is different about an experiment where integrators from elsewhere take part.
 #pragma once
 

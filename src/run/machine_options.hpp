@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The options --isa and --generator of every command that computes.
 #pragma once
 

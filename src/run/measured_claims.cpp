@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "run/measured_claims.hpp"
 
 #include <fmt/format.h>

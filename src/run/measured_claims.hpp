@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Orders that an integrator from elsewhere does not claim are measured: a first run, under noise of its own, says what
 // the claims would be, and the run proper then tells whether they would hold.
 #pragma once

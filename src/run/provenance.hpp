@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a result comes from, as far as the build and the machine know it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact answers about a scene: expectations, the stationary law, the spectral gap, Lyapunov exponents. No sampling.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "run/reference_off_sphere.hpp"
 
 #include <fmt/format.h>

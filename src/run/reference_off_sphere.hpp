@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // References of systems that live on no sphere of momentum, and what all references share in words.
 #pragma once
 

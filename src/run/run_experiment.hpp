@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs an experiment on a subject's schemes, those apart whose results are known already.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An ensemble of bodies on a scene: checks what is asked, runs it, hands plain values back.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a run costs: time on the wall and of the processor, and what the processor worked on.
 #pragma once
 

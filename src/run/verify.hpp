@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The main job: every scheme x every experiment that applies to a scene.
 #pragma once
 

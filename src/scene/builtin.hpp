@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scenes of reports/scenes, embedded at build time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene: the problem on which schemes are tried. Read from TOML (README.md, "Use") or built in.
 #pragma once
 

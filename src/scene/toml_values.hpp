@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a node of a TOML file holds; nothing where it holds something else.
 #pragma once
 

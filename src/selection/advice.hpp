@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the measured error laws say to the questions that people ask about integrators.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Averages, up to a time or at equilibrium, each in its own size: by transfer operators, nothing sampled.
 #include <fmt/format.h>
 

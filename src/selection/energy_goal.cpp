@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The energy law without noise: the largest distance of h from that of the true path, in units of h_0.
 #include "experiments/work_precision/energy_error.hpp"
 #include "selection/goal.hpp"

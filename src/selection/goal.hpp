@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a user wants to be accurate in, as an error that can be measured at any step size on the scene itself.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The path itself: root-mean-square distance after a time from the path driven by the same noise, in units of |mu_0|.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a user may require of a scheme besides its accuracy.
 #pragma once
 

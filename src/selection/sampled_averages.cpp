@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "selection/sampled_averages.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Averages of systems that do not live on a sphere: errors with their sampling error, by as many paths as it takes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Averages at equilibrium where no operator gives them: long runs against the exact means of the Gibbs law.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

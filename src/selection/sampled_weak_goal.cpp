@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Averages up to a time where no operator gives them: sampled beside the driven equation, on the same noise.
 #include <fmt/format.h>
 

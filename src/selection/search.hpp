@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The step at which one candidate meets a tolerance: predicted, then measured.
 #pragma once
 

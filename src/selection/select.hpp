@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which scheme, at which step, for this scene? The cheapest that is measured to meet the target.
 //
 // 1. Every scheme's error is measured at three steps in the asymptotic range: error = C dt^p.

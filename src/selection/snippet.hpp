@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A program against the installed headers that runs what was chosen.
 #pragma once
 

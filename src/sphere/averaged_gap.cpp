@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "sphere/averaged_gap.hpp"
 
 #include <Eigen/Core>

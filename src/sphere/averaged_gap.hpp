@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The spectral gap where noise and dissipation are so weak that a body circles many times before either shows.
 //
 // Then only the energy diffuses, along a graph: an edge for each family of circles about an axis of least or greatest

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where h is stationary on the sphere: the equilibria of the motion, with and without dissipation.
 //
 //   Lambda c n + b = nu c n,  |n| = 1;  in the principal axes c n_i = b_i / (nu - lambda_i)  (secular equation of nu)

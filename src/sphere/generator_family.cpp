@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "sphere/generator_family.hpp"
 
 #include <Eigen/Dense>

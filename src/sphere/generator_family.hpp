@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The generators of all rigid bodies at once, as a linear family: L = sum_j k_j A_j + sum_j (theta k)_j B_j +
 // sum_{i<=j} Q_ij C_ij with k_j = 1/I_j, and the member that is nearest to a given operator.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lyapunov exponents of a stochastic flow on the momentum sphere, without sampling.
 //
 // A tangent direction at x = Pi / c is a frame R = (v, w, x), w = x cross v. With A = c quadratic, b = field,

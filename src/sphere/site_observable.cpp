@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "sphere/site_observable.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Observables of coupled spins or bodies that have a name.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "sphere/spectral_gap.hpp"
 
 #include <Eigen/Eigenvalues>

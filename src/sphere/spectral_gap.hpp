@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The slowest rate at which a diffusion on the sphere forgets (sphere/expectations/expectation.hpp).
 #pragma once
 

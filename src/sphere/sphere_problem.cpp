@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "sphere/sphere_problem.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A Lie-Poisson diffusion on a sphere of momentum, as its generator sees it: a body, a gyrostat or a spin.
 //
 //   dPi = Pi x (Omega + damping Pi x Omega) dt + sum_i Pi x sigma_i o dW^i          (Stratonovich),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stationary density of a diffusion on the sphere (sphere/expectations/expectation.hpp).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a diffusion on the sphere has one stationary law, and what it conserves if not.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dimensions of a cloud of points from how full equal-area boxes of several sizes are. With p_i the share of the points
 // in box i and e the side of the boxes, as e falls
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Less variance by what is known to vanish in the mean.
 //
 // Y_1 … Y_k have mean 0 for every path, so y - sum b_j Y_j has the mean of y for any b; least squares finds the b of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Quantiles and tails of the distributions that intervals are made of: Boost.Math, compiled once.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // By what factor does a path answer to its noise, as dt -> 0?
 //
 // S_k: derivative of the true end point by the logarithm of a strength (experiments/common/driven_block.hpp). If a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bootstrap: indices drawn with replacement, by address.
 #pragma once
 

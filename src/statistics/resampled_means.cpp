@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "statistics/resampled_means.hpp"
 
 #include "statistics/resample.hpp"

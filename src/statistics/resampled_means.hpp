@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Means of coupled levels over resampled paths.
 #pragma once
 

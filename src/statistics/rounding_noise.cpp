@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "statistics/rounding_noise.hpp"
 
 #include <boost/math/special_functions/binomial.hpp>

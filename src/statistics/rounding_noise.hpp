@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How much of a computed number is rounding? By differences of values at equally spaced inputs so close that the
 // function itself is a polynomial of low degree there: the k-th difference of independent errors of variance s^2 has
 // the variance s^2 (2k)! / (k!)^2. Source: Hamming, Introduction to Applied Numerical Analysis (1971), ch. 6; More,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Means and distributions of independent samples.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Binds a concrete system and concrete schemes into a subject: for the sources of the systems, and for tests that bring
 // a system of their own or a planted defect.
 #pragma once
@@ -128,8 +129,22 @@ std::unique_ptr<tangent_kernel> tangent_kernel_for(const System& system, double 
   return std::make_unique<tangent_kernel_of<Scheme, decltype(stepped)>>(std::move(stepped), dt);
 }
 
+struct another_step {
+  static void step();
+};
+template <class Scheme>
+struct with_another_step : Scheme, another_step {};
+/// Whether it has anything of that name: two would not be told apart.
+template <class Scheme>
+inline constexpr bool has_step = !requires {
+  &with_another_step<Scheme>::step;
+};
+
 template <class Scheme, class System>
 void add_scheme(subject& out, const System& system) {
+  static_assert(
+      requires { Scheme::info.name; }, "a scheme needs `static constexpr polhode::scheme_info info`");
+  static_assert(has_step<Scheme>, "a scheme needs `static auto step(const System& system, const vec<S, n>& mu, w)`");
   if constexpr (requires { requires scheme_on<Scheme, System>; }) {
     out.schemes.push_back({Scheme::info, needs_areas_on<Scheme, System>,
                            [system, momentum = out.scene.momentum](double dt) -> std::unique_ptr<kernel> {
@@ -137,7 +152,12 @@ void add_scheme(subject& out, const System& system) {
                            },
                            [system](double dt) { return tangent_kernel_for<Scheme>(system, dt); }});
   } else {
-    std::string why = constant_noise_system<System>
+    using increment = wiener_levy<double, System::channels>;
+    static_assert(
+        !requires(const state_of<System>& mu, const increment& w) { Scheme::step(system, mu, w); },
+        "the step of a scheme returns a state: vec<S, n> of the scalars S that it was given");
+    std::string why = !is_one_of<Scheme>(all_schemes{}) ? "its step does not take this system"
+                      : constant_noise_system<System>
                           ? "the system does not split into flows"
                           : "needs a system of flows, or noise vectors that do not depend on the state";
     if constexpr (requires { Scheme::needs; }) why = fmt::format("needs {}", Scheme::needs);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers of a scene as C++ has them: for the program that `select` prints.
 #pragma once
 

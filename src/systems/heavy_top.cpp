@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The heavy top: its table, what it offers, and its meeting with the schemes.
 #include <polhode/systems/heavy_top.hpp>
 

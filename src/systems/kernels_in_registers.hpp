@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kernels of systems whose states fit into registers, for the schemes that are worth some seconds more of the
 // compiler's: two packs advance together, and a splitting has its flows inlined.
 #pragma once

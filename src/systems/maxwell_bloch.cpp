@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Maxwell-Bloch equations: their table, what they offer, and their meeting with the schemes.
 #include <polhode/systems/maxwell_bloch.hpp>
 

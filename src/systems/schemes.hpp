@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The list of schemes. Adding one: its header, and its name here; every test, experiment, report and bench takes it
 // from here.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The body in n dimensions: its table, what it offers, and its meeting with the schemes.
 #include <polhode/systems/son_body.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A system's source is compiled once, for its table and what it offers, and once per instruction set, for its meeting
 // with the schemes:
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The systems that scenes can name, each bound to its schemes in a source of its own (templates are instantiated once).
 #pragma once
 

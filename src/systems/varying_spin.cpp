@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Systems on a sphere whose noise depends on the state: the key that says so, and their meeting with the schemes.
 #include "systems/varying_spin.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The key `noise` of systems on a sphere: whether the vectors of `sigma` act as they stand, or through the state.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sums over many states of a basis of functions of momentum, compiled once per instruction set.
 #pragma once
 

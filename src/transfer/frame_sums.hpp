@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sums over many mapped tangent frames of the functions of frame_basis.hpp, compiled once per instruction set.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scheme's own operator on tangent directions: (T f)(R) = E[f(R')], R' the frame to which one step and its derivative
 // take the frame R, without sampling. The law that T leaves as it is gives the scheme's own Lyapunov exponents:
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Transfer operators that several questions ask for: errors at the horizon and at equilibrium, and combinations over
 // step sizes, want the same steps by the same rules.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scheme's own operator: (T_dt f)(Pi) = E[f(Phi_dt(Pi, dW))], without sampling.
 //
 // The expectation over one step's noise is a product of Gauss-Hermite rules, each node a step of the laboratory's

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is asked of a transfer operator, and how well it is to be known.
 #pragma once
 

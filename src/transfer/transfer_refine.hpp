@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How finely a transfer operator has to be computed, found by refining until answers stop to change.
 //
 // The basis, the nodes a channel and the nodes an area are refined each with the others at their coarsest, as the error

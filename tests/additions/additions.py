@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """What does a new scheme cost, and a new system? Adds a toy of each to a copy of the tree and counts the files touched.
 
     additions.py SOURCE BUILD            what is touched compiles (the compiler's front end alone)

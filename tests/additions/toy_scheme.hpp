@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The explicit midpoint rule on the group, to be added to a copy of the tree.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A top whose energy is quartic, h = k Pi_3^4 / 4, to be added to a copy of the tree.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Floating-point operations of a step as it is written, by a scalar that counts them.
 #pragma once
 

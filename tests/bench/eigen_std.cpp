@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a programmer writes first: Eigen, std::normal_distribution, one path at a time.
 #include <Eigen/Dense>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The only place where the benches touch the laboratory's kernels: one block of paths, as an ensemble advances it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ns per path, step and core of every scheme, beside the peak of the core and what others write; see ci/bench --help.
 // --check holds the yardsticks to what they stand beside, and measures nothing.
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "bench/measure.hpp"
 
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A loop that is timed, and what the timings came to.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Floating-point operations of an algorithm, for the share of the peak.
 #pragma once
 

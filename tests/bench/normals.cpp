@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Normals one at a time, each library's own way.
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>

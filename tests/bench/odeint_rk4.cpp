@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 
 #include "bench/yardsticks.hpp"

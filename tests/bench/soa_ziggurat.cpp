@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a good programmer writes in a day: a structure of arrays, a loop for the compiler to vectorise, a fast library's
 // normals.
 #include <array>

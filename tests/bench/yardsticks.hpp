@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the schemes are held beside, on the body of the scene `paper`: I = (1, 2, 3), theta = sigma = 1/2.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A report with an earlier one beside it: a planted regression is said first, and the earlier points are drawn behind.
 //
 //   node compare_test.mjs POLHODE [FOLDER]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a report must bear: files cut short, of another schema, empty, of unknown kinds, of a hundred thousand numbers.
 //
 //   node faults_test.mjs

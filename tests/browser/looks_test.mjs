@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What one report looks like: the globe, turned; on paper; dark and light, wide and narrow; without WebGL.
 //
 //   node looks_test.mjs POLHODE [FOLDER]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pages to look at: the committed template with results in it.
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

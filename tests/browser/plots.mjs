@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a page has drawn, what the data says it must draw, and what a plot answers to the mouse.
 
 /** Asks until the answer is yes. (Playwright's own waiting evaluates strings, which the page's policy forbids.) */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One report as a person uses it: hovered, clicked, isolated, linked to, saved.
 //
 //   node report_test.mjs POLHODE

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A report with plots of every kind, and densities.
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reports as the program writes them: every built-in scene, and the golden sample with its hostile names.
 //
 //   node scenes_test.mjs SAMPLE_PROGRAM POLHODE

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One browser, and pages in it that remember what they complained of and what they asked for.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Runs `polhode verify` again and again: what is taken from the cache, and where the cache is.   usage: cache.py POLHODE"""
 import json, os, subprocess, unittest
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What tests of the polhode binary share: the binary, which is the first argument, a folder and a cache of its own."""
 import json, os, signal, subprocess, sys, tempfile, unittest
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Drives `polhode check` and `simulate --record` as a user does.   usage: check_command.py POLHODE"""
 import csv, json, os, struct, unittest
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Drives `polhode compare` and the baselines of `verify` as a user does.   usage: compare_command.py POLHODE"""
 import json, os, re, subprocess, sys, tempfile, unittest
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Reads arrays and pictures by hand, with nothing of what wrote them."""
 import ast, struct, zlib
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """An integrator that leaves the states as they are, and does one thing wrong.   usage: misbehaving.py FAULT FILE_OF_PROCESSES"""
 import json, os, signal, struct, sys, time
 

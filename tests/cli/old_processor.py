@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Runs polhode on an emulated processor without AVX: it must choose v2, finish and say so.
 
 usage: old_processor.py POLHODE QEMU LEVELS     exit 77: skipped, as QEMU (qemu-x86_64) is not to be had, or POLHODE is

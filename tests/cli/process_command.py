@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Drives `polhode verify --with COMMAND` as a user does, with commands of every bad manner.   usage: process_command.py POLHODE EXAMPLES COMPILER"""
 import concurrent.futures, json, os, shutil, signal, subprocess, sys, time, unittest
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Watches `polhode verify` while it runs: a page that grows, a terminal, signals.   usage: progress.py POLHODE"""
 import fcntl, json, os, pty, select, signal, struct, subprocess, termios, time, unittest
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Drives `polhode reference` as a user does.   usage: reference.py POLHODE"""
 import json, os, subprocess, sys, tempfile, time, unittest
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Drives `polhode reproduce` as a user does.   usage: reproduce_command.py POLHODE
 
 Exit codes, errors of one line, one JSON document, and a folder that is complete or not there."""

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Drives the polhode binary as a user does.   usage: run.py POLHODE
 
 Exit codes, errors of one line, streams that hold what they should and nothing else."""

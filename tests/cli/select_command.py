@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Drives `polhode select` as a user does.   usage: select_command.py POLHODE COMPILER INCLUDE…
 
 Exit codes, errors of one line, the fields of JSON, and snippets that compile and run."""

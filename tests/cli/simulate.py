@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Drives `polhode simulate` as a user does.   usage: simulate.py POLHODE"""
 import csv, json, math, os, struct, subprocess, sys, tempfile, unittest
 

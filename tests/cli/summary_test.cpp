@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is printed after a run, at any width, and the exit code that goes with it.
 #include "cli/terminal/summary.hpp"
 

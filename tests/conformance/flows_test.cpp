@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The flows that systems split into: exact ones against Boost.Odeint, others by the order of their error.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The laboratory's kernels are the schemes: whatever is specialised, merged, shared or approximated in them, their
 // paths are those of the scalar step.
 #include <gtest/gtest.h>

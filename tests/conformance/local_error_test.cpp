@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One step against the true solution of the driven equation, path by path: its root mean square is of half an order
 // more than the strong order that the scheme claims, neither less nor more, under any noise and under one vector.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The equation of a midpoint rule is solved for increments far beyond the usual ones too.
 #include <gtest/gtest.h>
 

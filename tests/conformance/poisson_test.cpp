@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a step without noise and dissipation is a Poisson map, on so(3), so(4) and se(3): schemes that claim it are
 // to rounding, and the others are not.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kernels of systems whose states fit into registers are the schemes: flows inlined, bound to a step and an orbit,
 // and a common noise as a matrix give the paths of the scalar step, for every size of step.
 #include <gtest/gtest.h>

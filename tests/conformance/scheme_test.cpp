@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every scheme must do, on every system that ships, for doubles and for packs.
 #include <gtest/gtest.h>
 

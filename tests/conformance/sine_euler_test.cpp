@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fluid on the torus: Zeitlin's sum over complex modes by Boost.Odeint, and Euler's equation itself.
 #include <gtest/gtest.h>
 

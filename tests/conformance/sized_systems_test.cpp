@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Systems whose number of components is known at run time alone do what those of a fixed size do: two spins as the pair
 // of bodies, one as the spin, the body in three dimensions as the rigid body, that in four as a pair.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tangent kernels: the states are those of the scheme's ordinary kernel, and the tangents are its derivative, by
 // differences of that kernel, which knows nothing of dual numbers.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Point vortices: the published equation by Boost.Odeint, and relative equilibria whose rates are known.
 #include <gtest/gtest.h>
 

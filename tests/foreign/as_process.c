@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* One of strangers.c as a process: the same steps through the other door.   usage: as_process NAME */
 #include <polhode/abi.h>
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The commands of docs/verify-your-integrator.md, line by line, as a reader would type them."""
 import os
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The whole board of four strangers' integrators, in a library and as processes, beside their twins of the laboratory."""
 import json
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Healthy strangers under fresh seeds (POLHODE_SEEDS: how many, 200): none is ever refuted, and planted defects always are."""
 import collections
 import json

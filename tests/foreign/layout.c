@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* The layout of version 1 of the interface, as libraries out there were compiled with it. A change here breaks them: it
  * needs another version, or another member at an end. */
 #include <polhode/abi.h>

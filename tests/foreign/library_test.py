@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Integrators in a shared library: verdicts equal to those of our own, planted defects refuted by name, bad libraries."""
 import json
 import os

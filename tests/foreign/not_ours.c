@@ -1,1 +1,2 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 int nothing_of_ours(void) { return 0; }

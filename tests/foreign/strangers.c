@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Integrators as strangers would write them, through the C interface alone: four of ours anew, planted defects, and
  * libraries that misbehave. */
 #include <polhode/abi.h>

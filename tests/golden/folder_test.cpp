@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The folder is complete or not there: under refusals, full disks and SIGKILL.
 #include "reports/writers/folder.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A text against a committed file, byte for byte; written anew where POLHODE_UPDATE_GOLDEN is set.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each writer's text against the committed one, byte for byte.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The markup of a report page, read strictly."""
 from html.parser import HTMLParser
 

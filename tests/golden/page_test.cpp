@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page is the template with its places filled: nothing else changes, and no text of the results acts as markup.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which plots there are of a result, and what they name.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Results at random, to be written and read back.
 #pragma once
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Reads a report folder again with parsers that share nothing with the writers, and compares the formats.
 
     reread.py PROGRAM      runs PROGRAM OUT and reads what it wrote

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What to_json writes, from_json reads back, number for number; what it did not write, it refuses on one line.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A small result made by hand that holds everything a writer can stumble over.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text from outside, made harmless for each format; folder names.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes the sample's report into the folder that is named: for reread.py.
 #include <cstdio>
 #include <exception>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Holds every #include of the project against the one direction in which things flow.
 
 usage: check.py ROOT          exit 1 and one line a violation: file:line: include: rule

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Includes with which check.py tests itself."""
 from rooms import INSTALLED
 

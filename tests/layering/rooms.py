@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Which rooms there are, and what each may include: the rules that check.py holds."""
 import re
 
@@ -58,7 +59,7 @@ MAY = {
     'abi':           [],
     'testing':       [],
     'driver':        ['noise', 'scheme_info'],
-    'examples':      INTEGRATORS + ['abi', 'lab_systems', 'run', 'writers'],  # what users may
+    'examples':      INTEGRATORS + ['driver', 'testing', 'abi', 'lab_systems', 'run', 'writers'],  # what users may
     'platform':      [],
     'algebra':       ['platform'],
     'statistics':    ['helpers', 'noise', 'algebra'],

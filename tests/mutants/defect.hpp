@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A planted defect: a kind and its size. A scheme of the list with one thing wrong, on the kernels that ship.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A healthy kernel whose time, increments or states are spoilt on the way.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mutants/in_step.hpp"
 
 #include "mutants/on_forms.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Defects that only the step itself can have: a parametrised one per kind, on the forms of the rigid body that ship.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Defects that only a kernel tuned to the rigid body can have: in what is computed once for a step size, and in the
 // choice of the kernel. The scheme is the healthy one.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Defects that no verdict tells, as the law of what they make of the noise, or the accuracy that is asked for, is that
 // of the healthy kernel. What conformance/kernel_test.cpp holds every kernel to tells them.
 #include <gtest/gtest.h>

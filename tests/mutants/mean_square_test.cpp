@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mean squares beside the equilibria: every scheme's rate of growth tends to that of the equation, and of a scheme with
 // a little more noise or dissipation it does not.
 #include <gtest/gtest.h>

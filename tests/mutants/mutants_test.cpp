@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sharpest of the planted defects; all of them in tests/nightly/mutants_test.cpp.
 #include <gtest/gtest.h>
 

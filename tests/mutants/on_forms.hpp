@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rigid body's own kernel of a scheme, chosen as the laboratory chooses it, with a defect planted on the way.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs rows of the table, and prints who refutes what.
 #pragma once
 

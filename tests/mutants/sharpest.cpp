@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The defects that every push tries.
 #include "mutants/table.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What can be wrong with increments: of one kernel (defective_kernel.hpp), or of the generator for the whole run.
 #pragma once
 

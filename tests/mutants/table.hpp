@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of planted defects: all of them as data.
 #pragma once
 

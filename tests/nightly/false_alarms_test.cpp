@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fresh seeds of the cheap sampled experiments: no true claim is refuted, and printed intervals cover what they claim.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

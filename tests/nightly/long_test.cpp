@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs too long for every push: ctest -L nightly.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random scenes, every scheme: no healthy scheme is refuted by `modified`.
 // POLHODE_SCENES and POLHODE_ATTACK_SEED change how many and which.
 #include "support/modified_attack.hpp"

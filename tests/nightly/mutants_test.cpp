@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every planted defect at every size: who refutes it, and where refutation ends.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two billion normals of every source, by the measure of tests/unit/ensemble/noise_statistics_test.cpp.
 #include <gtest/gtest.h>
 

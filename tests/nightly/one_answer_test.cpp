@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of `work_precision`, which the page shows, and `select` answer one question: the same scheme at the same
 // step, or one whose cost the clock cannot tell from it.
 #include <fmt/format.h>

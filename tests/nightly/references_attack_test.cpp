@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Thousands of random and extreme scenes against the references: right with an honest bar, or refused.
 // POLHODE_ATTACK_SCENES and POLHODE_ATTACK_SEED change how many and which.
 #include <array>

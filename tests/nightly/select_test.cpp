@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hundred random scenes and four goals: what `select` chooses meets the target for every observable, at the step and
 // below it, when it is measured in another way.
 #include "support/selection_check.hpp"

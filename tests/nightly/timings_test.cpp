@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs of runs of one program, as they are on this machine now: what `compare` calls changed, and whether a kernel
 // that does one step in twenty twice is found.
 #include <gtest/gtest.h>

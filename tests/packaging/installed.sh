@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # In a bare Debian 12 with the packages in /brought: takes each into use as its user would, and goes through every door of
 # docs/verify-your-integrator.md. Says how long each took, from the installation of what it needs to a scheme that is verified.
 set -euo pipefail

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """What other package managers read is well formed, and states the version of CMakeLists.txt."""
 import ast
+import importlib.util
 import json
 import os
 import re
@@ -48,10 +50,35 @@ class Packaging(unittest.TestCase):
         parts = [(one["name"], one["versionInfo"]) for one in spdx["packages"]]
         self.assertEqual(parts[0], ("polhode", VERSION))
         self.assertEqual(parts[1:], [(one["name"], one["version"]) for one in cdx["components"]])
-        linked = set(re.findall(r"find_package\((\w+) [\d.]+ REQUIRED", (ROOT / "src/CMakeLists.txt").read_text()))
+        linked = set(re.findall(r"polhode_needs\(\S+ (\w+)", (ROOT / "src/CMakeLists.txt").read_text()))
         told = " ".join(name for name, _ in parts).replace("-", "")
         for library in linked:
             self.assertIn(library.lower().replace("_", ""), told)
+
+    @unittest.skipUnless(importlib.util.find_spec("yaml"), "no PyYAML")
+    def test_the_workflow_runs_every_label_and_knows_the_parts_of_the_night(self):
+        import yaml
+        jobs = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text())["jobs"]
+        run = [step.get("run", "") for step in jobs["test"]["steps"]]
+        labels = [found for line in run for found in re.findall(r"ctest .* -L (\w+)", line)]
+        self.assertEqual(labels, ["fast", "standard", "browser"])
+        for line in run:
+            for script in re.findall(r"\bci/\w+", line):
+                self.assertTrue(os.access(ROOT / script, os.X_OK), script)
+        parts = re.search(r"^all=\((.*)\)$", (ROOT / "ci/nightly").read_text(), re.M).group(1).split()
+        self.assertLessEqual(set(jobs["nightly"]["strategy"]["matrix"]["part"]), set(parts))
+
+    def test_every_source_states_its_licence(self):
+        """In its first lines, as SPDX asks; what is generated or data states it in LICENSE alone."""
+        kinds = {".cpp", ".hpp", ".c", ".h", ".f90", ".m", ".py", ".pyi", ".cmake", ".sh", ".ts", ".mjs", ".css", ".js", ".yml"}
+        folders = ("ci", "cmake", "docs", "integrators", "reports", "src", "tests", ".github")
+        sources = [path for folder in folders for path in (ROOT / folder).rglob("*")
+                   if path.is_file() and not {"node_modules", "dist", "__pycache__", "baseline"} & set(path.parts)
+                   and (path.suffix in kinds or path.name == "CMakeLists.txt" or path.parent == ROOT / "ci")]
+        self.assertGreater(len(sources), 1000)
+        for path in sources:
+            with open(path, encoding="utf-8") as file:
+                self.assertIn("SPDX-License-Identifier: Apache-2.0", file.read(200), path)
 
     def test_citation_names_the_paper_and_no_version(self):
         text = (ROOT / "CITATION.cff").read_text()

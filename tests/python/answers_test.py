@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The other commands as functions, and recorded states."""
 import math, os, sys, unittest
 

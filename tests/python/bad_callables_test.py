@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What a callable does wrong becomes one verdict with its reason; what is asked wrongly, a ValueError of one line."""
 import os, sys, unittest
 

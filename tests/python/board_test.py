@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The whole board of four strangers' integrators through the door of Python, beside their twins of the laboratory."""
 import os, sys, unittest
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the tests of the Python package share. The package is found through PYTHONPATH."""
 import tempfile, unittest
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """docs/verify-in-python.md and .ipynb run as they stand, each from top to bottom in an empty folder."""
 import ast, contextlib, io, json, os, re, sys, unittest
 

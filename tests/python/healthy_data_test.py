@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Data that follow the law (POLHODE_SETS: how many, 10,000): how often `check` refutes them, against its declared budgets."""
 import collections, math, multiprocessing, os, unittest
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What `cmake --install --component python` puts down is found by Python and has its stubs.   usage: install_test.py CMAKE BUILD"""
 import ast, os, subprocess, sys, tempfile, unittest
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """SIGINT ends a run in seconds, as KeyboardInterrupt: in Python schemes, in our own, in a choice of a scheme."""
 import os, signal, subprocess, sys, time, unittest
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The twins that cost more: two minutes of numpy."""
 import os, sys, unittest
 

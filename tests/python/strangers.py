@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Integrators of the rigid body as somebody would write them who knows the equation and numpy, and nothing of polhode.
 
     dPi = Pi x (Omega + theta Pi x Omega) dt + sum_i Pi x sigma_i o dW^i,   Omega = Pi / I

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A stranger's integrator beside its twin of the laboratory."""
 import math
 

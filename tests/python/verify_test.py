@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Strangers' integrators get the verdicts of their twins in the laboratory, and planted defects are refuted by name."""
 import os, sys, unittest
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random and extreme scenes for the attack on the references.
 #pragma once
 

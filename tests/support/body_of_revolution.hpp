@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies of revolution under noise that is alike across the figure axis: one dimension, z = Pi_figure / c.
 //
 //   u(z) (1 - z^2)^(m/2) exp(i m phi):   L_m = q/2 [(1 - z^2) u'' - 2 (m + 1) z u' - m (m + 1) u]

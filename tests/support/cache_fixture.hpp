@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A cache of the test's own, and what its tests ask of a run.
 #pragma once
 

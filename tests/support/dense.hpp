@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Eigen's dense algebra for tests, compiled once (see src/algebra/decompositions.hpp).
 #pragma once
 

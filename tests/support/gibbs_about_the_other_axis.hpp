@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Gibbs law of a body by Gauss-Legendre quadrature in long double, about the axis of greatest energy.
 #pragma once
 

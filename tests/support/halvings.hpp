@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Step sizes that halve from 1/8 on.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A heavy top for tests: asymmetric, its centre of mass off every axis.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes and increments that reach every specialisation of a kernel.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a kernel must do, as distances from it: conformance/ holds every kernel to them, and mutants/ sees by them the
 // defects that no verdict tells.
 #pragma once

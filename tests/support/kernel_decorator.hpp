@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A kernel that does as another one does, but for what a test overrides.
 #pragma once
 

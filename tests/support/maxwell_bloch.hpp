@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Maxwell-Bloch equations for tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random scenes against experiment `modified`: a healthy scheme is never refuted.
 #pragma once
 

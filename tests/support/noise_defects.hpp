@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Broken noise, one thing at a time, for ensemble/noise/noise_defect.hpp.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every source of normals, for tests that hold all of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far a long run of normals lies from the normal law, in standard deviations: one function for the short test and
 // for the long one.
 #pragma once

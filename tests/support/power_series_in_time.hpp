@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // E[f(Pi_t)] for a polynomial f and a short time by the generator's own powers, in fifty digits.
 //
 //   E[f(Pi_t)] = sum_{k < n} t^k / k! L^k f + remainder,   |remainder| <= t^n / n! sup |L^n f|

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random and extreme scenes against the references: every answer is compared with second opinions.
 //
 //   gibbs         Gauss-Legendre about another axis, long double     for Gauss-Kronrod about the axis of least energy

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every scheme of the list, for typed tests.
 #pragma once
 

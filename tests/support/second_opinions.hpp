@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What else can be said of an expectation, a stationary mean, a gap or an exponent: by methods of another kind where
 // there is one, and by a projection on higher degrees.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random scenes in sane ranges, and what the errors at a chosen step and below are when they are measured in another
 // way: operators at a fixed fine rule, the truth time by time, other random numbers.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The built-in scene of two coupled bodies, as a system.
 #pragma once
 

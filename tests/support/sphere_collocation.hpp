@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A diffusion on the sphere by Fourier collocation in colatitude and longitude: no harmonics, no projection.
 //
 //   generator  b . grad + 1/2 sum_i (V_i . grad)^2,   V_i = x cross sigma_i,   b tangent

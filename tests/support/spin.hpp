@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A spin with no symmetry, in a field along none of its axes.
 #pragma once
 

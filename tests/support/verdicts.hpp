@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What tests ask of a subject and of a report by name; a name that is not there is an error of the test.
 #pragma once
 

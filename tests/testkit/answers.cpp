@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The answers of the C++ kit to numbers from the standard input, for kit_test.py to hold the Python module against:
 // a line "test arguments… : samples…" gives a line "verdict: reason".
 #include <polhode/testing/bounded_mean_test.hpp>

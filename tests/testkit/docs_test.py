@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The blocks of docs/test-kit.md: C++ is compiled and run, Python and CMake are run, the workflow is parsed and its last script run.
 
 usage: docs_test.py CMAKE GENERATOR SOURCE CXX

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The Python test kit: answers equal to those of the C++ kit on the same numbers, closed forms, false alarms, defects.
 
 usage: kit_test.py ANSWERS MODULE_FOLDER     ANSWERS: the program of answers.cpp

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """polhode_add_verification in a project of its own, with a program that writes down its arguments and exits as told.
 
 usage: verification_test.py CMAKE GENERATOR SOURCE

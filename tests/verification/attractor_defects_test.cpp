@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Experiment attractor: noise that is not the scheme's, a start that is not where it should be, and bodies that do not
 // meet, are refuted.
 #include <gtest/gtest.h>

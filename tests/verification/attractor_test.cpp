@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Experiment attractor: its claims hold where bodies spread and where they collect, and threads change nothing.
 #include <gtest/gtest.h>
 

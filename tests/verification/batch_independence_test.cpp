@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is said of a scheme does not depend on which others run beside it.
 #include "experiments/common/noise_verdict.hpp"
 #include "support/cache_fixture.hpp"

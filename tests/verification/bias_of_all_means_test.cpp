@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every mean under the stationary law is judged, not that of the energy alone.
 #include <gtest/gtest.h>
 

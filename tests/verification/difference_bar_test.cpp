@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far a bias is known where no density is resolved (one noise vector): against higher degrees, against paths, and
 // by what it refutes.
 #include "experiments/laws/difference_bar.hpp"

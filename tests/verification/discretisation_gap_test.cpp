@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The spectral gap of each scheme: known answers, another method, and defects.
 #include <gtest/gtest.h>
 

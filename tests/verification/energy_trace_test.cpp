@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mean energy without dissipation: known answers, the bound for all times, and defects.
 #include <gtest/gtest.h>
 

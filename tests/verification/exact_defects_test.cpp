@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Defects of a tenth of a per cent, over-claims and rare branches in what is told without sampling: each refuted by
 // name, and its healthy twin not.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Operators by the half turns of the body: the same as without them, and only where the step commutes with them.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is left as dt -> 0 decides on a scheme: noise a little too strong, dissipation a little too large, a state that
 // is rounded. On the body and on so(4), where no exact law is there to help.
 #include <gtest/gtest.h>

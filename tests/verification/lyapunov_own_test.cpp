@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exponents of the schemes without sampling: their order, defects, and what sampled paths do.
 #include <gtest/gtest.h>
 

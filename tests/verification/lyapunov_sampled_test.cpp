@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exponents of the schemes by sampled paths: known answers, defects that only they can see, and bits that do not
 // depend on threads or on the batch.
 #include <gtest/gtest.h>

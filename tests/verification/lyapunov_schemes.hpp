@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the tests of the exponents of the schemes share: subjects, two defects that only exponents can see, and answers
 // held against each other.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rows of the experiment `lyapunov`, read back as a user would and held to the exponents at those places.
 #include "sphere/lyapunov.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constants of a scheme's modified equation and the variance of its averages: known answers, and drivers and clocks
 // that have to be refuted.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which equation a scheme solves: defects and over-claims that have to be refuted.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which equation a scheme solves: known answers, and healthy schemes.
 #include <gtest/gtest.h>
 

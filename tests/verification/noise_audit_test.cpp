@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Broken noise is found by the audit of the run that it drives, and healthy noise is not.
 #include <gtest/gtest.h>
 

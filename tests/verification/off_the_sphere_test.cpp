@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // weak and gibbs on systems that live on no sphere, against closed forms and planted defects.
 #include <gtest/gtest.h>
 

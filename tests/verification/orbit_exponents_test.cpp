@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lyapunov exponents off the sphere: held to the exact ones of single bodies and to the Gibbs law of the top, and what
 // the experiments say of tangents that are wrong and of bodies that leave.
 #include "experiments/lyapunov/orbit_exponents.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Strong orders in other norms and path by path, on the schemes themselves: what is claimed holds, what is claimed too
 // much is refuted by each, and the distance of the reference is that of a closed form.
 #include <gtest/gtest.h>

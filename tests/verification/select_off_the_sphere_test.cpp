@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // select where nothing is exact: what it samples against closed forms and against operators, and what it refuses.
 #include <gtest/gtest.h>
 

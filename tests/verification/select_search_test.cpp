@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The search for a step size: errors that change sign, and hills between the steps that were looked at.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The choice of an integrator: where it must lead, that what it promises holds, and what it refuses.
 #include <gtest/gtest.h>
 

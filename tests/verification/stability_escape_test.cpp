@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From where on a scheme that leaves the sphere runs off: by the scaling of the equation.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs until something breaks: against a product of known factors, alone and together, long ones and rare breaks.
 #include <gtest/gtest.h>
 

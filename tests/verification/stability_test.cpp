@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where schemes break: held to closed forms, and the same for any number of threads.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Noise that depends on the state goes through the same steps, kernels and operators. A spin whose noise is inside the
 // damping too,
 //

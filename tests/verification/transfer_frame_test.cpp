@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The operator of a step on frames, under noise alone: known by Peter and Weyl, for every instruction set.
 #include <gtest/gtest.h>
 

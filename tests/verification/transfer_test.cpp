@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Operators of the schemes on the sphere: held to sampled paths, and to each other.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The main job itself: claims hold on scenes of every kind, threads change nothing, and what is not claimed is seen to
 // fail.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Weak errors at all times: known in closed form, and a defect that the horizon does not show.
 #include <gtest/gtest.h>
 

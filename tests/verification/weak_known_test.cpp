@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Weak errors and stationary bias without sampling: the known answers, for any number of threads.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost against error: the front is one, the table lies between what was measured, and the counts are the known ones.
 #include <gtest/gtest.h>
 

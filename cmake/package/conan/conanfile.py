@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Conan 2 recipe of the integrators, from this tree: conan create cmake/package/conan"""
 import re
 from pathlib import Path

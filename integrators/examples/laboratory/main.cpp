@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scheme of one's own against the laboratory's claims, beside two of the laboratory's.
 #include <polhode/schemes/heun.hpp>
 #include <polhode/schemes/lie_heun.hpp>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* An integrator of your own behind a C interface, for `polhode verify SCENE --with ./libmine.so`.
  *
  * The equation is dmu = ad*_a(mu) mu dt + sum_i ad*_sigma_i mu o dW^i (Stratonovich), a(mu) = grad h + theta [grad h,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Near-best polynomials on [0, bound], for a bound that may be known at compile time: what rotations by small angles
 // and normalisations of almost normal vectors are evaluated with.
 #pragma once
@@ -30,22 +31,22 @@ constexpr long double cosine_series(long double q, int first) {
 /// The interpolation of f at the Chebyshev points of [0, bound], in powers of its argument.
 template <int degree, class F>
 constexpr polynomial<degree> chebyshev_interpolation(F f, long double bound) {
-  constexpr int n = degree + 1;
+  constexpr std::size_t n = degree + 1;
   std::array<long double, n> at{}, value{}, sum{};
-  for (int i = 0; i < n; ++i) {
-    const long double angle = std::numbers::pi_v<long double> * (2 * i + 1) / (4 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const long double angle = std::numbers::pi_v<long double> * static_cast<long double>(2 * i + 1) / (4 * n);
     const long double c = detail::cosine_series(angle * angle, 0);
     at[i] = bound * c * c;  // bound/2 (1 + cos 2 angle)
     value[i] = f(at[i]);
   }
-  for (int k = 1; k < n; ++k)  // Newton's divided differences
-    for (int i = n - 1; i >= k; --i) value[i] = (value[i] - value[i - 1]) / (at[i] - at[i - k]);
-  for (int i = n - 1; i >= 0; --i) {  // sum = sum (q - at_i) + value_i
-    for (int k = n - 1; k > 0; --k) sum[k] = sum[k - 1] - at[i] * sum[k];
+  for (std::size_t k = 1; k < n; ++k)  // Newton's divided differences
+    for (std::size_t i = n; i-- > k;) value[i] = (value[i] - value[i - 1]) / (at[i] - at[i - k]);
+  for (std::size_t i = n; i-- > 0;) {  // sum = sum (q - at_i) + value_i
+    for (std::size_t k = n - 1; k > 0; --k) sum[k] = sum[k - 1] - at[i] * sum[k];
     sum[0] = value[i] - at[i] * sum[0];
   }
   polynomial<degree> out{};
-  for (int k = 0; k < n; ++k) out[k] = static_cast<double>(sum[k]);
+  for (std::size_t k = 0; k < n; ++k) out[k] = static_cast<double>(sum[k]);
   return out;
 }
 
@@ -59,7 +60,7 @@ constexpr polynomial<degree> cosine_polynomial(int first, double bound) {
 /// Horner's rule.
 template <class S, std::size_t n>
 S evaluate(const std::array<double, n>& p, const S& q) {
-  S sum(p[n - 1]);
+  S sum = S(p[n - 1]);
   for (std::size_t k = n - 1; k-- > 0;) sum = sum * q + S(p[k]);
   return sum;
 }

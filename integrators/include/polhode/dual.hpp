@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dual numbers: a value and its derivative in N directions, over any scalar, a dual number included. A step that is
 // called with them gives the next state and its tangents at once: the derivative of what is computed, not of the flow.
 //
@@ -17,7 +18,7 @@ struct dual {
   vec<S, N> slope{};
 
   dual() = default;
-  dual(double constant) : value(constant) {}  // NOLINT: a constant is a dual number
+  dual(double constant) : value(S(constant)) {}  // NOLINT: a constant is a dual number
   dual(const S& v, const vec<S, N>& d) : value(v), slope(d) {}
 
   friend dual operator+(const dual& a, const dual& b) { return {a.value + b.value, a.slope + b.slope}; }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a step may ask of its noise. The type of a scheme's increment parameter is the statement of what it needs:
 // wiener < wiener_levy; what is not asked for is never drawn.
 #pragma once

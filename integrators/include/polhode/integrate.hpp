@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The loop that an outside user calls: one path of one scheme, noise by address.
 #pragma once
 

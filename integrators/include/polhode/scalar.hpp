@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Elementary functions that a step may call on any scalar. For packs they are branch-free in the common case, and
 // the value of a lane never depends on its neighbours.
 #pragma once
@@ -22,18 +23,30 @@ requires is_pack<S> S select(const typename S::mask_type& condition, const S& ye
   return no;
 #endif
 }
-inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+template <std::floating_point S>
+S select(bool condition, const S& yes, S no) {
+  return condition ? yes : no;
+}
 
 template <class S>
 requires is_pack<S>
 bool any(const S&, const typename S::mask_type& mask) { return stdx::any_of(mask); }
-inline bool any(double, bool mask) { return mask; }
+template <std::floating_point S>
+bool any(S, bool mask) {
+  return mask;
+}
 
-inline double square_root(double x) { return std::sqrt(x); }
+template <std::floating_point S>
+S square_root(S x) {
+  return std::sqrt(x);
+}
 template <class S>
 requires is_pack<S> S square_root(const S& x) { return stdx::sqrt(x); }
 
-inline double magnitude(double x) { return std::fabs(x); }
+template <std::floating_point S>
+S magnitude(S x) {
+  return std::fabs(x);
+}
 template <class S>
 requires is_pack<S> S magnitude(const S& x) { return stdx::abs(x); }
 
@@ -168,6 +181,14 @@ sine_cosine<S> sincos(const S& x) {
   if (any(x, magnitude(x) > S(detail::unreduced_limit))) [[unlikely]]
     return detail::sincos_far(x);
   return detail::sincos_near(x);
+}
+
+// The constants above are those of doubles.
+inline float logarithm(float x) { return static_cast<float>(logarithm<double>(x)); }
+inline float exponential(float x) { return static_cast<float>(exponential<double>(x)); }
+inline sine_cosine<float> sincos(float x) {
+  const auto [sin, cos] = sincos<double>(x);
+  return {static_cast<float>(sin), static_cast<float>(cos)};
 }
 
 }  // namespace polhode

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pack type: as many doubles as one register of the target holds. The only file with intrinsics, each beside its
 // portable twin; over 200 lines, as that pairing is what keeps them equal.
 #pragma once

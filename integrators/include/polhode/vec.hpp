@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A short vector over any scalar: double, a pack of doubles, or a dual number.
 #pragma once
 

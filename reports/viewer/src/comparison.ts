@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What has changed since an earlier run: the comparison that the program has made, as plain values.
 import { isObject, number, parsed, text, type Json } from './json';
 

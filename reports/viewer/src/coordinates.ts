@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a number was measured, in words.
 import type { Coordinate, Measurement } from './data';
 import { asWritten, exact } from './numbers';

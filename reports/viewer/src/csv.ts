@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measurements as CSV (RFC 4180): every number with all its digits.
 import type { Measurement } from './data';
 

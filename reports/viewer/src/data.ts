@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // results.json as plain values.
 
 export type Kind = 'holds' | 'refuted' | 'inconclusive' | 'not tried' | 'skipped';

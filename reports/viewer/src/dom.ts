@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Elements by hand: text is only ever set as text.
 
 export type Child = Node | string | number | null | undefined | false;

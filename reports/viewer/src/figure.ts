@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A plot on the page: drawn when it comes near the screen, with its key, its switches, its files and its table.
 import { csvOf } from './csv';
 import type { Measurement } from './data';

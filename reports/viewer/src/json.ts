@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // JSON as it comes: whatever is not of the wanted kind is nothing.
 
 export type Json = Record<string, unknown>;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the key of a plot shows a scheme: its dashes, its marker, its name.
 import { svg } from './dom';
 import type { Look } from './style';

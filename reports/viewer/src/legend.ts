@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The key below a plot: a button a scheme, which isolates it in every plot.
 import { h, type Child } from './dom';
 import { keySample } from './key';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report: reads the results that the program put into the page, and builds the page from them.
 import { readComparison, type Comparison } from './comparison';
 import type { Measurement, Results } from './data';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers and names as a reader expects them.
 
 /** Four digits; a dash where there is no number. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // In which order things stand, what belongs together, and how the verdicts count up.
 import { kindsByWeight, type Kind, type Results, type Series, type Verdict } from './data';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sign beside a title that puts its place into the address.
 import { h } from './dom';
 import { addressOf, goTo } from './state';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads results.json tolerantly, so that an older or a partial file is shown with what it has.
 import type { Density, Results, Scene } from './data';
 import { isObject, number, numbers, parsed, text } from './json';

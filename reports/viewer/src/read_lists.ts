@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads the lists of results.json: what each record holds, and what it lacks.
 import {
   kindsByWeight,

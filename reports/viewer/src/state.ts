@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the reader has chosen: the scheme that stands out in every plot, the theme, the place in the address.
 
 type Listener = () => void;

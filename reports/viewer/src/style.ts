@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a scheme looks: a colour after Okabe and Ito, a marker and dashes, so that no difference rests on colour alone.
 import type { Kind } from './data';
 import type { Theme } from './state';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One observer for all plots: what is near the screen is drawn, what changed its width is drawn anew.
 
 interface Watcher {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page against the descriptions: it draws the plots that the program names, of the rows that they name.
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';

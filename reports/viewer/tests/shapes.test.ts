@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 import { expect, test } from 'vitest';
 import { scaleOver, viridis } from '../src/globe/colours';
 import { binOf, directionAt, frameOf, mollweideAt, mollweideOf, seen } from '../src/globe/sphere';

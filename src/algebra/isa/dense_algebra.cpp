@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set. Memory that Eigen takes here it gives back here: its alignment is another
 // elsewhere.
 #include "algebra/dense_algebra.hpp"

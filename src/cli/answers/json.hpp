@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the commands answer, each as one JSON document: `--format json` prints it, and Python reads it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Named results of an earlier run, to which a run is held, and which it may become.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the command keeps for its user between runs, and where.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values given on the command line, checked. Every fault is an input_error of one line.
 #pragma once
 

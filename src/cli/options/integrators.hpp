@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The options --with and --deadline: integrators from elsewhere.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The command line as options and commands. The parser's library costs seconds for each source that reads it: it stays
 // behind these.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text laid out for a terminal of some width.
 #pragma once
 

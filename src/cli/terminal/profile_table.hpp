@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the processor time of a run went, as text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One rewritten line on standard error while the command works: share done, time left, what is being worked on.
 #pragma once
 

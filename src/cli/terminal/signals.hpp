@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SIGINT and SIGTERM end the command at once, but never in the middle of writing a report.
 #pragma once
 

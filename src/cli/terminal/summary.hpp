@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is printed after a run: the verdicts of each experiment, and the claims that do not hold.
 #pragma once
 

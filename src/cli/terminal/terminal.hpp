@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the command needs to know of the terminal and the standard streams.
 #pragma once
 

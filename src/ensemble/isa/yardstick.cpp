@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set.
 #include "ensemble/yardstick.hpp"
 

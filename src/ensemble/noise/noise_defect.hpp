@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where tests break the noise on its way to the kernels: nothing else plants a defect, and without one nothing changes.
 //
 //   struct too_strong : noise_defect {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the noise of a system is laid out, wherever it is drawn, kept or counted.
 #pragma once
 

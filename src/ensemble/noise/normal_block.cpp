@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "ensemble/noise/normal_block.hpp"
 
 #include <stdexcept>

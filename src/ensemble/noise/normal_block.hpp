@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Normals for a block of paths, compiled once per instruction set; the values do not depend on which one runs.
 #pragma once
 

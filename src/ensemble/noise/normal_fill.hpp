@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a block of normals is filled, from either generator: the body of the entries in isa/.
 #pragma once
 

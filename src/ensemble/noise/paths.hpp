@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Blocks of paths, their noise and their threads.
 #pragma once
 

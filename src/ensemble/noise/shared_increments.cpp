@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "ensemble/noise/shared_increments.hpp"
 
 #include <algorithm>

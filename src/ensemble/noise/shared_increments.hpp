@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One noise for many bodies: the increments of one path over all steps, computed once.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The polar angle of a point of the plane, branch-free, for a double or a pack of them.
 #pragma once
 

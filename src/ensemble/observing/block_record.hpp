@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Records of bodies on their way, gathered block by block and handed over in pieces, so that memory stays flat.
 #pragma once
 

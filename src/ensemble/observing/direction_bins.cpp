@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "ensemble/observing/direction_bins.hpp"
 
 #include "platform/isa_entry.hpp"

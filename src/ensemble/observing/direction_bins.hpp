@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bins of a block of bodies, compiled once per instruction set; they do not depend on which one runs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is seen of an ensemble when it stops.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mean and variance without cancellation, mergeable in a fixed order.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Equal-area bins on the sphere of directions: what a snapshot counts in. A bin is a whole number in a double, or in a
 // pack of them; without contraction of products and sums it is the same for every width.
 #pragma once

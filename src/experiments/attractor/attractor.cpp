@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What becomes of many bodies under one noise, and is it what the theory of random attractors says? (Crauel and
 // Flandoli, Probab. Theory Relat. Fields 100 (1994) 365; Young, J. Stat. Phys. 108 (2002) 733.)
 #include "experiments/attractor/attractor.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of the experiment `attractor`, and what they all rest on.
 #pragma once
 

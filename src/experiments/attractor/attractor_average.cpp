@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Averaged over noise paths, is the random measure the stationary law?
 //
 // Every noise path drives a few bodies from a uniform start until one body alone has forgotten it; their random measure

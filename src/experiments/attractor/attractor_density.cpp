@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Densities to look at: the random measure of one noise path at four times, and the true stationary law.
 //
 // Of no scheme: the path is that of the Wong-Zakai equation (references/wong_zakai_equation.hpp).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where lambda_1 > 0 the bodies under one noise gather on a fractal: its dimensions at sizes of boxes that can be
 // filled. In the limit of small boxes the information dimension is that of Kaplan and Yorke, 1 + lambda_1 / |lambda_2|
 // (Ledrappier and Young, Probab. Theory Relat. Fields 80 (1988) 217, for random maps). Far from that limit rates along

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Neighbours under one noise meet where lambda_1 < 0, so that all bodies end in one random point, and part where
 // lambda_1 > 0: at the rate lambda_1?
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The experiment `attractor` where the system does not live on one sphere.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Does the snapshot at time 0 stop changing when the same noise has acted for longer (pullback_changes.hpp)?
 //
 // Looks at one path are not independent, and intervals are over paths.

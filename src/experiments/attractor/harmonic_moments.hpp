@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Means of the real harmonics over bodies: the coefficients of their density.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What averages over 1, 2, 4, … noise paths are off by.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/attractor/pullback_changes.hpp"
 
 #include <Eigen/Core>

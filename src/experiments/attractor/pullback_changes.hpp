@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How much the snapshot at time 0 changes when the same noise has acted for longer.
 //
 // Bodies start uniformly at -T_1, -T_2, … and see the noise of one path up to time 0; the step before time 0 has the

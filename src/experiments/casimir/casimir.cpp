@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Does a scheme stay on its coadjoint orbit?
 //
 // Schemes that claim to keep the Casimirs run for millions of steps: only rounding may show, and its growth law is
@@ -36,7 +37,8 @@ experiment casimir_experiment() {
        {fmt::format(
             "Schemes that claim it run for a million steps and more on {} paths at the scene's finest dt (at "
             "effort quick a fifth of it and less where a state has more than three components or lies in a field, or "
-            "noise depends on it, taken on to a million as the drift grows); a relative drift of {:g} per million steps is the "
+            "noise depends on it, taken on to a million as the drift grows); a relative drift of {:g} per million "
+            "steps is the "
             "bound. Plotted: root mean "
             "square over the paths; "
             "bars reach to the largest.",

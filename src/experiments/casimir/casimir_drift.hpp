@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far a path has left its coadjoint orbit, and how that drift falls with dt for schemes that do not keep it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Schemes that claim to keep the Casimirs, over millions of steps: only rounding may show.
 #pragma once
 

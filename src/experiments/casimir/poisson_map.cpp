@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/casimir/poisson_map.hpp"
 
 #include <fmt/format.h>

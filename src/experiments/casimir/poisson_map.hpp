@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Is a step without noise and dissipation a Poisson map?
 //
 // B(mu) is the Lie-Poisson bracket as a matrix, B(mu) xi = ad*_xi mu. A map f with Jacobian J is a Poisson map if

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/common/coupled_increments.hpp"
 
 #include "ensemble/noise/noise_defect.hpp"

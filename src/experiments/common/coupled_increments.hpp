@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One noise for all step sizes: fine increments, and what Chen's relation makes of them on coarser levels.
 #pragma once
 

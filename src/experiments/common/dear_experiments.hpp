@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Experiments in a form for schemes of which a step takes long, as those of interpreters do.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/common/driven_block.hpp"
 
 #include <fmt/format.h>

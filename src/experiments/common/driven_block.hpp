@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The true solution on a block of paths, and how it answers to a little more noise, dissipation or time.
 //
 // Truth is the ordinary differential equation driven by the fine piecewise linear path

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An experiment asks one question of every scheme on a scene and answers in plain values.
 #pragma once
 

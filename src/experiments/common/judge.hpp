@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Verdicts: the interval of an estimate against a claim, never a point against a tolerance.
 #pragma once
 

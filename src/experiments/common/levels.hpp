@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Step sizes at which orders are looked for: the scene's own numbers of steps, halved on until the step is short
 // against every rate of the system, so that a slope is asymptotic.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verdict on the noise of a sampled experiment, beside those on its schemes.
 #pragma once
 

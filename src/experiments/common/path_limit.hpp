@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Does a scheme converge to the true solution? Judged by what is left as dt -> 0: of the distance, and of the response
 // to noise, dissipation and time.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far an experiment is: shares of its parts, and pieces that many threads finish.
 #pragma once
 

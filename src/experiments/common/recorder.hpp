@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one pen of an experiment: what it writes of one scheme, and what ties its rows together.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The floor below which no error of a scheme falls: what rounding leaves of a state and of its energy.
 //
 // A few steps of the scene's finest dt through fixed noise are repeated at steps that differ a little, by 2^-10 in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sampling that stops when its intervals are tight.
 //
 // Paths come in batches whose ends are fixed in advance: `first` paths, twice that, …, `most`. At each end a scheme may

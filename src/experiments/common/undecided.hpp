@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a run leaves open, in the report's words: see report::verdict_kind.
 #pragma once
 

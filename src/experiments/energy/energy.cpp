@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without noise: does the energy follow dh/dt = -theta |ad*_dh mu|^2, and how fast does the path converge?
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/energy/energy_law.hpp"
 
 #include <fmt/format.h>

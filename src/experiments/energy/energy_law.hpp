@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Without noise dh/dt = -theta |ad*_dh mu|^2: how a scheme's own path keeps that law, and how it converges.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mean energy of a scheme without dissipation, where noise alone moves it (sphere/closed_forms/energy_drift.hpp).
 //
 // One step decides on all times: with d(Pi) = (E[h(Phi_dt(Pi, dW))] - E[h(Pi_dt)]) / dt, the scheme's error per unit of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors without sampling, over levels at which rounding may hide them.
 #pragma once
 

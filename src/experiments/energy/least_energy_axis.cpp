@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/energy/least_energy_axis.hpp"
 
 #include <fmt/format.h>

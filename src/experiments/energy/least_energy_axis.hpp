@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dissipation without noise takes a free body to rotation about the axis of least energy; in a field to one of the
 // wells of h.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Does a long run visit its orbit as the Gibbs law exp(-2 theta h / sigma^2) says?
 //
 // On a sphere twice: sampled at one small dt (gibbs_sampled.hpp), and exactly over dt (stationary_bias.hpp). Elsewhere

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is observed of paths under a Gibbs law, and how it is held against that law.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/gibbs/gibbs_on_orbits.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stationary law of systems that do not live on a sphere, sampled at one small dt against the means that the system
 // knows of its Gibbs law.
 //

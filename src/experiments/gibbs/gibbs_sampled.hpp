@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stationary law of schemes that keep the sphere, sampled at one small dt.
 //
 // Independent paths start uniformly on the sphere, forget their start, and are then observed at several times. The mean

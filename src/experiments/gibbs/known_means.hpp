@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Means of a scheme's long paths against those that a system knows of its Gibbs law.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Time averages of long runs of any scheme at any step, against the exact means of the Gibbs law: what the choice of an
 // integrator asks off the sphere.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/gibbs/marginal_laws.hpp"
 
 #include <fmt/format.h>

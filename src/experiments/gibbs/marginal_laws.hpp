@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The whole law of what a system knows the distribution of (capabilities::gibbs_marginals), from long paths.
 //
 // Of each path ten values, about two of the longest autocorrelation times apart: as n_eff independent ones, n (1 - r) /

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How long does the equation itself take to forget its start?
 //
 // Found on a pilot run of the driven equation (references/wong_zakai_equation.hpp). Half of its paths begin at the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the stationary laws of schemes are compared with, and the difference that is asked for.
 #pragma once
 

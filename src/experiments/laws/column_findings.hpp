@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is found in the columns of a table of exact errors, each by itself: slope, limit at dt = 0 and terms below the
 // claimed order (statistics/orders/power_series.hpp, finest_order.hpp), and how certain these are.
 #pragma once

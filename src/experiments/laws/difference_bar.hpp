@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far the difference of two stationary laws is known at a degree: the law that a step leaves as it is, and the
 // equation's own, both projected on harmonics.
 //

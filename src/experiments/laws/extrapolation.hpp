@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Weak errors combined over step sizes so that leading powers of dt drop out (Talay, Tubaro, Stoch. Anal. Appl. 8
 // (1990) 483), and what an accuracy then costs.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Averages that are known exactly, at the horizon and under the stationary law, and what a transfer operator makes of
 // them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The errors of a scheme's law in every observable, each in its own size: after a time and at all times up to it, and
 // at equilibrium. What the choice of an integrator and the tables of cost rest on.
 #pragma once

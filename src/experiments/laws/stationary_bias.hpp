@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stationary law of every scheme that keeps the sphere, against the true one, without sampling.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/laws/transfer_refuted.hpp"
 
 #include <fmt/format.h>

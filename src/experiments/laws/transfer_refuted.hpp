@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What refutes the order of a scheme whose errors carry no sampling error, besides their slope: each the worst column's
 // word, with a reason, or nothing. `empty` is the verdict without a finding.
 #pragma once

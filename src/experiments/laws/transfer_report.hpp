@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors that carry no sampling error, over several step sizes: measurements, fits and one verdict.
 #pragma once
 

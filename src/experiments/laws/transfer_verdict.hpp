@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a table of exact errors says of its scheme.
 //
 // Where increments far out change the law, it is refuted at once. Else "order p" has three parts, each of every column:

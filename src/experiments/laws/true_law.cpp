@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/laws/true_law.hpp"
 #include "sphere/harmonics/harmonics.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stationary law of the equation itself, in closed form where there is one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/lyapunov/chaos_border.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The border of chaos theta*(sigma), the root of lambda_1 in theta for each strength of the noise, and the map of
 // lambda_1 over both. Nothing is sampled (sphere/lyapunov.hpp).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/lyapunov/discretisation_exponents.hpp"
 
 #include "experiments/laws/transfer_report.hpp"

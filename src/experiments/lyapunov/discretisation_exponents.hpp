@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Lyapunov exponents of the discretisations over dt, without sampling (frame_transfer.hpp), against those of the
 // equation.
 #pragma once

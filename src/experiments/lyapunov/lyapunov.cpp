@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Does the flow of one common noise spread or collect, and where is the border between the two?
 //
 // lambda_1 of the equation is exact (sphere/lyapunov.hpp), nothing is sampled; where it changes its sign is the

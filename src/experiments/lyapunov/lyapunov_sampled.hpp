@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lyapunov exponents of the discretisations: sampled growth of the tangents of their own steps, against the exact
 // exponents of the equation.
 #pragma once

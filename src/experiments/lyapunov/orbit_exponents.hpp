@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The experiment `lyapunov` where the system does not live on one sphere: the whole spectrum on its orbit, sampled.
 #pragma once
 

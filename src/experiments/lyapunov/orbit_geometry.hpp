@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The coadjoint orbit about a state: its tangent space, its Liouville volume, and the divergence of the drift on it.
 //
 // The tangent space at mu is the range of the Poisson tensor J(mu) xi = ad*_xi mu, an antisymmetric matrix; on it the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Growth of lengths and of Liouville's volume along the paths of a flow on its coadjoint orbit.
 #pragma once
 

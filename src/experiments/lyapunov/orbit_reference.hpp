@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Lyapunov exponents of an equation that does not live on one sphere, sampled: they are what schemes are held to.
 #pragma once
 

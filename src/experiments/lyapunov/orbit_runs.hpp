@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Schemes with their tangents through the paths of the equation.
 #pragma once
 

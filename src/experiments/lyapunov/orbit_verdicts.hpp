@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What means over paths say of exponents.
 #pragma once
 

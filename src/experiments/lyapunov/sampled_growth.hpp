@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Growth of lengths and areas along the paths of schemes, sampled until the intervals are tight.
 #pragma once
 

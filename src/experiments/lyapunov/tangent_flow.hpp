@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // States with any number of tangents through the steps of a noise: by the derivative of a scheme's own step, or by
 // differences of neighbours, for a kernel that has no derivative. The two know nothing of each other.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/lyapunov/tangent_runs.hpp"
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Long runs of the flow and its tangents on the momentum sphere: growth of lengths and areas, path by path.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verdict on leading constants: those found in a scheme's errors against those that one step predicts.
 #pragma once
 

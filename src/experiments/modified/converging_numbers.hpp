@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers of the equation that those of a scheme converge to at its weak order, as power series in dt.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How fast a scheme forgets its start: gap(dt) = -log|lambda_2| / dt, lambda_2 the eigenvalue of its operator T_dt that
 // is largest in modulus besides the constants' 1. Against the equation's, the least decay rate of Kolmogorov's operator
 // (sphere/spectral_gap.hpp): T_dt = exp(dt L) + O(dt^(p+1)), so that they differ by O(dt^p). Where two modes are

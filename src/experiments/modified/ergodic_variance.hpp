@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The variance in the central limit theorem of time averages, exact: of the equation, and of a scheme at each dt.
 //
 //   sqrt(T) (1/T int_0^T f(Pi_t) dt - pi(f)) -> N(0, v),   v = -2 pi(g u),  L u = g = f - pi(f)     (Bhattacharya 1982)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The leading constants of a scheme's errors from its one-step expansion (Talay and Tubaro, Stoch. Anal. Appl. 8 (1990)
 // 483): with T_dt = exp(dt L) + dt^(p+1) L_p + …
 //

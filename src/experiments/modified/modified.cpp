@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which equation does a scheme really solve at this dt?
 //
 // T_dt = exp(dt G) with G = log(T_dt)/dt, the generator of the scheme's modified equation (for sigma = 0 that of

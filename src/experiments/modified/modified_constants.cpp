@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/modified/modified_constants.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Are the leading constants of a scheme's errors after many steps those that one step predicts?
 #pragma once
 

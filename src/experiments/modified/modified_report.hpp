@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is written of a scheme's modified equation: its parameters over dt, their distances from the scene's, the
 // residual.
 #pragma once

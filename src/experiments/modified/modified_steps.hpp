@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Are n steps in one run one step, n times?
 #pragma once
 

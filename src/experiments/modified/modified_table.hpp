@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Effective parameters of a scheme at several step sizes: the rigid body whose generator is nearest to log(T_dt)/dt.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What "broken" means of a path and of a run.
 #pragma once
 

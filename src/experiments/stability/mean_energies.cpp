@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/stability/mean_energies.hpp"
 
 #include <cmath>

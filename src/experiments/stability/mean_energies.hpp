@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The true mean energy at the horizon of every case, against which runs are held.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Do mean squares beside an equilibrium grow or shrink as those of the equation do?
 //
 // Where h is stationary the equation without noise stands still, and so does that with noise along the direction alone

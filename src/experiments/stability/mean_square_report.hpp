@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is said of mean squares beside the equilibria (mean_square.hpp): rates of growth, their errors and the order.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How large may a step be before a scheme breaks, and by what does it break first?
 //
 // The stability limit is found by bisection (stability_limit.hpp), for each scheme and each case (stability_case.hpp)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scenes on which a scheme is tried until it breaks: one parameter of the scene moved at a time, and the corners of
 // the equation.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // When do the moments of a scheme that leaves the sphere explode?
 //
 // Its drift is cubic and its noise normal, so that in exact arithmetic some paths run off at every dt and moments of

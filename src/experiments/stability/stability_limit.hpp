@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stability limit by bisection in the number of steps.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What only very many steps or very many paths show. At effort thorough.
 #pragma once
 

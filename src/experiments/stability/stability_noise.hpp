@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which noise of the experiment on stability is audited.
 //
 // Runs of as many steps have the same normals, whatever their scheme and case. So one scheme is heard, and of it the

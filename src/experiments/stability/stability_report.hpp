@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the experiment on stability says of what it found.
 #pragma once
 

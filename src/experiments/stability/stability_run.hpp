@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many paths of one scheme at one step size, watched until they break.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The equation has no scale: Pi -> s Pi, theta -> theta/s, sigma -> sqrt(s) sigma, t -> t/s maps solutions onto
 // solutions. A scheme should not have one either.
 #pragma once

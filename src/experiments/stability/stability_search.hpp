@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stability limits of all schemes in all cases, searched side by side, and the map of shares that stay whole.
 //
 // Searches ask for the same numbers of steps, and runs of as many steps have the same normals whatever their scheme,

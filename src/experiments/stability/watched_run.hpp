@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One run of the experiment on stability, block by block and chunk by chunk: who drives it brings the noise.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/strong/path_orders.hpp"
 
 #include <fmt/format.h>

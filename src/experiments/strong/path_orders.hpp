@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // In what sense does a scheme converge path by path? Besides the mean square at the end of the horizon: in the supremum
 // over it, in L^1 and L^4, and almost surely.
 //

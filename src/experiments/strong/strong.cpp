@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far is a path from the true path, and how fast does that fall with dt?
 //
 // All levels are driven by one piecewise linear path on a fine grid; the reference solves the Wong-Zakai equation of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the paths of one scheme tell: its order in mean square, how strongly it feels Levy areas, and whether its limit
 // is the true solution.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far is the reference itself from the solution?
 //
 // Experiment strong compares with Y_d, the solution driven by the piecewise linear path of cells of width d, which

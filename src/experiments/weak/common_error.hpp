@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One number for the errors of all observables, that a slope can be asked of.
 //
 // Single errors cross zero or are lost in the sampling error, and the slowest of many slopes is slow by chance. So all

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Paths of schemes at all levels of a grid, and of the driven equation, by one noise.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/weak/exact_means.hpp"
 
 #include <fmt/format.h>

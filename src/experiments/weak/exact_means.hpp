@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is exact where weak errors are sampled: means on a product of two spheres, and the driven equation held to them.
 #pragma once
 

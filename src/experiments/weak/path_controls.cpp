@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/weak/path_controls.hpp"
 
 #include "statistics/control_variates.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Control variates of a path: what its noise did on the whole, of which the mean is known to vanish.
 //
 // What is left of f(X_dt) - f(X) is for the most part a response to the increments, linear in those of each part of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/weak/true_means.hpp"
 
 #include <fmt/format.h>

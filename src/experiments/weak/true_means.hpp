@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The observables of experiment weak whose true mean at the horizon is known, and those means.
 #pragma once
 

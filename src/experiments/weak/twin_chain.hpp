@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The law of the true solution from paths that share their noise, so that little variance is left.
 //
 // The twin Y_l of a level solves the equation that its increments drive, cut off from the areas inside its steps

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far is the law of a scheme from the true law after the scene's horizon, and how fast does that fall?
 //
 // On a sphere both expectations are linear algebra: the scheme's by its transfer operator (transfer.hpp), the true one

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Weak errors of schemes that draw random numbers of their own: no path of another equation is near theirs, and what is
 // sampled is held against exact means.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The weak error of any scheme at one step size, sampled: what the choice of an integrator asks where no operator can
 // tell.
 //

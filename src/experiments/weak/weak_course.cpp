@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/weak/weak_course.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Weak errors at all times up to the horizon: Talay and Tubaro's expansion is uniform on [0, T] (Stoch. Anal. Appl. 8
 // (1990) 483), so that sup_n |E[f(X_n)] - E[f(Pi_(n dt))]| falls at the weak order as well. The powers of the scheme's
 // operator that lead to the horizon pass all these times.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Weak order where no operator can give it: sampled, against the Wong-Zakai equation on the same paths.
 //
 // d(dt) = E[f(X_dt) - f(X)], X the solution of the ordinary differential equation that the path drives, falls with the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The errors of schemes' laws at the horizon and at all times up to it, on one grid of steps, and what is said of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost against error: which points no other beats, and what an accuracy costs. Plain numbers, nothing is measured here.
 #pragma once
 

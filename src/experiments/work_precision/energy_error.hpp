@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far a scheme's energy is from that of the true path, without noise: what the choice of an integrator and the
 // tables of cost rest on.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiments/work_precision/known_errors.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The errors that earlier experiments of a run found, gathered by kind and each in units of its own size.
 #pragma once
 

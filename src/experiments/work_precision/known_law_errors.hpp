@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors of the law in the measure of `select`: of schemes that keep the sphere, and of combinations of their averages.
 #pragma once
 

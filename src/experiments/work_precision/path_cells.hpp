@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Into how many cells a step is cut where the areas of its path are asked for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a path costs per unit of time, each step measured once.
 #pragma once
 

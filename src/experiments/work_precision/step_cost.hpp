@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What one step of a scheme costs on a scene: measured in this run on this machine, and counted.
 //
 // A machine is never quiet. So every measurement stands between two of a loop that never changes (yardstick.hpp), and

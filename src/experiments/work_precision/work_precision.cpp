@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What does an accuracy cost, and with which scheme is it cheapest?
 //
 // The errors are those that the other experiments of this run found (known_errors.hpp); the cost of a step is measured

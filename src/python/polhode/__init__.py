@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Does a stochastic geometric integrator keep its promises?
 
     import polhode

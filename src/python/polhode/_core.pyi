@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The laboratory itself. Use the package; this is what it is made of."""
 from typing import Any, Callable, Optional, Tuple
 

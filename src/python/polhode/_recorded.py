@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Recorded states on their way to the laboratory, which reads files."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Scenes: what the caller gives, and what an integrator is told."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Python callables as integrators: their claims, and the loop that steps them."""
 from __future__ import annotations
 

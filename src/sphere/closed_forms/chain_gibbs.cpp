@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "sphere/closed_forms/chain_gibbs.hpp"
 
 #include <algorithm>

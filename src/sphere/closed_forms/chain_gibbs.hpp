@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Gibbs law exp(-beta h) of coupled spins or bodies whose bonds form chains and rings, by transfer matrices between
 // points of the sphere.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mean energy without dissipation: the free motion keeps h, so that noise alone moves it, dE[h]/dt = E[L h] with
 // L h = 1/2 sum_ij Q_ij L_i L_j h, a quadratic function of Pi ("trace formula": for additive noise 1/2 tr of Hessian
 // times covariance, Chen, Cohen, D'Ambrosio, Lang, Adv. Comput. Math. 46 (2020) 27; here orbits are compact, and

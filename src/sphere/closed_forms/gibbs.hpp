@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Gibbs law of the rigid body on the momentum sphere, exactly: density exp(-beta h) on |Pi| = c.
 #pragma once
 

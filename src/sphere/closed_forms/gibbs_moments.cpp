@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "sphere/closed_forms/gibbs_moments.hpp"
 
 #include <gsl/gsl_sf_bessel.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moments of a Bingham law on the unit sphere: what the Gibbs law of a rigid body is.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The equation beside an equilibrium n of h, with noise along n alone: then n is an equilibrium of the noisy equation
 // too, and what is near it obeys a linear equation. Momentum c n + F x, F the frame of two vectors across n, H the
 // curvature of h there (sphere/equilibria.hpp):

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an expectation is without noise: the observable on the one path there is.
 #pragma once
 

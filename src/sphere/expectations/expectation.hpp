@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expectations without sampling: E[f(Pi_T)] = (exp(T L) f)(Pi_0), L the generator
 // (sphere/harmonics/backward_operator.hpp). What a projection leaves out of L f proves a bar
 // (sphere/galerkin/poisson.hpp).

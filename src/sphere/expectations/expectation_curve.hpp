@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expectations at every time up to a horizon, of several functions at once.
 #pragma once
 

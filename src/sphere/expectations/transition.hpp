@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The law of the next state, given this one: P_t = exp(t L) as functions of the state before. No sampling.
 #pragma once
 

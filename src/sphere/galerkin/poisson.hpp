@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stationary means with a proved bar, by Poisson's equation and the maximum principle.
 //
 // If A u = f - m - r with a remainder r, then under every stationary law E[A u] = 0, so |E[f] - m| <= sup |r|. A

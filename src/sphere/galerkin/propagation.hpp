@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The semigroup of a generator on the functions of one degree, with a proved bar.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How every reference by projection decides its degree.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "sphere/harmonics/angular_velocity.hpp"
 
 namespace polhode {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Omega and x cross Omega of Omega = A x + b on the unit sphere, as polynomials of x and as operators that multiply by
 // them, whatever the functions are that the coordinates act on.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A diffusion on the momentum sphere as linear algebra: its generator. With x = Pi / c, c the radius, in spherical
 // harmonics up to a degree:
 //

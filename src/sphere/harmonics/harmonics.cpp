@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "sphere/harmonics/harmonics.hpp"
 
 #include <boost/math/special_functions/legendre.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Real orthonormal spherical harmonics as a basis of linear algebra: values, quadrature, rotations, multiplication by
 // x.
 #pragma once

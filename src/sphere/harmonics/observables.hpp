@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Observables in harmonics, and in a unit of their own, so that the squares of them that bars are made of stay within
 // double precision.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Functions on the rotation group as linear algebra: Wigner functions, real and orthonormal, of R = (v, w, x).
 #pragma once
 

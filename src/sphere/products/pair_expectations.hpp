@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expectations on a product of two spheres without sampling: E[f(Pi_T)] = (exp(T L) f)(Pi_0), L the generator
 // (pair_generator.hpp). What a projection leaves out of L f proves a bar (sphere/galerkin/propagation.hpp); where three
 // successive degrees tell more, they may, as on one sphere.

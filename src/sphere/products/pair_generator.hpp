@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The generator of two coupled diffusions on products of spherical harmonics, by Kronecker products of operators of one
 // sphere.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "sphere/products/pair_harmonics.hpp"
 
 #include <cmath>

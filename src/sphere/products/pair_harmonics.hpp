@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Products of real orthonormal spherical harmonics, Y_k(x_1) Y_n(x_2), as a basis of functions on two spheres.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two Lie-Poisson diffusions, each on its sphere of momentum, that feel each other: two bodies or two spins.
 //
 //   dPi_s = Pi_s x (Omega_s + damping_s Pi_s x Omega_s) dt + sum_k Pi_s x sigma_ks o dW^k    (Stratonovich), s = 1, 2,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "statistics/noise/area_strength.hpp"
 
 #include <Eigen/Dense>

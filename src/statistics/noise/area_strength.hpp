@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How strongly does a scheme feel Levy areas?
 //
 // With Y the true solution without the areas of level dt (the twin of experiments/common/driven_block.hpp), S = X - Y

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Are the numbers that drove a run what was asked for: independent increments N(0, dt), and areas of their law?
 //
 // Every sum below has mean 0 and a known variance under that law, so that divided by its standard deviation it is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the sums of a noise_audit say: each as a normal deviate.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Are the paths of a run different ones, and independent of each other?
 //
 // Exactly: the first numbers of all paths, bit for bit. Two fast normals are the same float with a probability of

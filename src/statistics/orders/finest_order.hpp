@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The order of errors without sampling error, as the finest levels show it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which levels take part in the fit of an order.
 //
 // The rule is fixed in advance: levels at the rounding floor and levels that are not finite are left out; of the rest

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "statistics/orders/log_line.hpp"
 
 #include <cmath>

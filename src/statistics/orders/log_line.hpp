@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Levels in double logarithms, from coarse to fine, and the weighted least-squares line through them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Orders of convergence with intervals.
 //
 // Which levels take part is a rule fixed in advance (level_choice.hpp). Where the coarsest of those that do is still

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "statistics/orders/path_slopes.hpp"
 
 #include <fmt/format.h>

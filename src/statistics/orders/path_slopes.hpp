@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The order of each path by itself: the slope of log2 |error| against log2 dt, by least squares over given levels.
 //
 // Slopes of single paths scatter, as a factor that changes from level to level at random does not fall with dt; their

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values without sampling error as a power series of the step.
 //
 //   y(dt) = c_0 + c_1 dt + c_2 dt^2 + …        (of errors: Talay, Tubaro, Stoch. Anal. Appl. 8 (1990) 483)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Squared errors of coupled levels, and their norms over the paths.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The heavy top with its flows inlined into the step.
 #pragma once
 

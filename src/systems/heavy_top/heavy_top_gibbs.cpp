@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "systems/heavy_top/heavy_top_gibbs.hpp"
 
 #include <fmt/format.h>

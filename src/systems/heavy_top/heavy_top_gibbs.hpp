@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Gibbs law exp(-beta h) of the heavy top on its orbit |Gamma| = 1, Pi.Gamma = k.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a rigid body's kernel is chosen by.
 #pragma once
 

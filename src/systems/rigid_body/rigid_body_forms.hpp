@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rigid body's kernels: which parts a scene and a step size need is decided once, here, outside every loop.
 #pragma once
 

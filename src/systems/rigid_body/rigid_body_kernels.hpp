@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Chooses the rigid body's kernel for a scene and a step size, outside every loop.
 #pragma once
 

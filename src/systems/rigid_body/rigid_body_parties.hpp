@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The schemes whose kernels for the rigid body are compiled in a source of their own. One that is in no party is
 // compiled with the binding itself.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pair of bodies bound to a step size and an orbit: the same flows as polhode/systems/so4_body.hpp, but the
 // dissipation without exponentials, divisions and roots. The lengths of both parts are the orbit's.
 #pragma once

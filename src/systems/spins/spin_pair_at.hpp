@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two spins with an easy axis or plane along an axis, bound to a step size: the same flows as
 // polhode/systems/spins.hpp, inlined into the step, and the turn about the field as a matrix.
 #pragma once

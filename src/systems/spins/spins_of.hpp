@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The spins of a scene, in either form of them.
 #pragma once
 

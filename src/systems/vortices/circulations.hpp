@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Strengths of the vortices of a scene, and where they are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Point vortices: their table and what they offer. They meet the schemes in spins.cpp.
 #include <polhode/systems/vortices.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Functions of a state on the sphere and a tangent direction at it, a direction and its opposite being the same.
 //
 // Such a pair is a rotation R = (v, w, x), w = x cross v. Its functions are the Wigner functions of even right index:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far from its sphere a scheme takes a path: the shell that is to hold it, and what leaves it.
 #pragma once
 

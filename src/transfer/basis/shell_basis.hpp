@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Functions of momentum near a sphere as linear algebra: Chebyshev polynomials in the radius times spherical harmonics.
 #pragma once
 

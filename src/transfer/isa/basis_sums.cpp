@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set: the recurrence of the harmonics in registers, the sums in the nearest cache.
 #include "transfer/basis_sums.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set: powers of the frame's half turns, then the recurrence in the degree.
 #include "transfer/frame_sums.hpp"
 

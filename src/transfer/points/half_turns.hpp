@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Does a step commute with the half turns of a body about its principal axes?
 //
 // The equation of a body with diagonal inertia does, if its noise has the same law after them: with g = diag(1, -1, -1)

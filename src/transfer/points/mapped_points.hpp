@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One step of a scheme from many points, through every node of the noise's rule.
 #pragma once
 

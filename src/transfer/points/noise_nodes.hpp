@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Product rules for the noise of one step.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Points in the layout of a kernel: blocks of lanes.
 #pragma once
 

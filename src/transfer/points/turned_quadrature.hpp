@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A quadrature of the sphere that the half turns of a body map onto itself, and sums over its rings.
 #pragma once
 

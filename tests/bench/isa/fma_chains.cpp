@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The peak of one core: independent chains of x <- x a + b, more of them than latency times units asks for. Where there
 // is no fused operation (v2) it is a product and a sum.
 #include "bench/by_hand.hpp"

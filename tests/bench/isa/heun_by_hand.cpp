@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heun without noise for a rigid body, written for this case alone: packs in registers, several in flight, 1/I_2 taken
 // from every 1/I (Pi x Pi = 0), constants outside the loop.
 #include "bench/by_hand.hpp"

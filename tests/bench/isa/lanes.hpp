@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One register of doubles, in the compiler's own vectors: no inline function that the linker could merge with its
 // namesake of another instruction set.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Eigen's products and solution on every instruction set: what Eigen gives where it stands, also for parts of matrices.
 #include "algebra/dense_algebra.hpp"
 

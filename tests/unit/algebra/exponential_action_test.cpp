@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exponential of a sparse matrix on a vector, against the dense one; its blocks and null vectors.
 #include "algebra/exponential_action.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Comparing two results: what is noise, what is not, and what is worse.
 #include "comparison/compare.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Comparing costs: what a noisy machine does to them is no change, and what a program does is.
 #include "comparison/compare.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Results of one experiment and one scheme, written by hand.
 #pragma once
 

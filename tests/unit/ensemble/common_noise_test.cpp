@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What experiment attractor rests on: the noise of a step before time 0 is the same for every start, and each path has
 // its own; the means of the harmonics are right.
 #include <gtest/gtest.h>

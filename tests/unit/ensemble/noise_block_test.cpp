@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Blocks of normals against the same addresses one by one: every instruction set, source and place.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From an interval to a verdict.
 #include "experiments/common/judge.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes of tests/nightly/modified_attack_test.cpp on which healthy schemes were refuted: rounding of a step's operator
 // changes modes slower than the fastest rate by more than was allowed for, and the slowest of two modes has no power
 // series.

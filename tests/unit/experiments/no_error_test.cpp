@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scheme whose law errs nowhere: what is not seen has to be negligible where it is certain.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Orbits off the sphere: tangent spaces, volumes, divergences in closed form, and starts all over them.
 #include "experiments/lyapunov/orbit_geometry.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The floor of rounding: its unit in closed form, and what is kept in single precision beside healthy schemes.
 #include "experiments/common/rounding_floor.hpp"
 

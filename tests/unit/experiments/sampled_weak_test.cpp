@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What sampled weak errors rest on, each by itself.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a process is told, through one that tells it back: its states become sums of what it is handed.
 #include "foreign/process.hpp"
 

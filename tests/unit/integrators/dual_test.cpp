@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dual numbers against derivatives in closed form, in several directions, nested, and in packs.
 #include <polhode/dual.hpp>
 

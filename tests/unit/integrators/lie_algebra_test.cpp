@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every Lie algebra of lie/ must do, against matrices. A new one adds its name and a state.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One exponential of a Gaussian vector against Brownian motion on the group: E exp(C(T dW)) and exp(dt/2 sum C_i^2) as
 // matrices of representations, the expectation by tensor Gauss-Hermite quadrature, so nothing is sampled.
 //

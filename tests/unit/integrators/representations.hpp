@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Representations of an algebra as matrices, the mean of an exponential in them, and how far it is from Brownian motion
 // on the group.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Processor time is charged to what a thread says it works on.
 #include "platform/cpu_profile.hpp"
 

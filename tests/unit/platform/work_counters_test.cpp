@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a scene does not need is not computed: shown by what was counted.
 #include "platform/work_counters.hpp"
 

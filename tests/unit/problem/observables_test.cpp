@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names become functions of the state, for every system.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a system's table accepts, in which shape it keeps it, and what it refuses.
 #include "problem/parameters.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What one transition adds to the sums of the transition test, by single expectations; and what the test makes of sums
 // that are given.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "reports/writers/density_picture.hpp"
 
 #include <gtest/gtest.h>

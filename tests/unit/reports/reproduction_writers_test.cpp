@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How published numbers and ours are written, in each format.
 #include <gtest/gtest.h>
 

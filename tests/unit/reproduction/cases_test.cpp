@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cases at reduced size against numbers that are known otherwise.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // When does a number agree with a published one?
 #include "reproduction/judged.hpp"
 

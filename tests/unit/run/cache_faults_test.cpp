@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files that are damaged, foreign or cannot be written: a run is as if they were not there.
 #include <fstream>
 #include <sstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a second run computes again, by counters; and that it says what a first run says, bit for bit.
 #include <algorithm>
 #include <atomic>

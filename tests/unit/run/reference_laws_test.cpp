@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `polhode reference` as a function: laws that hold whatever the method, with noise and without.
 #include "run/reference.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `polhode reference` as a function: what it refuses, in words, and how certain its answers are.
 #include "run/reference.hpp"
 

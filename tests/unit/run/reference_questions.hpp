@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes to ask `polhode reference` about, and the questions: each answer is converged, each refusal is one line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `polhode reference` as a function: what an independent program printed, and closed forms.
 #include "run/reference.hpp"
 

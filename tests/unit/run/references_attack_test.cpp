@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A sample of tests/nightly/references_attack_test.cpp: what takes seconds. Expectations and gaps are attacked there.
 #include "support/reference_attack.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The nearest name, and text made fit for one line.
 #include "scene/nearest.hpp"
 

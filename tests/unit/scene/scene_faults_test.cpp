@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every fault of a scene is refused in one line that names the file, the key and the value.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the tests of scenes share: scenes as files, and what a refusal must be.
 #pragma once
 

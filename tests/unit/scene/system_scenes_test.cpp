@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes of every system: what is read, a system's own units, and each fault refused in one line.
 #include <gtest/gtest.h>
 

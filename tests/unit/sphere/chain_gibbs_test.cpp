@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Gibbs law of coupled spins, by transfer matrices, against closed forms and sums over all points of all spheres.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where h is stationary on the sphere: closed forms, and topology on problems drawn at random.
 #include <gtest/gtest.h>
 

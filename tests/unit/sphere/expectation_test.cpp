@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expectations by the generator on the sphere: known answers, another projection, and bars that hold at every degree.
 #include <gtest/gtest.h>
 

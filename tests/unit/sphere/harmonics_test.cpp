@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "sphere/harmonics/harmonics.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mean squares beside an equilibrium: closed forms, and the whole second moment by Kronecker products.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Observables next to the ends of double precision: squares of them overflowed or vanished, and 0 +- 0 was the answer.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expectations on a product of two spheres: against those of one sphere, closed forms, the Gibbs law, and their own
 // bars.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies on the sphere of the scene `paper`, their observables, and a start.
 #pragma once
 

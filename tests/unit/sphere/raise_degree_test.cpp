@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A degree that is raised until answers agree.
 #include "sphere/galerkin/raise_degree.hpp"
 

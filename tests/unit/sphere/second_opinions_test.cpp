@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The second methods of the attack on the references: against known answers and each other; the averaged gap.
 #include "support/second_opinions.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The spectral gap on the sphere: known ones, weak noise, and none where something is conserved.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any h of degree two on the sphere: fields, products of components, noise that depends on the state.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stationary law on the sphere: Gibbs, uniform, what a long time gives, and none.
 #include <gtest/gtest.h>
 

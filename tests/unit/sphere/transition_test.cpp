@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The law of the next state: closed forms of a free rotation under isotropic noise, the expectations of single
 // functions, and the law of two intervals in one.
 #include <gtest/gtest.h>

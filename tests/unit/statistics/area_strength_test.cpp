@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How strongly areas are felt is found beside a scheme's own larger error, and is not made up where there are none.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dimensions of sets that are known: a great circle, the sphere, and measures whose dimensions differ.
 #include "statistics/box_dimension.hpp"
 

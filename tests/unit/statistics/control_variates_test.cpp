@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "statistics/control_variates.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors known to a share of themselves: the terms of their expansion, and the order at the finest steps.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sampled errors as powers of the step: a wrong limit, and a leading term below a larger one.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fit of an order: exact powers, floors, divergence, and an interval that covers as often as it says.
 #include "statistics/orders/order_fit.hpp"
 

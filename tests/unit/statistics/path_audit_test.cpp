@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Paths that repeat or follow each other are seen, one among 64 as well, and healthy ones are not taken for such.
 #include <gtest/gtest.h>
 

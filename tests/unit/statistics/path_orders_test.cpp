@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Orders in other norms than the mean square, and of single paths: what one sees and another does not.
 #include <gtest/gtest.h>
 

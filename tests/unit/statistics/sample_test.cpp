@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The distance of Kolmogorov and Smirnov.
 #include "statistics/sample.hpp"
 

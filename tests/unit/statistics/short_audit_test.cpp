@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The audit of few numbers is no surer than it may be, and paths heard one by one are judged as if heard together.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Gibbs law of the heavy top: an independent computation, and what equipartition says.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Turns as shears: the exact rotation to rounding, within their bounds and at every size of the orbit.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Budget, deviates, verdicts.
 #include <polhode/testing/alarm_budget.hpp>
 #include <polhode/testing/moments.hpp>

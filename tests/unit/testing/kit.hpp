@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What tests of the kit share: rates of false alarms with their exact intervals.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // "This law is that law", and a budget over a suite of such.
 #include <polhode/testing/alarm_budget.hpp>
 #include <polhode/testing/law_test.hpp>

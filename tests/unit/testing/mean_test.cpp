@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // "This sample's mean is m": rates of false alarms, planted defects, bad samples.
 #include <polhode/testing/bounded_mean_test.hpp>
 #include <polhode/testing/mean_test.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // "This slope is p", and Wald's test.
 #include <polhode/testing/slope_test.hpp>
 #include <polhode/testing/sprt.hpp>

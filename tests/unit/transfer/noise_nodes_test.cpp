@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The nodes of one step's noise have its moments, also where of three areas not every product of nodes is taken.
 #include <gtest/gtest.h>
 

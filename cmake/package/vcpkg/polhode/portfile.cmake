@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # An overlay port of this tree: vcpkg install polhode --overlay-ports=cmake/package/vcpkg
 cmake_path(ABSOLUTE_PATH CURRENT_PORT_DIR OUTPUT_VARIABLE port)
 set(SOURCE_PATH ${port}/../../../..)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Series in the bracket of any Lie algebra.
 #pragma once
 

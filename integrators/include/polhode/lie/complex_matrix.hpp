@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Complex n x n matrices over any scalar, n known to the compiler.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Square matrices of n rows, n known to the compiler: loops over them are written out, and a product of the size of a
 // step stays near the registers.
 #pragma once

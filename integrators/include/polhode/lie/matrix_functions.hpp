@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exponentials and Cayley transforms of small square matrices, real (fixed_matrix.hpp) or complex (complex_matrix.hpp).
 #pragma once
 

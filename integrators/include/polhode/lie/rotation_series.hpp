@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The coefficients of Rodrigues' formula and of its integral, in the square of the angle.
 #pragma once
 

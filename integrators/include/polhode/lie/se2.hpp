@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // se(2), turns and shifts of the plane, and its dual: mu = (m, p), xi = (omega, v), m and omega numbers, p and v in
 // R^2.
 //

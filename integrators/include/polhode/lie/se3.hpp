@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // se(3), the semidirect sum of so(3) and R^3, and its dual: mu = (Pi, Gamma), xi = (omega, v), six numbers each.
 //
 //   [(omega, v), (omega', v')] = (omega x omega', omega x v' - omega' x v)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fourier modes of real functions on the torus, n x n of them, as vectors and as Hermitian matrices.
 //
 // The modes are complex, v_{-k} = conj v_k, and k_1, k_2 go from -(n - 1)/2 to (n - 1)/2 without k = 0; n is 3 or 5. A

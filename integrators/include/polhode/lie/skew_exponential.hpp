@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // exp(X) - 1 of a skew matrix X of 3 to 6 rows, and what it does to another.
 //
 // The eigenvalues of Y = X^2 are -w_j^2, two of each, and 0 of odd n. By Cayley and Hamilton X chi(Y) = 0, chi(y) =

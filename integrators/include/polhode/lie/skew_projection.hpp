@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A skew matrix next to M, of 3 to 6 rows, whose eigenvalues are those of another one, T.
 //
 // It is M sum_k c_k P^k, P = M^T M, k < m = n/2. The eigenvalues are fixed by q_k = tr P^k / 2, k = 1 … m, and q_k

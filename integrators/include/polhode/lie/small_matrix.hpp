@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small square matrices over any scalar, their size known at run time alone.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // so(3) and its dual, both R^3: stateless coadjoint calculus.
 //
 //   [xi, eta] = xi x eta,    coad(xi, mu) = ad*_xi mu = mu x xi

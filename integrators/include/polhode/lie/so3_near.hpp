@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // so(3) for rotations that are mostly small: the coadjoint calculus of so3.hpp with exp by polynomials of a lower
 // degree, to the same accuracy.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // so(3)^N, N spins or vortices, and its dual, R^3 x … x R^3: every operation factor by factor. N is known at run time:
 // the size of a vector over three.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // so(4) = so(3) + so(3) and its dual, R^3 x R^3: every operation factor by factor.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // so(n), skew n x n matrices, and its dual, n from 3 to 6, known at run time by the size of a vector: the entries above
 // the diagonal, (1,2), (1,3), …, (2,3), …
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su(n), n = 3 or 5, in the Fourier basis of the sine algebra, and its dual (Fairlie, Zachos, Phys. Lett. B 224
 // (1989) 101-107). n is known at run time, by the size n^2 - 1 of a vector.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a random number lives. A value is a pure function of (seed, kind, path, step, channel): nothing is ever drawn
 // in sequence, so the number of threads, blocks, packs or ranks changes nothing, and asking for more never changes what
 // was there.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rounds of AES in plain C++: what the AES instructions do, the same bits (FIPS 197).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ARS4x32-7: 128 random bits as a pure function of a 128-bit counter and a 128-bit key, by seven rounds of AES whose
 // round keys form a Weyl sequence. Fast where the processor has AES instructions, the same bits everywhere.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Precise normals: Box-Muller in double precision, two from 128 bits.
 // Compiled without contraction of products and sums the bits are the same on every instruction set.
 #pragma once

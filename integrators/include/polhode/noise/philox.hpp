@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Philox4x32-10: 128 random bits as a pure function of a 128-bit counter and a 64-bit key, for one counter or for packs
 // of them.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fast normals: the quantile of the normal law in single precision, 32 random bits each.
 //
 // Of a word, bit 31 is the sign and the other 31 bits are m; |x| is the quantile at the two-sided tail probability

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // 128 random bits at a counter, from either generator: one interface for one counter and for packs of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cayley-Heun: Lie-Heun with the Cayley map in place of the exponential; no transcendental function.
 //
 //   xi_1 = a(mu_n) dt + sigma dW,   mu* = Cay(xi_1) mu_n                                                 (Stratonovich)

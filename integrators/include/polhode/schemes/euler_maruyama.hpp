@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Euler-Maruyama: the explicit Euler step of the Ito equation.
 //
 //   dmu = ad*_{a(mu)} mu dt + 1/2 sum_i ad*_{sigma_i} ad*_{sigma_i} mu dt + sum_i ad*_{sigma_i} mu dW^i          (Ito)

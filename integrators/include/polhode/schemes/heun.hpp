@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stochastic Heun: predictor and trapezoidal corrector, drift and noise alike.
 //
 //   dmu = ad*_xi mu,   xi(mu) = a(mu) dt + sigma o dW                                                    (Stratonovich)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stochastic Heun, then the nearest point of the orbit through mu_n.
 //
 //   mu_{n+1} = P(Heun(mu_n)),   P: nearest point with the Casimirs of mu_n

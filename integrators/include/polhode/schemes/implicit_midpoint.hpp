@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Implicit midpoint, solved by Newton's method.
 //
 //   m = 1/2 (mu_n + mu_{n+1}),   mu_{n+1} = mu_n + ad*_xi m,   xi = a(m) dt + sigma dW (Stratonovich)

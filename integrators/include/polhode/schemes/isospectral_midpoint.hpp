@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Isospectral midpoint: the symplectic midpoint rule after reduction, free of exponentials.
 //
 //   mu_n = (1 + X/2) M (1 - X/2),   mu_{n+1} = (1 - X/2) M (1 + X/2),   X = a(M) dt + sum sigma_i(M) dW^i

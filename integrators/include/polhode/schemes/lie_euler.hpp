@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lie-Euler: one coadjoint action along the generator frozen at the start.
 //
 //   dmu = ad*_xi mu,   xi = a(mu) dt + sigma o dW                                                        (Stratonovich)

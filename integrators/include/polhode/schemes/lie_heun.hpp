@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lie-Heun: Heun's predictor-corrector in the Lie algebra; one coadjoint action per stage.
 //
 //   dmu = ad*_xi mu,   xi = a(mu) dt + sigma o dW                                                        (Stratonovich)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Geometric Milstein: one exponential of Milstein's terms.
 //
 //   B = sum sigma_i dW^i,   L = sum_{i<j} A^ij [sigma_i, sigma_j],   mu_{n+1} = Ad*_exp(a(mu_n) dt + B + L + D) mu_n

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lie-Trotter splitting: free rotation, dissipation, noise, one after the other.
 //
 //   mu_{n+1} = N(dW) D(dt) F(dt) mu_n                                                                    (Stratonovich)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Magnus with Levy areas: the first two terms of the Magnus series of the noise, Heun's average of the drift.
 //
 //   dmu = ad*_xi mu,   xi = a(mu) dt + sum sigma_i o dW^i                                                (Stratonovich)

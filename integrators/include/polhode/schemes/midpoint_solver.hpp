@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stage of midpoint rules: m = mu + 1/2 f(m), solved by Newton's method.
 //
 // Rule::motion(system, m, w) is f, Rule::linearised_motion(system, m, w) f with its derivative. Newton on F(m) = m - mu

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Milstein with Levy areas.
 //
 //   dmu = ad*_xi mu,   xi = a(mu) dt + sum sigma_i o dW^i                                                (Stratonovich)

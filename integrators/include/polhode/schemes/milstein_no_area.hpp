@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Milstein without Levy areas: the symmetric part of the double integrals alone.
 //
 //   B = sum sigma_i dW^i,   mu_{n+1} = mu_n + ad*_{a dt + B} mu_n + 1/2 ad*_B ad*_B mu_n (Stratonovich)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a scheme states about itself. Stated once, beside its step; documentation, tests and reports read it from here.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Three-stage stochastic Munthe-Kaas: Kutta's method of third order in the Lie algebra, driven by the step's increment.
 //
 //   xi(mu) = a(mu) dt + sum sigma_i dW^i,   k_j = dexp^-1(-u_j, xi(Ad*_exp(u_j) mu_n)),   u_1 = 0, u_2 = k_1/2,

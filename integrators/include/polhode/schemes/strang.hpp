@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Strang splitting in the palindrome that takes the fewest rotations.
 //
 //   mu_{n+1} = T1(dt/2) T2(dt/2) D(dt/2) N(dW) D(dt/2) T2(dt/2) T1(dt/2) mu_n                            (Stratonovich)

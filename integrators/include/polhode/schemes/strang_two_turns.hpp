@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // strang with noise of weak order two: the noise vectors are changed once, by O(dt).
 //
 //   mu_{n+1} = T1(dt/2) T2(dt/2) D(dt/2) N(T(dt) dW) D(dt/2) T2(dt/2) T1(dt/2) mu_n (Stratonovich) T(dt) T(dt)^T dt = Q

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Strang splitting with noise of weak order two: the noise vectors are changed once, by O(dt).
 //
 //   mu_{n+1} = D(dt/2) F(dt/2) Ad*_exp(T(dt) dW) F(dt/2) D(dt/2) mu_n,   T T^T dt = Q dt + R dt^2 (Stratonovich)

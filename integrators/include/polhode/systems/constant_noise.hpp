@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Noise with constant vectors sigma_i in a Lie algebra: sum_i sigma_i o dW^i acting by the coadjoint action.
 #pragma once
 

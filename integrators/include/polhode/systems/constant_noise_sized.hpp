@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // constant_noise on an algebra whose dimension is known at run time alone, Algebra::dimension < 0.
 #pragma once
 

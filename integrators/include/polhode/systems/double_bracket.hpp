@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Motion on the dual of a Lie algebra with double-bracket dissipation: what every such system has beside its energy.
 //
 //   dmu = ad*_{a(mu)} mu dt + sum_i ad*_{sigma_i} mu o dW^i,   a(mu) = Omega + theta ad*_Omega mu,   Omega = grad h

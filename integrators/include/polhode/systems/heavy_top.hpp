@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The heavy top: a rigid body with one fixed point under gravity, on the dual of se(3).
 //
 //   dmu = ad*_{a(mu)} mu dt + sum_i ad*_{sigma_i} mu o dW^i,   a(mu) = Omega + theta ad*_Omega mu       (Stratonovich),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a scheme may assume of a system: dmu = ad*_xi mu, xi = a(mu) dt + sum sigma_i o dW^i on the dual of a Lie
 // algebra.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The real Maxwell-Bloch equations on the dual of se(2): mu = (x_1, x_2, x_3),
 //
 //   x_1' = x_2,   x_2' = x_1 x_3,   x_3' = -x_1 x_2,   h = x_1^2 / 2 + x_3,   Casimir |(x_2, x_3)|,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Noise vectors as the columns of a matrix: their class, and the ones of weak order two.
 #pragma once
 

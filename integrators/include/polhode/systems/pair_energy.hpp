@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The energy f(u), u = S_i.S_j, of a pair of spins: of exchange, or of two point vortices.
 //
 //   exchange  f = J u                                f'(u) = J

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact flows of the parts of h = 1/2 sum_k lambda_k mu_k^2 on so(3)*, lambda_k of any sign: a body or a spin in its
 // principal axes. Each keeps |mu|.
 #pragma once

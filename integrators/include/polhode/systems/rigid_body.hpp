@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The dissipative stochastic rigid body on so(3)* (Arnaudon, De Castro, Holm, arXiv:1606.06308, eq. 3.4).
 //
 //   dPi = Pi x (Omega + theta Pi x Omega) dt + sum_i Pi x sigma_i o dW^i,   Omega = Pi / I,   h = 1/2 Pi . Omega

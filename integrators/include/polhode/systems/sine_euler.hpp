@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Zeitlin's truncation of Euler's equation of an ideal fluid on the torus, the sine-Euler equation, on the dual of
 // su(n).
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two bodies, or two spins, coupled through the energy: the dissipative stochastic top on so(4)* = so(3)* + so(3)*.
 //
 //   dmu = ad*_{Omega + theta ad*_Omega mu} mu dt + sum_i ad*_{sigma_i} mu o dW^i,   Omega = grad h   (Stratonovich)

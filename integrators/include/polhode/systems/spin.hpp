@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A classical spin with anisotropy in a field, or a gyrostat: any h of degree two on so(3)*.
 //
 //   dPi = Pi x (Omega + theta Pi x Omega) dt + sum_i Pi x sigma_i o dW^i,   Omega = quadratic Pi + field,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Coupled classical spins, each with the same anisotropy in the same field, on the dual of so(3)^N.
 //
 //   dS_i = S_i x (Omega_i + theta S_i x Omega_i) dt + sum_k S_i x sigma_ki o dW^k                       (Stratonovich),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A spin, gyrostat or body whose noise depends on the state.
 //
 //   dPi = Pi x (Omega + theta Pi x Omega) dt + sum_i Pi x sigma_i(Pi) o dW^i                            (Stratonovich)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Point vortices on the unit sphere, of strengths Gamma_i of either sign, on the dual of so(3)^N.
 //
 //   dx_i/dt = 1/(4 pi) sum_{j != i} Gamma_j x_j x x_i / (1 - x_i.x_j)                  (without dissipation and noise),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One probability of a false alarm for a whole suite, shared out over its tests.
 //
 // Test number k of any number of tests gets total 6 / (pi k)^2; the shares add up to the total (Euler). Where the
@@ -18,14 +19,14 @@ class alarm_budget {
   /// total: in (0, 1); tests: how many, in equal shares, or 0: any number. Throws std::invalid_argument.
   explicit alarm_budget(double total, int tests = 0) : total_(total), tests_(tests) {
     if (!(total > 0 && total < 1))
-      throw std::invalid_argument(text("budget = %g: accepted: a probability between 0 and 1", total));
-    if (tests < 0) throw std::invalid_argument(text("tests = %d: accepted: 0 (any number) or more", tests));
+      refuse<std::invalid_argument>(text("budget = %g: accepted: a probability between 0 and 1", total));
+    if (tests < 0) refuse<std::invalid_argument>(text("tests = %d: accepted: 0 (any number) or more", tests));
   }
 
   /// alpha of test number k = 1, 2, …; each number is for one test. Throws std::out_of_range.
   double share(int k) const {
     if (k < 1 || (tests_ > 0 && k > tests_))
-      throw std::out_of_range(
+      refuse<std::out_of_range>(
           text("test number %d: accepted: 1 to %s", k, tests_ > 0 ? std::to_string(tests_).c_str() : "any"));
     const double pi_k = std::numbers::pi * k;
     return tests_ > 0 ? total_ / tests_ : total_ * 6 / (pi_k * pi_k);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // "The mean of this sample is m", samples known to lie in [a, b]: exact for every law and every n >= 2.
 //
 // Half-width: the smaller of Hoeffding's, (b-a) sqrt(ln(4/alpha_k) / (2n)), and the empirical Bernstein bound,
@@ -32,7 +33,7 @@ class bounded_mean_test : public sequential_mean<bounded_width> {
   bounded_mean_test(double claim, double margin, double alpha, interval bounds, sampling plan = {})
       : sequential_mean(claim, margin, alpha, plan, {bounds.low, bounds.high}) {
     if (!std::isfinite(bounds.low) || !std::isfinite(bounds.high) || !(bounds.low < bounds.high))
-      throw std::invalid_argument(
+      refuse<std::invalid_argument>(
           text("bounds [%g, %g]: accepted: finite, the first smaller", bounds.low, bounds.high));
   }
 };

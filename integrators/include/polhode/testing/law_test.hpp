@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // "This law is that law": the distance of Kolmogorov and Smirnov, with its exact interval.
 //
 //   P(sup |F_n - F| > e) <= 2 exp(-2 n e^2),  so  e = sqrt(ln(2/alpha) / (2n))
@@ -37,7 +38,7 @@ class law_test : public answer {
       : cdf_(std::move(cdf)), margin_(margin), alpha_(alpha), wanted_(samples) {
     check_claim(0, margin, alpha);
     if (samples == 0 && margin == 0)
-      throw std::invalid_argument("margin = 0 with samples = 0: accepted: one of them positive");
+      refuse<std::invalid_argument>("margin = 0 with samples = 0: accepted: one of them positive");
     if (samples == 0) wanted_ = law_samples(margin, alpha);
     say(verdict::inconclusive, text("fewer samples than planned (%zu)", wanted_));
   }

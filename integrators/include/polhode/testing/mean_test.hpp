@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // "The mean of this sample is m", variance estimated: Student's interval.
 //
 //   mean +- t_{n-1}(alpha_k / 2) s / sqrt n                                     (sequential_mean.hpp: looks and

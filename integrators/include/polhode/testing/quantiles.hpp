@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Normal and Student deviates from the standard library alone.
 #pragma once
 

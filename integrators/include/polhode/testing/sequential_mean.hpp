@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // "The mean of this sample is m": samples come until the interval is tight; what mean_test and bounded_mean_test share.
 //
 // Looks are fixed in advance: at first, 2 first, 4 first, …, most samples. Each of the K looks spends alpha / K, so
@@ -49,7 +50,8 @@ class sequential_mean : public answer {
       : claim_(claim), margin_(margin), plan_(plan), rule_(rule), next_look_(plan.first) {
     check_claim(claim, margin, alpha);
     if (plan.first < 2 || plan.most < plan.first)
-      throw std::invalid_argument(text("first = %zu, most = %zu: accepted: 2 <= first <= most", plan.first, plan.most));
+      refuse<std::invalid_argument>(
+          text("first = %zu, most = %zu: accepted: 2 <= first <= most", plan.first, plan.most));
     alpha_at_a_look_ = alpha / plan.looks();
     say(verdict::inconclusive, text("fewer samples than the first look asks for (%zu)", plan.first));
   }

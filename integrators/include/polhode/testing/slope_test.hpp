@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // "This slope is p": errors at several step sizes, a line through their logarithms, an interval of its slope.
 //
 //   log e_i = c + p log dt_i,   half-width = z s max(1, sqrt(chi2 / (L-2))) + bend
@@ -53,12 +54,12 @@ class slope_test : public answer {
       : claim_(claim), margin_(margin), alpha_(alpha) {
     check(dt);
     if (errors.size() != dt.size() || (standard_errors.size() && standard_errors.size() != dt.size()))
-      throw std::invalid_argument(
+      refuse<std::invalid_argument>(
           text("%zu dt, %zu errors, %zu standard errors: accepted: as many of each, or no "
                "standard errors",
                dt.size(), errors.size(), standard_errors.size()));
     if (std::ranges::any_of(standard_errors, [](double se) { return se == 0; }))
-      throw std::invalid_argument("standard errors: accepted: all positive, or none given");
+      refuse<std::invalid_argument>("standard errors: accepted: all positive, or none given");
     levels l;
     const double z = normal_deviate(alpha / 2);
     for (std::size_t i : finest_last(dt)) {
@@ -107,7 +108,7 @@ class slope_test : public answer {
     check(dt);
     const std::size_t paths = per_path.size() / dt.size();
     if (paths * dt.size() != per_path.size())
-      throw std::invalid_argument(
+      refuse<std::invalid_argument>(
           text("%zu errors of paths: accepted: a multiple of the %zu dt", per_path.size(), dt.size()));
     of_shared(dt, per_path, paths);
   }
@@ -147,7 +148,7 @@ class slope_test : public answer {
     bool apart = sorted.size() >= 4 && sorted.front() > 0 && std::isfinite(sorted.back());
     for (std::size_t i = 1; apart && i < sorted.size(); ++i) apart = sorted[i] > 1.999 * sorted[i - 1];
     if (!apart)
-      throw std::invalid_argument("dt: accepted: at least four positive numbers, each half of another or less");
+      refuse<std::invalid_argument>("dt: accepted: at least four positive numbers, each half of another or less");
   }
 
   /// The levels from the coarsest to the finest.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wald's sequential probability ratio test between two simple hypotheses: H0, which is claimed, and H1.
 //
 //   log ratio of the likelihoods, L_n = sum log f1(x_i) / f0(x_i)
@@ -28,13 +29,13 @@ class sprt : public answer {
   /// Samples are 0 or 1; probabilities of 1 in [0, 1]. most: then it is inconclusive. Throws std::invalid_argument.
   static sprt bernoulli(const simple_hypotheses& h, std::size_t most) {
     for (double p : {h.claimed, h.other})
-      if (!(p >= 0 && p <= 1)) throw std::invalid_argument(text("p = %g: accepted: 0 to 1", p));
+      if (!(p >= 0 && p <= 1)) refuse<std::invalid_argument>(text("p = %g: accepted: 0 to 1", p));
     return {h, 0, most};
   }
   /// Normal samples with these means and a known standard deviation sigma > 0. Throws std::invalid_argument.
   static sprt normal(const simple_hypotheses& h, double sigma, std::size_t most) {
     if (!(sigma > 0) || !std::isfinite(sigma))
-      throw std::invalid_argument(text("sigma = %g: accepted: a positive number", sigma));
+      refuse<std::invalid_argument>(text("sigma = %g: accepted: a positive number", sigma));
     return {h, sigma, most};
   }
 
@@ -62,7 +63,7 @@ class sprt : public answer {
     check_claim(h.claimed, 0, h.alpha);
     check_claim(h.other, 0, h.beta);
     if (h.claimed == h.other || most == 0)
-      throw std::invalid_argument(
+      refuse<std::invalid_argument>(
           text("%g against %g, at most %zu samples: accepted: two different numbers, at least "
                "one sample",
                h.claimed, h.other, most));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every test of the kit answers with: a verdict from an interval, and one line that says why.
 //
 // The kit is for tests of random things in anybody's suite. It needs the standard library alone. A test states how
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -46,13 +48,24 @@ text(const char* format, ...) {
   return line;
 }
 
+/// A misuse: an exception of that kind, or where a program is compiled without exceptions a line before its end.
+template <class Exception>
+[[noreturn]] void refuse(const std::string& why) {
+#ifdef __cpp_exceptions
+  throw Exception(why);
+#else
+  std::fprintf(stderr, "%s\n", why.c_str());
+  std::abort();
+#endif
+}
+
 /// alpha: of a false alarm, in (0, 1); margin >= 0. Throws std::invalid_argument.
 inline void check_claim(double claim, double margin, double alpha) {
-  if (!std::isfinite(claim)) throw std::invalid_argument(text("claim = %g: accepted: a finite number", claim));
+  if (!std::isfinite(claim)) refuse<std::invalid_argument>(text("claim = %g: accepted: a finite number", claim));
   if (!(margin >= 0) || !std::isfinite(margin))
-    throw std::invalid_argument(text("margin = %g: accepted: 0 or a positive number", margin));
+    refuse<std::invalid_argument>(text("margin = %g: accepted: 0 or a positive number", margin));
   if (!(alpha > 0 && alpha < 1))
-    throw std::invalid_argument(text("alpha = %g: accepted: a probability between 0 and 1", alpha));
+    refuse<std::invalid_argument>(text("alpha = %g: accepted: a probability between 0 and 1", alpha));
 }
 
 class answer {

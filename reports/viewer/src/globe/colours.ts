@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From density to colour: viridis (perceptually even, readable without red or green), logarithmic where it must be.
 import type { Density } from '../data';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The densities of an experiment: a globe that turns, its snapshots, a flat map beside it.
 import type { Density } from '../data';
 import { h, save, toggle, type Child } from '../dom';

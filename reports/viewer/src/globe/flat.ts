@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same density on Mollweide's map: where there is no WebGL, on paper, and in files.
 import type { Density } from '../data';
 import { h, svg } from '../dom';

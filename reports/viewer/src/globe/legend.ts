@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Beside a globe: the list of its snapshots, and what its colours mean.
 import type { Density } from '../data';
 import { h, type Child } from '../dom';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The densities as names, as a file and as a table.
 import { rowsToCsv } from '../csv';
 import type { Density } from '../data';

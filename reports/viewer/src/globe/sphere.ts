@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sphere seen from a direction, the flat map of equal area, and the bins on it.
 import type { Density } from '../data';
 

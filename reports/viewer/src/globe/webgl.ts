@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The globe: one square, and a fragment shader that meets the sphere at each pixel.
 import type { Density } from '../data';
 import { coloured, type Scale } from './colours';

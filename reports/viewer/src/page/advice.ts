@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which scheme to take: the cheapest for each accuracy where costs were measured, else the smallest error that was seen,
 // else why it cannot be said.
 import type { Measurement, Results } from '../data';

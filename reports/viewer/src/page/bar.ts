@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bar that stays: where to go, which scheme stands out, light or dark.
 import { h } from '../dom';
 import { choose, goTo, isolate, isolated, on, theme } from '../state';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Schemes × experiments: how many claims hold, are refuted, stay open; a cell opens the list of its claims.
 import { kindsByWeight, type Results, type Verdict } from '../data';
 import { h, type Child } from '../dom';

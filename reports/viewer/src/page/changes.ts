@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What has changed since the earlier run: how the runs differ, then what is worse, open, better or different.
 import { changeKinds, changesSentence, comparedSentence } from '../comparison';
 import type { Change, ChangeKind, Comparison, Side } from '../comparison';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the schemes claim.
 import type { Results, Scheme } from '../data';
 import { h, type Child } from '../dom';

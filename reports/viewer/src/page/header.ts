@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The top of the first screen: the verdict, the scene and its equation.
 import type { Parameter, Results, Scene } from '../data';
 import { h, type Child } from '../dom';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What was skipped, not needed or taken over, and why.
 import type { Results, Saved } from '../data';
 import { h } from '../dom';

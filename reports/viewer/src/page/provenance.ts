@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the processor time went, and where the numbers come from.
 import type { Charge, Results } from '../data';
 import { h, type Child } from '../dom';

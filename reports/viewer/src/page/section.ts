@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One experiment: its question, its plots, its fits, its verdicts, and all that was measured.
 import { caseOf } from '../coordinates';
 import type { Density, Experiment, Measurement, PlotDescription, PlotKind, Results, Verdict } from '../data';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What all tables of the page are made of: verdicts as chips, names of schemes, columns and rows.
 import type { Kind } from '../data';
 import { h, type Child } from '../dom';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a plot to what ECharts is told.
 import type { Option } from './charts';
 import { comparisonOption } from './draw_comparison';

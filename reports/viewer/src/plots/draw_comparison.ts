@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One value a scheme with its interval.
 import { shown } from '../numbers';
 import type { Option, Series } from './charts';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Curves: markers with their intervals, and what guides.ts draws around them.
 import type { Look } from '../style';
 import type { Option, Series } from './charts';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Maps over two parameters: a panel a scheme, cells drawn to the middle between their neighbours, the border as a line.
 import { textOf } from '../coordinates';
 import { shown } from '../numbers';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Schemes × conditions as coloured numbers.
 import type { Measurement } from '../data';
 import { asWritten, shown } from '../numbers';

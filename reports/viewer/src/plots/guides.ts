@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What leads the eye in a plot of curves: fitted power laws, claimed slopes, fronts, levels.
 import { shown } from '../numbers';
 import type { Look } from '../style';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the panels of a map stand, its axes, and the edges of its cells.
 import { shown } from '../numbers';
 import type { MapPlot } from './model';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a plot shows, apart from how it is drawn. Every value keeps the measurements it came from.
 import type { Fit, Measurement } from '../data';
 

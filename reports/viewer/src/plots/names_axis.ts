@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The axis along which schemes stand by name.
 import { font, type Setting } from './setting';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a cost is counted in: CPU time, or what no machine changes.
 import { h, type Child } from '../dom';
 import type { Plot } from './model';

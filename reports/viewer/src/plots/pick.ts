@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From the description of a plot to its values: the rows are picked by the series that the description names.
 import { caseOf, valueAt } from '../coordinates';
 import type { Measurement, PlotDescription, PlotLine } from '../data';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A plot as a picture that stands alone: as light as paper, with title and key.
 import { h } from '../dom';
 import { echarts } from './charts';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is said of a plot in words: to who cannot see it, and below it.
 import { h, type Child } from '../dom';
 import { earlierPointsIn, pointsIn, schemesIn, type Plot } from './model';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Axes: logarithmic or linear, with ticks where a reader looks for them.
 import { power, shown } from '../numbers';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All that a drawing depends on beside its plot, and what the drawings share.
 import type { Measurement } from '../data';
 import { lookOf, type Look, type Paper } from '../style';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rows of an experiment, found by the series that they belong to.
 import { valueAt } from '../coordinates';
 import type { Fit, Measurement, PlotDescription, Series } from '../data';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a point says when asked: the numbers as they stand in results.json.
 import { textOf } from '../coordinates';
 import type { Measurement } from '../data';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arrow keys in a chart: along a line of points, and from one line to the next.
 import type { Chart } from './charts';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set, with AES instructions and without contraction of products and sums.
 #include "ensemble/noise/normal_fill.hpp"
 #include "platform/flatten.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set, without contraction of products and sums, so that every one finds the same bins.
 #include "ensemble/observing/direction_bins.hpp"
 

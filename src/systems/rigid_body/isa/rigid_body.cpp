@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set: the rigid body meets its schemes. The costliest kernels are in sources of their
 // own, so that several processors compile them.
 #include "systems/rigid_body/rigid_body.hpp"

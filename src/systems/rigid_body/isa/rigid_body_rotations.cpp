@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "systems/rigid_body/rigid_body_kernels.hpp"
 #include "systems/rigid_body/rigid_body_parties.hpp"
 #include "systems/schemes.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a rigid body and its step size need, as types: what is not there is not compiled.
 #pragma once
 

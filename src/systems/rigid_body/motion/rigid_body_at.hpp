@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rigid body bound to a step size and an orbit: the same mathematics as polhode/systems/rigid_body.hpp, with
 // everything that does not change from step to step computed once, absent parts absent, and no division in the step.
 // Over 200 lines, as it is one class: all flows of a step read the constants of one step size and orbit.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a rigid body, a step size and an orbit fix for every step.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A turn about an axis by at most a few thousandths of a radian, as three shears: three fused products.
 #pragma once
 
