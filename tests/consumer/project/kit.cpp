@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kit without the laboratory: two samples, one budget.
 #include <cstdio>
 #include <polhode/testing/alarm_budget.hpp>

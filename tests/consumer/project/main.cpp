@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An outside project, against the installed headers alone: the README's example, and a check that it ran.
 #include <cmath>
 #include <cstdio>

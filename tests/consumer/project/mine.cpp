@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A stranger's integrator: Euler's method for the free rigid body. Its Casimir drifts with order one.
 #include <polhode/abi.h>
 
