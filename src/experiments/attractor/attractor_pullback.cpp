@@ -86,7 +86,7 @@ void report_scheme(const squared_errors& changes, double span, double gap, std::
 void report_pullback(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
   const double span = -span_time / f.exponents.sum;
   pullback_plan plan{f.steps_in(span, f.dt), by_effort(c.effort, 24, 144, 144), by_effort(c.effort, 1, 2, 2),
-                     most_looks};
+                     by_effort(c.effort, least_looks, most_looks, most_looks)};
   const double most = affordable(c.effort, most_path_steps);
   const auto work = [&] {
     return 2.0 * static_cast<double>(plan.spans_run() * plan.steps) * plan.paths * plan.blocks * block_lanes;
