@@ -17,7 +17,10 @@ document.addEventListener("DOMContentLoaded", () => {
       const up = head.getAttribute("aria-sort") !== "ascending";
       heads.forEach((other) => other.removeAttribute("aria-sort"));
       head.setAttribute("aria-sort", up ? "ascending" : "descending");
-      rows.sort((a, b) => (up ? 1 : -1) * compare(valueOf(a, column), valueOf(b, column)));
+      rows.sort(
+        (a, b) =>
+          (up ? 1 : -1) * compare(valueOf(a, column), valueOf(b, column)),
+      );
       body.append(...rows);
     });
   });
@@ -25,12 +28,21 @@ document.addEventListener("DOMContentLoaded", () => {
   const names = heads.map((head) => head.textContent.toLowerCase());
   const fits = (row, word) => {
     const [column, value] = word.split("=");
-    if (value === undefined) return row.textContent.toLowerCase().includes(word);
-    const at = names.findIndex((name) => name.replaceAll(" ", "").includes(column));
+    if (value === undefined)
+      return row.textContent.toLowerCase().includes(word);
+    const at = names.findIndex((name) =>
+      name.replaceAll(" ", "").includes(column),
+    );
     return at >= 0 && valueOf(row, at).toLowerCase().startsWith(value);
   };
-  document.querySelector(".catalogue-filter").addEventListener("input", (event) => {
-    const words = event.target.value.toLowerCase().split(/\s+/).filter(Boolean);
-    for (const row of rows) row.hidden = !words.every((word) => fits(row, word));
-  });
+  document
+    .querySelector(".catalogue-filter")
+    .addEventListener("input", (event) => {
+      const words = event.target.value
+        .toLowerCase()
+        .split(/\s+/)
+        .filter(Boolean);
+      for (const row of rows)
+        row.hidden = !words.every((word) => fits(row, word));
+    });
 });
