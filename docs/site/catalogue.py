@@ -5,7 +5,7 @@
 usage: catalogue.py RESULTS OUT   RESULTS holds SCENE/results.json, as reports/baseline does; OUT is made anew
 
 Nothing is measured here and nothing is judged by hand: "when to take it" counts where the scheme was cheapest or within
-a tenth of the cheapest, and "when not" repeats what was refuted, claimed away, or asked of the user.
+a tenth of the cheapest, and "when not" repeats what was refuted, is not claimed, is asked of the user, or costs twice.
 """
 import json
 import shutil
@@ -174,6 +174,8 @@ def when(one):
         take.append("Where a path must stay on its orbit however long the run.")
     if one["areas"] and claims["strong_general"] >= 1:
         take.append("For strong order 1 under noise that does not commute, where Lévy areas are at hand.")
+    for scene, at in one["scenes"].items():
+        leave += [f"On {scene}: *{claim}* is refuted." for claim, _ in at["refuted"]]
     if not claims["casimir_exact"]:
         leave.append(f"For long runs: Casimirs drift, with order {claims['casimir_order']:g} in dt.")
     if one["areas"]:

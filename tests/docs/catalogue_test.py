@@ -55,6 +55,20 @@ class Catalogue(unittest.TestCase):
         self.assertIn(("paper", "weak", 1e-4, 1.0), [(w["scene"], w["goal"], w["accuracy"], w["ratio"]) for w in wins])
         self.assertRegex((self.out / f"{best}.md").read_text(), r"For expectations: cheapest")
 
+    def test_what_is_refuted_speaks_against_a_scheme(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "results/paper").mkdir(parents=True)
+            changed = json.loads(json.dumps(self.paper))
+            verdict = next(v for v in changed["verdicts"] if v["scheme"] == "strang" and v["claim"] == "weak order")
+            verdict["verdict"] = "refuted"
+            (Path(folder) / "results/paper/results.json").write_text(json.dumps(changed))
+            subprocess.run([sys.executable, ROOT / "docs/site/catalogue.py", Path(folder) / "results", Path(folder) / "out"], check=True,
+                           capture_output=True)
+            page = (Path(folder) / "out/strang.md").read_text()
+        self.assertRegex(page, r"## When not\n\n- On paper: \*weak order\* is refuted\.")
+        self.assertIn("*refuted*", page.split("## Orders as measured")[1])
+        self.assertNotIn("is refuted", (self.out / "strang.md").read_text())
+
     def test_every_row_of_the_table_has_a_cell_for_each_head(self):
         index = (self.out / "index.md").read_text()
         heads = index.count("<th ")
