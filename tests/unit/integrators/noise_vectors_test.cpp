@@ -122,6 +122,40 @@ TEST(WeakOrderTwoOnSo3, OneVectorIsExactWithAndWithoutIt) {
     }
 }
 
+TEST(NoiseClass, SeveralVectorsAlongOneLineAreOneToRounding) {
+  const Eigen::Vector3d line(0.3, -0.7, 1.1);
+  const auto class_with = [&](double off) {
+    Eigen::Matrix3d sigma;
+    sigma << line, line / 3, -7 * line;
+    sigma(0, 1) += off;
+    return class_of(sigma);
+  };
+  EXPECT_EQ(class_with(0), noise_class::one_vector);
+  EXPECT_EQ(class_with(1e-13), noise_class::general);
+}
+
+TEST(PolarRotation, OfAnyScaleAndOfNothing) {
+  const Eigen::Matrix3d sigma = columns({0.5, 0, 0, 0, 0, -0.4, 0, 0, 0});
+  const Eigen::Matrix3d turn = polar_rotation_of(sigma);
+  for (const double scale : {1e-100, 1e100})
+    EXPECT_LT((polar_rotation_of(Eigen::Matrix3d(scale * sigma)) - turn).norm(), 1e-15) << scale;
+  const Eigen::Matrix3d none = polar_rotation_of(Eigen::Matrix3d(Eigen::Matrix3d::Zero()));
+  EXPECT_LT((none * none.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-15);
+}
+
+TEST(PolarRotation, IsOrthogonalAndGivesSigmaBackWhateverItsRank) {
+  for (const double third : {1.0, 1e-6, 1e-9, 1e-15, 0.0})
+    for (const double second : {1.0, 1e-7, 0.0}) {
+      Eigen::Matrix3d sigma = columns({0.5, -0.2, 0.7, 0.9, 0.3, -0.4, 0.1, 0.8, 0.6});
+      sigma.col(1) = sigma.col(0) + second * sigma.col(1);
+      sigma.col(2) = sigma.col(0) - third * sigma.col(2);
+      const Eigen::Matrix3d turn = polar_rotation_of(sigma);
+      EXPECT_LT((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-8) << second << ' ' << third;
+      const Eigen::Matrix3d root = square_root_of(Eigen::Matrix3d(sigma * sigma.transpose()));
+      EXPECT_LT((root * turn - sigma).norm(), 5e-8) << second << ' ' << third;
+    }
+}
+
 // Any algebra: six vectors that mix both factors of so(4). Four nodes are exact to degree seven: to dt^3.
 TEST(WeakOrderTwoOnSo4, DefectFallsLikeTheThirdPower) {
   Eigen::Matrix<double, 6, 6> sigma;

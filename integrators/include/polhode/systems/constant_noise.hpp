@@ -2,7 +2,7 @@
 // Noise with constant vectors sigma_i in a Lie algebra: sum_i sigma_i o dW^i acting by the coadjoint action.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <span>
 
 #include <polhode/increment.hpp>

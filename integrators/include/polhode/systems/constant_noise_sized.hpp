@@ -2,7 +2,7 @@
 // constant_noise on an algebra whose dimension is known at run time alone, Algebra::dimension < 0.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <memory>
 #include <span>
 #include <utility>

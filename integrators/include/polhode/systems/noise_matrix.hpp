@@ -2,25 +2,48 @@
 // Noise vectors as the columns of a matrix: their class, and the ones of weak order two.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <polhode/vec.hpp>
 
 namespace polhode {
 
+/// One function, as each form of a product costs every user's compiler anew.
+template <class Matrix>
+Matrix product(const Matrix& a, const Matrix& b) {
+  return a.lazyProduct(b);
+}
+
 /// On this depend the orders that a scheme may claim. One vector commutes with itself; isotropic: sum sigma sigma^T =
 /// s^2 1; state_dependent: several vectors that are functions of the state.
 enum class noise_class { none, one_vector, isotropic, general, state_dependent };
 
+/// All columns along the longest, to rounding; sigma is not zero.
+template <class Matrix>
+bool of_rank_one(const Matrix& sigma) {
+  const auto n = sigma.rows();
+  Eigen::Index longest = 0;
+  for (Eigen::Index i = 1; i < n; ++i)
+    if (sigma.col(i).squaredNorm() > sigma.col(longest).squaredNorm()) longest = i;
+  double across = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double along = sigma.col(i).dot(sigma.col(longest)) / sigma.col(longest).squaredNorm();
+    for (Eigen::Index k = 0; k < n; ++k) across = std::max(across, std::abs(sigma(k, i) - along * sigma(k, longest)));
+  }
+  return across <= static_cast<double>(n) * std::numeric_limits<double>::epsilon() * sigma.norm();
+}
+
 /// Of a square matrix whose columns are the vectors.
 template <class Matrix>
 noise_class class_of(const Matrix& sigma) {
-  const Matrix covariance = sigma * sigma.transpose();
+  const Matrix covariance = product<Matrix>(sigma, sigma.transpose());
   const auto n = sigma.rows();
   const double scale = covariance.trace() / static_cast<double>(n);
   if (scale == 0) return noise_class::none;
-  Eigen::FullPivLU<Matrix> rank(sigma);
-  if (rank.rank() == 1) return noise_class::one_vector;
+  if (of_rank_one(sigma)) return noise_class::one_vector;
   return (covariance - scale * Matrix::Identity(n, n)).norm() <= 1e-12 * scale ? noise_class::isotropic
                                                                                : noise_class::general;
 }
@@ -29,8 +52,35 @@ noise_class class_of(const Matrix& sigma) {
 template <class Matrix>
 Matrix square_root_of(const Matrix& symmetric) {
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(symmetric);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
-         eigen.eigenvectors().transpose();
+  Matrix scaled = eigen.eigenvectors();
+  for (Eigen::Index k = 0; k < scaled.cols(); ++k) scaled.col(k) *= std::sqrt(std::max(eigen.eigenvalues()[k], 0.0));
+  return product<Matrix>(scaled, eigen.eigenvectors().transpose());
+}
+
+/// An orthogonal O with sigma = square_root_of(sigma sigma^T) O, to 1e-7 of sigma: the images of the eigenvectors of
+/// sigma sigma^T, from the longest on orthonormal, those that vanish replaced. (A singular value decomposition is this
+/// in one line, and half a second of every user's compiler.)
+template <class Matrix>
+Matrix polar_rotation_of(const Matrix& sigma) {
+  const Matrix transposed = sigma.transpose();
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(product(sigma, transposed));
+  Matrix images = product(transposed, eigen.eigenvectors());
+  const auto n = images.cols();
+  if (const double longest = images.col(n - 1).norm(); longest > 0) images /= longest;
+  for (auto k = n - 1; k >= 0; --k) {
+    auto image = images.col(k);
+    const auto project = [&] {
+      for (int twice = 0; twice < 2; ++twice)
+        for (auto j = k + 1; j < n; ++j) image -= images.col(j).dot(image) * images.col(j);
+    };
+    project();
+    for (Eigen::Index axis = 0; image.norm() <= 1e-8; ++axis) {
+      image.setUnit(axis);
+      project();
+    }
+    image /= image.norm();
+  }
+  return product<Matrix>(eigen.eigenvectors(), images.transpose());
 }
 
 /// [v, .] as a matrix.
@@ -63,19 +113,19 @@ Matrix adjoint_of(const Matrix& sigma, Eigen::Index column) {
 template <class Algebra, class Matrix, class Brackets>
 Matrix weak_order_two_vectors(const Matrix& sigma, const Brackets& brackets, double dt) {
   const auto n = sigma.rows();
-  const Matrix covariance = sigma * sigma.transpose();
+  const Matrix covariance = product<Matrix>(sigma, sigma.transpose());
   Matrix m = Matrix::Zero(n, n), r = Matrix::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Matrix ad = adjoint_of<Algebra>(sigma, i);
-    m += ad * ad;
+    m += product(ad, ad);
   }
   for (const auto& b : brackets) {
     const Eigen::Map<const Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1>> e(b.begin(), n);
     r += 0.25 * e * e.transpose();
   }
-  r += (m * covariance + covariance * m.transpose()) / 12.0;
-  const Eigen::JacobiSVD<Matrix> svd(sigma, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return Matrix(square_root_of(Matrix(covariance + dt * r)) * svd.matrixU() * svd.matrixV().transpose());
+  m = product(m, covariance);
+  r += (m + m.transpose()) / 12.0;
+  return product(square_root_of<Matrix>(covariance + dt * r), polar_rotation_of(sigma));
 }
 
 }  // namespace polhode

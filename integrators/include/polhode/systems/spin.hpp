@@ -10,7 +10,7 @@
 // (1963) 1677-1686; Garcia-Palacios, Lazaro, Phys. Rev. B 58 (1998) 14937-14958.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <utility>

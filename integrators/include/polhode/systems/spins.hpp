@@ -9,7 +9,7 @@
 // Source: Brown, Phys. Rev. 130 (1963) 1677-1686; Arnaudon, De Castro, Holm, arXiv:1601.02249 (coadjoint orbits).
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <array>
 #include <ranges>
 #include <type_traits>
