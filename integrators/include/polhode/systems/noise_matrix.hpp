@@ -14,7 +14,13 @@ namespace polhode {
 /// One function, as each form of a product costs every user's compiler anew.
 template <class Matrix>
 Matrix product(const Matrix& a, const Matrix& b) {
-  return a.lazyProduct(b);
+  return a * b;
+}
+
+/// m m^T.
+template <class Matrix>
+Matrix square_of(const Matrix& m) {
+  return m * m.transpose();
 }
 
 /// On this depend the orders that a scheme may claim. One vector commutes with itself; isotropic: sum sigma sigma^T =
@@ -39,11 +45,11 @@ bool of_rank_one(const Matrix& sigma) {
 /// Of a square matrix whose columns are the vectors.
 template <class Matrix>
 noise_class class_of(const Matrix& sigma) {
-  const Matrix covariance = product<Matrix>(sigma, sigma.transpose());
   const auto n = sigma.rows();
-  const double scale = covariance.trace() / static_cast<double>(n);
+  const double scale = sigma.squaredNorm() / static_cast<double>(n);
   if (scale == 0) return noise_class::none;
   if (of_rank_one(sigma)) return noise_class::one_vector;
+  const Matrix covariance = square_of(sigma);
   return (covariance - scale * Matrix::Identity(n, n)).norm() <= 1e-12 * scale ? noise_class::isotropic
                                                                                : noise_class::general;
 }
@@ -53,8 +59,9 @@ template <class Matrix>
 Matrix square_root_of(const Matrix& symmetric) {
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(symmetric);
   Matrix scaled = eigen.eigenvectors();
-  for (Eigen::Index k = 0; k < scaled.cols(); ++k) scaled.col(k) *= std::sqrt(std::max(eigen.eigenvalues()[k], 0.0));
-  return product<Matrix>(scaled, eigen.eigenvectors().transpose());
+  for (Eigen::Index k = 0; k < scaled.cols(); ++k)
+    scaled.col(k) *= std::sqrt(std::sqrt(std::max(eigen.eigenvalues()[k], 0.0)));
+  return square_of(scaled);
 }
 
 /// An orthogonal O with sigma = square_root_of(sigma sigma^T) O, to 1e-7 of sigma: the images of the eigenvectors of
@@ -63,7 +70,7 @@ Matrix square_root_of(const Matrix& symmetric) {
 template <class Matrix>
 Matrix polar_rotation_of(const Matrix& sigma) {
   const Matrix transposed = sigma.transpose();
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(product(sigma, transposed));
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(square_of(sigma));
   Matrix images = product(transposed, eigen.eigenvectors());
   const auto n = images.cols();
   if (const double longest = images.col(n - 1).norm(); longest > 0) images /= longest;
@@ -80,7 +87,8 @@ Matrix polar_rotation_of(const Matrix& sigma) {
     }
     image /= image.norm();
   }
-  return product<Matrix>(eigen.eigenvectors(), images.transpose());
+  images.transposeInPlace();
+  return product(eigen.eigenvectors(), images);
 }
 
 /// [v, .] as a matrix.
@@ -113,7 +121,7 @@ Matrix adjoint_of(const Matrix& sigma, Eigen::Index column) {
 template <class Algebra, class Matrix, class Brackets>
 Matrix weak_order_two_vectors(const Matrix& sigma, const Brackets& brackets, double dt) {
   const auto n = sigma.rows();
-  const Matrix covariance = product<Matrix>(sigma, sigma.transpose());
+  const Matrix covariance = square_of(sigma);
   Matrix m = Matrix::Zero(n, n), r = Matrix::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Matrix ad = adjoint_of<Algebra>(sigma, i);
