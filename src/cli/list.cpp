@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // polhode list: what there is, and what each scheme claims.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <memory>
@@ -165,6 +166,7 @@ int run(const arguments& given) {
   std::vector<std::string> names;
   for (const auto& s : subjects()) names.push_back(s.name);
   const auto output = format_option(given.format);
+  if (given.what.empty()) throw input_error(fmt::format("WHAT is missing; accepted: {}", fmt::join(names, ", ")));
   const auto& chosen = subjects()[choose("list", given.what, names)];
   if (!given.system.empty() && chosen.name != "observables")
     throw input_error(fmt::format("--system '{}': accepted with observables", given.system));

@@ -17,6 +17,9 @@ namespace {
 
 using json = nlohmann::json;
 
+// JSON is copied level by level: deeper ones could take more of the stack than there is.
+constexpr int most_levels = 16;
+
 template <class T>
 using choices = std::vector<std::pair<std::string_view, T>>;
 
@@ -98,7 +101,15 @@ claims read_claims(const json& from, const std::string& where) {
 }  // namespace
 
 description read_greeting(const std::string& line, const std::string& where, const std::string& from) {
-  const auto value = json::parse(line, nullptr, false);
+  bool is_deep = false;
+  const auto within = [&](int depth, json::parse_event_t, const json&) {
+    is_deep = is_deep || depth > most_levels;
+    return !is_deep;
+  };
+  const auto value = json::parse(line, within, false);
+  if (is_deep)
+    throw input_error(fmt::format("{}: greets with lists or objects more than {} deep; accepted: claims, and no other",
+                                  where, most_levels));
   if (!value.is_object())
     throw input_error(fmt::format("{}: greets with '{}'; accepted: a line of JSON, {{\"polhode\":{},\"name\":…}}",
                                   where, one_line(line, 80), protocol_version));

@@ -45,7 +45,7 @@ std::optional<rows> symmetric(const rows& given, shape s, std::size_t size) {
 std::optional<rows> noise(const rows& given, shape s, std::size_t size) {
   rows out = given;
   if (s == shape::number) out = diagonal(row(size, given[0][0]));
-  if (s == shape::vector) out = diagonal(given[0]);
+  if (s == shape::vector && given[0].size() == size) out = diagonal(given[0]);
   if (!all_of_size(out, size)) return std::nullopt;
   std::erase_if(out, [](const row& v) { return std::ranges::all_of(v, [](double x) { return x == 0; }); });
   return out;

@@ -76,14 +76,18 @@ class csv_reader {
   }
 
   bool next_line() {
-    while (std::getline(in_, line_)) {
+    while (in_.getline(line_.data(), static_cast<std::streamsize>(line_.size()))) {
       ++line_number_;
-      if (line_.size() > longest_line)
-        fail(fmt::format("{} characters; accepted: at most {}", line_.size(), longest_line));
-      const auto text = trimmed(line_);
+      const auto read = static_cast<std::size_t>(in_.gcount()) - (in_.eof() ? 0 : 1);
+      const std::string_view line(line_.data(), read);
+      const auto text = trimmed(line);
       if (text.empty() || text.front() == '#') continue;
-      split(line_, cells_);
+      split(line, cells_);
       return true;
+    }
+    if (!in_.eof() && !in_.bad()) {
+      ++line_number_;
+      fail(fmt::format("more than {} characters; accepted: at most so many", longest_line));
     }
     return false;
   }
@@ -118,7 +122,7 @@ class csv_reader {
   double number_in(std::string_view name, std::string_view cell, int* digits = nullptr) const {
     double value = 0;
     const auto* end = cell.data() + cell.size();
-    const auto* begin = cell.starts_with('+') ? cell.data() + 1 : cell.data();
+    const auto* begin = cell.starts_with('+') && !cell.starts_with("+-") ? cell.data() + 1 : cell.data();
     const auto [stop, fault] = std::from_chars(begin, end, value);
     if (fault != std::errc{} || stop != end || !std::isfinite(value))
       fail(fmt::format("{} = '{}'; accepted: a finite number", name, one_line(std::string(cell.substr(0, 40)))));
@@ -135,7 +139,7 @@ class csv_reader {
 
   const recording& recording_;
   std::istream& in_;
-  std::string line_;
+  std::vector<char> line_ = std::vector<char>(longest_line + 1);  // bounded, as an endless device has no lines
   std::vector<std::string_view> cells_;
   std::uint64_t line_number_ = 0;
   int digits_ = 1;

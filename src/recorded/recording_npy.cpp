@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <regex>
+#include <optional>
+#include <string_view>
 
 #include "recorded/recording_kinds.hpp"
 #include "reports/model/errors.hpp"
@@ -47,19 +49,34 @@ std::string header_text(const recording& r, std::istream& in) {
   return text;
 }
 
+/// What stands behind a key of the header, without blanks before it; empty where there is no such key.
+std::string_view behind(std::string_view key, std::string_view header) {
+  const auto at = header.find(key);
+  if (at == header.npos) return {};
+  header.remove_prefix(at + key.size());
+  header.remove_prefix(std::min(header.find_first_not_of(' '), header.size()));
+  return header;
+}
+
+/// Of a text that begins with `open`: what is between that and the next `close`.
+std::optional<std::string_view> inside(std::string_view text, char open, char close) {
+  if (!text.starts_with(open)) return {};
+  const auto end = text.find(close, 1);
+  return end == text.npos ? std::nullopt : std::optional(text.substr(1, end - 1));
+}
+
 npy_array parsed(const recording& r, const std::string& header) {
   npy_array out;
-  std::smatch found;
-  if (!std::regex_search(header, found, std::regex("'descr': *'([^']*)'"))) fail(r, "an NPY header without 'descr'");
-  if (found[1] != "<f8" && found[1] != "<f4")
-    fail(r, fmt::format("an array of '{}'; accepted: doubles or floats, '<f8' or '<f4'", one_line(found[1].str())));
-  out.single = found[1] == "<f4";
-  if (!std::regex_search(header, std::regex("'fortran_order': *False")))
+  const auto kind = inside(behind("'descr':", header), '\'', '\'');
+  if (!kind) fail(r, "an NPY header without 'descr'");
+  if (kind != "<f8" && kind != "<f4")
+    fail(r, fmt::format("an array of '{}'; accepted: doubles or floats, '<f8' or '<f4'", one_line(*kind, 60)));
+  out.single = kind == "<f4";
+  if (!behind("'fortran_order':", header).starts_with("False"))
     fail(r, "an array in Fortran order; accepted: numpy.ascontiguousarray of it");
-  if (!std::regex_search(header, found, std::regex("'shape': *\\(([0-9, ]*)\\)")))
-    fail(r, "an NPY header without 'shape'");
-  const std::string sizes = found[1];
-  for (const char *at = sizes.data(), *end = at + sizes.size(); at != end;) {
+  const auto sizes = inside(behind("'shape':", header), '(', ')');
+  if (!sizes || sizes->find_first_not_of("0123456789, ") != sizes->npos) fail(r, "an NPY header without 'shape'");
+  for (const char *at = sizes->data(), *end = at + sizes->size(); at != end;) {
     std::uint64_t n = 0;
     const auto [stop, fault] = std::from_chars(at, end, n);
     if (fault == std::errc{}) out.shape.push_back(n);
@@ -72,8 +89,10 @@ npy_array parsed(const recording& r, const std::string& header) {
 std::array<std::uint64_t, 3> checked_shape(const recording& r, std::vector<std::uint64_t> shape) {
   const auto components = r.components.size();
   if (shape.size() < 2 || shape.size() > 3 || shape.back() != components)
-    fail(r, fmt::format("an array of shape ({}); accepted: (paths, times, {})", fmt::join(shape, ", "), components));
+    fail(r, fmt::format("an array of shape ({}); accepted: (paths, times, {})",
+                        one_line(fmt::format("{}", fmt::join(shape, ", ")), 60), components));
   if (shape.size() == 2) shape.insert(shape.begin(), 1);
+  if (shape[1] == 0) shape[0] = 0;  // no states, however many paths
   return {shape[0], shape[1], shape[2]};
 }
 

@@ -28,6 +28,9 @@ void transitions::add(const recorded_state& s) {
         fmt::format("{}: path {} is at t = {} after t = {}; accepted: times that increase along a path, "
                     "and a column 'path' that tells paths apart",
                     place_of(recording_, s.place), s.path, s.time, p.time));
+  if (!std::isfinite(s.time - p.time))
+    throw input_error(fmt::format("{}: path {} is at t = {} after t = {}; accepted: times less than 1.79e308 apart",
+                                  place_of(recording_, s.place), s.path, s.time, p.time));
   const double dt = interval_class(s.time - p.time, s.time);
   if (++intervals_[dt]; intervals_.size() > most_intervals)
     throw input_error(

@@ -44,6 +44,7 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
   std::string nearest;
   std::size_t least = most_edits(name.size()) + 1;
   for (const auto& candidate : candidates) {
+    if (std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size()) >= least) continue;
     const auto distance = edit_distance(name, candidate);
     if (distance < least) {
       least = distance;

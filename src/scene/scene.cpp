@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/scene.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,10 +26,18 @@ constexpr std::size_t largest_file = std::size_t{1} << 20U;
   throw input_error(fmt::format("{}: {}; accepted: a readable TOML file of at most 1 MiB", one_line(path, 200), fault));
 }
 
+/// Without waiting for somebody who writes into a pipe that nobody has opened: it is an empty file.
+std::FILE* open_file(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return nullptr;
+  ::fcntl(descriptor, F_SETFL, O_RDONLY);
+  return ::fdopen(descriptor, "rb");
+}
+
 /// Bounded, so that an endless device is refused like a huge file.
 std::string read_file(const std::string& path) {
   const auto close = [](std::FILE* f) { std::fclose(f); };
-  const std::unique_ptr<std::FILE, decltype(close)> file{std::fopen(path.c_str(), "rb"), close};
+  const std::unique_ptr<std::FILE, decltype(close)> file{open_file(path), close};
   if (!file) refuse_file(path, fmt::format("cannot be opened ({})", std::strerror(errno)));
   std::string text(largest_file + 1, '\0');
   text.resize(std::fread(text.data(), 1, text.size(), file.get()));
@@ -39,8 +48,8 @@ std::string read_file(const std::string& path) {
 }
 
 [[noreturn]] void refuse_name(const std::string& name) {
-  throw input_error(fmt::format("{}: no such scene{}, or the path of a TOML file", one_line(name, 200),
-                                accepted_instead(name, builtin_scenes())));
+  throw input_error(fmt::format("{}: no such scene{}, or the path of a TOML file",
+                                name.empty() ? "''" : one_line(name, 200), accepted_instead(name, builtin_scenes())));
 }
 
 }  // namespace

@@ -6,11 +6,13 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
 #include "scene/nearest.hpp"
+#include "scene/toml_table.hpp"
 #include "scene/toml_values.hpp"
 #include "systems/systems.hpp"
 
@@ -79,7 +81,8 @@ std::string shown(const toml::node& node) { return one_line(as_written(node), 60
 
 /// What to do about an unknown key: its line goes, or it meant another.
 std::string advice(std::string_view key, const toml::node& node, const std::vector<std::string>& known) {
-  const auto* inner = node.as_table();
+  const auto* list = node.as_array();
+  const auto* inner = list != nullptr && !list->empty() ? list->front().as_table() : node.as_table();
   const bool holds_known =
       inner != nullptr && std::ranges::any_of(known, [&](const std::string& name) { return inner->contains(name); });
   if (key == "schema") return "; results have a schema, scenes do not: delete this line";
@@ -101,7 +104,8 @@ class reader {
     for (const auto& [key, node] : table) {
       if (std::ranges::find(known, key.str()) != known.end()) continue;
       throw input_error(fmt::format("{}:{}: {} = {}: unknown key{}", source_, key.source().begin.line,
-                                    one_line(key.str(), 40), shown(node), advice(key.str(), node, known)));
+                                    key.str().empty() ? "\"\"" : one_line(key.str(), 40), shown(node),
+                                    advice(key.str(), node, known)));
     }
   }
 
@@ -152,19 +156,27 @@ report::parameter read_parameter(const reader& keys, const parameter_rule& gener
   return {rule.name, rule.shape, keys.read(rule.name, rule.accepts, parse)};
 }
 
-toml::table parse_table(std::string_view text, std::string_view source) {
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& fault) {
-    throw input_error(
-        fmt::format("{}:{}: not TOML: {}", source, fault.source().begin.line, one_line(fault.description(), 200)));
-  }
+/// What the system's own units come to.
+std::vector<report::parameter> from_own_units(const system_entry& of, const scene& given, std::string_view source) {
+  auto out = of.from_own_units(given);
+  const auto finite = [](const auto& row) {
+    return std::ranges::all_of(row, [](double x) { return std::isfinite(x); });
+  };
+  for (const auto& p : out)
+    if (!std::ranges::all_of(p.rows, finite)) {
+      std::vector<std::string> names;
+      for (const auto& one : of.own_units) names.push_back(one.name);
+      throw input_error(
+          fmt::format("{}: {}, which follows from {}, is beyond double precision; accepted: smaller numbers", source,
+                      p.name, fmt::join(names, ", ")));
+    }
+  return out;
 }
 
 }  // namespace
 
 scene parse_scene(std::string_view source_text, std::string_view source, std::string_view default_name) {
-  const auto table = parse_table(source_text, source);
+  const auto table = toml_table(source_text, source);
   const reader keys_of{source, table};
   const auto systems = system_names();
   const auto positive = [](double x) { return x > 0; };
@@ -182,7 +194,7 @@ scene parse_scene(std::string_view source_text, std::string_view source, std::st
   for (const auto& rule : rules) out.parameters.push_back(read_parameter(keys_of, rule, out));
   std::erase_if(out.parameters, [](const auto& p) { return p.shape == report::shape::word && p.word.empty(); });
   out.momentum = read_parameter(keys_of, momentum_rule(of), out).rows.front();
-  if (&rules == &of.own_units) out.parameters = of.from_own_units(out);
+  if (&rules == &of.own_units) out.parameters = from_own_units(of, out, source);
   out.horizon = keys_of.read("horizon", [&](auto& n) { return only_if(number_in(n), positive); });
   out.steps = {4, 8, 16, 32, 64};
   if (keys_of.has("steps")) out.steps = keys_of.read("steps", step_counts);

@@ -120,6 +120,46 @@ test('what nobody has heard of is drawn, too', async () => {
   await atEnd(page);
 });
 
+/** The results with a text wherever somebody may have written one: names, units, sources, reasons. */
+function told(text) {
+  const all = (rows, ...keys) => rows.map((row) => ({ ...row, ...Object.fromEntries(keys.map((key) => [key, text])) }));
+  return {
+    ...rich,
+    scene: { ...rich.scene, name: text },
+    provenance: { ...rich.provenance, cpu: text, flags: text, compiler: text },
+    schemes: all(rich.schemes, 'title', 'source'),
+    experiments: rich.experiments.map((e) => ({ ...e, question: text, notes: [text] })),
+    measurements: all(rich.measurements, 'unit', 'method'),
+    fits: all(rich.fits, 'rule'),
+    verdicts: all(rich.verdicts, 'claim', 'reason'),
+    skipped: all(rich.skipped, 'reason'),
+  };
+}
+
+test('a name is text, whatever it is made of', async () => {
+  const elements = async (text, label) => {
+    const page = await open(pageOf(told(text), label));
+    await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
+    await page.locator('.verdict-row').first().waitFor();
+    assert.equal(await page.textContent('h1'), text);
+    assert.equal(await page.locator('img, iframe, main script, [onload], [onerror], [onmouseover]').count(), 0);
+    const found = await page.evaluate(() =>
+      // Figures are drawn when they come near the screen.
+      [...document.querySelectorAll('*')].filter((e) => !e.closest('figure')).map((e) => e.tagName),
+    );
+    await atEnd(page); // no dialog, no request, no complaint
+    return found.length;
+  };
+  const plain = await elements('a name', 'name');
+  for (const [i, text] of [
+    "\"><svg onload=alert(1)>' onmouseover='alert(1)",
+    '<a href="javascript:alert(1)">here</a><!--<script>alert(1)//',
+    '</title></script></style><style>*{display:none}</style><script>alert(1)</script>',
+    '&lt;img src=x onerror=alert(1)&gt;&#60; ${alert(1)} \\u003cscript> ../../x 🌀 \u2028\u202e',
+  ].entries())
+    assert.equal(await elements(text, `name${i}`), plain, text);
+});
+
 test('a hundred thousand measurements stay usable', async () => {
   const row = {
     experiment: 'strong',

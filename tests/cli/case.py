@@ -31,8 +31,8 @@ class Case(unittest.TestCase):
         return subprocess.Popen([EXE, *args], cwd=self.folder.name, env=environment(POLHODE_CACHE=self.cache), preexec_fn=default, **streams)
 
     def scene(self, file='given.toml', **keys):
-        with open(os.path.join(self.folder.name, file), 'w') as f:
-            f.writelines(f'{k} = {json.dumps(v)}\n' for k, v in (GOOD | keys).items())
+        with open(os.path.join(self.folder.name, file), 'w', encoding='utf-8') as f:
+            f.writelines(f'{k} = {json.dumps(v, ensure_ascii=False)}\n' for k, v in (GOOD | keys).items())
         return file
 
     def left_behind(self):

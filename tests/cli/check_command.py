@@ -124,8 +124,9 @@ class BadInput(Case):
                             (f'{NAMES}\n{row}0,1,nan,.48,.64\n', ['line 3', 'pi1', "'nan'", 'finite']), (f'{NAMES}\n{row}0,1,x,.48,.64\n', ['line 3', "'x'"]),
                             (f'{NAMES}\n{row}0,1,.6,.48\n', ['line 3', '4 values', '5']), (f'{NAMES}\n{row}1.5,1,.6,.48,.6\n', ['path', "'1.5'", 'integer']),
                             (f'{NAMES}\n0,1,.6,.48,.64\n{row}', ['line 3', 't = 0', 't = 1', 'increase']), (f'{NAMES}\n{row}{row}', ['line 3', 'increase']),
-                            ('t,pi1,pi2\n0,1,2\n', ["'pi3'", 'line 1']), ('a,b,c\n', ["'t'", 'pi1,pi2,pi3']), (NAMES + ',more\n', ['6 columns']), ('t,t,pi1,pi2,pi3\n', ["two columns 't'"]),
-                            (NAMES + '\n' + ''.join(f'0,{i * i},.6,.48,.64\n' for i in range(40)), ['intervals', '32'])):
+                            ('t,pi1,pi2\n0,1,2\n', ["'pi3'", 'line 1']), ('a,b,c\n', ["'t'", 'pi1,pi2,pi3']), (NAMES + ',more\n', ['6 columns']),
+                            (f'{NAMES}\n0,-1e308,.6,.48,.64\n0,1e308,.6,.48,.64\n', ['line 3', 't = 1e+308', 'apart']), (f'{NAMES}\n{row}' + '0' * 70000, ['line 3', 'more than 65536 characters']), (f'{NAMES}\n0,+-1,.6,.48,.64\n', ["'+-1'"]), ('t,t,pi1,pi2,pi3\n', ["two columns 't'"]),
+                            (NAMES + '\n' + ''.join(f'0,{i * i / 10_000},.6,.48,.64\n' for i in range(40)), ['intervals', '32'])):
             self.refused(self.write(text), names)
 
     def test_arrays(self):
@@ -141,6 +142,8 @@ class BadInput(Case):
         self.refused(array((3, 2), values=six), ['(3, 2)', '3'], '--dt', '1')
         self.refused(array((3, 3), values=six), ['ends before state 3'], '--dt', '1')
         self.refused(array((1, 3), values=six), ['more than its shape'], '--dt', '1')
+        self.refused(array((2**64 - 1, 0, 3)), ['no states'], '--dt', '1')
+        self.refused(array((2, 3), '<f8' * 10000), ["'<f8<f8"], '--dt', '1')
         self.refused(array((2, 3), values=(*six[:5], float('inf'))), ['state 2', 'pi3', 'inf'], '--dt', '1')
 
     def test_options(self):

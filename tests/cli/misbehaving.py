@@ -31,6 +31,12 @@ def half(header, body):
     sys.exit(3)
 
 
+def partly(header, body):
+    sys.stdout.buffer.write(HEADER.pack(*header[:5], len(states(header, body)), header[6]) + body[:100])
+    sys.stdout.buffer.flush()
+    sleep()
+
+
 def raises(header, body): raise ValueError('inertia 2 is singular')
 def floods(header, body): sys.stderr.write('a warning\n' * 7000), keep(header, body)
 
@@ -55,18 +61,22 @@ def fewer(header, body):
     say((*header[:2], paths, *header[3:]), body[:8 * SCENE['components'] * paths])
 
 
-STEPS = dict(text=text, half=half, raises=raises, floods=floods, complains=complains, grandchild=grandchild, fewer=fewer, closes_out=closes(1), refuses=refuse,
+STEPS = dict(text=text, half=half, partly=partly, raises=raises, floods=floods, complains=complains, grandchild=grandchild, fewer=fewer, closes_out=closes(1), refuses=refuse,
              hangs=lambda *_: sleep(), dies=lambda *_: os.kill(os.getpid(), signal.SIGSEGV), exits=lambda *_: sys.exit(3),
              short=lambda h, b: say(h, b[:8]), kind=lambda h, b: say((h[0], 5, *h[2:]), states(h, b)),
              nan=lambda h, b: say(h, struct.pack('=d', float('nan')) * (len(states(h, b)) // 8)))
 if FAULT == 'silent': sleep()
 if FAULT == 'gone': sys.exit('no licence')
+with open(sys.argv[2]) as f:
+    if FAULT == 'again' and len(f.readlines()) > 1: GREETINGS['again'] = '{"polhode":1,"name":"bad","title":"another"}'
 print(GREETINGS.get(FAULT, '{"polhode":1,"name":"bad"}'), flush=True)
 while head := sys.stdin.buffer.read(HEADER.size):
     header = HEADER.unpack(head)
+    if FAULT == 'ahead' and header[5] > 1 << 19: say(header, bytes(8 * SCENE['components'] * header[2])), sleep()
     body = sys.stdin.buffer.read(header[5])
     if header[1] == 1: SCENE = json.loads(body)
-    if header[1] == 1 and FAULT != 'refuses': say(header)
+    if header[1] == 1 and FAULT == 'talks': say(header, bytes(1 << 20))
+    elif header[1] == 1 and FAULT != 'refuses': say(header)
     else: STEPS.get(FAULT, keep)(header, body)
     if FAULT in ('stops', 'closes_in'):
         if FAULT == 'closes_in': os.close(0)

@@ -25,3 +25,7 @@ with tempfile.TemporaryDirectory() as work:
     refused = subprocess.run([qemu, '-cpu', 'Nehalem', os.path.abspath(polhode), 'verify', 'paper', '--isa', 'v4', '--out', 'report'],
                              cwd=work, capture_output=True, text=True)
     assert refused.returncode == 2 and 'v4' in refused.stderr, (refused.returncode, refused.stderr)
+    refused = subprocess.run([qemu, '-cpu', 'Nehalem', os.path.abspath(polhode), 'verify', 'paper', '--generator', 'ars', '--out', 'report'],
+                             cwd=work, capture_output=True, text=True)
+    said = "polhode: --generator 'ars': not to be had here: the processor has no AES; accepted: philox\n"
+    assert (refused.returncode, refused.stderr) == (2, said), (refused.returncode, refused.stderr)

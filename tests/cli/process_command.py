@@ -60,6 +60,8 @@ class Running(Case):
                   ('half', 'ended with exit code 3 in the middle of an answer'), ('dies', r'killed by signal 11 \(Segmentation fault\) without an answer'),
                   ('raises', 'ended with exit code 1 without an answer; its last words: .*ValueError: inertia 2 is singular'), ('fewer', 'answered 63 paths of 64'),
                   ('short', 'answered 8 bytes of states instead of 1536'), ('kind', 'answered with a frame of kind 5 to one of kind 2'),
+                  ('talks', 'answered to a scene with 1048576 bytes: accepted: none, or a reason of up to 65536'), ('ahead', 'answered before it had read the whole frame'),
+                  ('again', 'greets with another line when it is started again'), ('partly', 'no complete answer within 1 s', *in_time),
                   ('closes_out', 'closed its standard output without an answer'),
                   ('closes_in', 'closed its standard input without an answer'), ('hangs', 'no answer within 1 s', *in_time),
                   ('stops', 'stopped reading: no answer within 1 s', *in_time), ('grandchild', 'no answer within 1 s', *in_time),

@@ -27,7 +27,11 @@ baseline::baseline(const std::optional<std::string>& name, const std::optional<s
           fmt::format("--baseline '{}': holds no scene '{}'; accepted: what --save-baseline has kept in {}", *name,
                       one_line(scene.name, 60), one_line(folder.string(), 200)));
     before_.push_back(read_results(of_scene));
-    check_same_scene(before_.back().scene, scene);
+    try {
+      check_same_scene(before_.back().scene, scene);
+    } catch (const input_error& fault) {
+      throw input_error(fmt::format("--baseline '{}': {}", *name, fault.what()));
+    }
   }
 }
 

@@ -9,7 +9,9 @@
 
 #include "cli/options/arguments.hpp"
 #include "cli/terminal/terminal.hpp"
+#include "cli/together.hpp"
 #include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 #include "run/provenance.hpp"
 #include "scene/nearest.hpp"
 
@@ -38,8 +40,10 @@ void set_up(CLI::App& app) {
 
 /// The parser's own words for what goes wrong with a value are not fit for a reader.
 std::string fault_of(const CLI::ParseError& outcome) {
-  const std::string text = outcome.what();
+  const auto text = one_line(outcome.what(), 200);
   const auto option = text.substr(0, text.find(':'));
+  if (outcome.get_name() == "ConversionError")  // "Could not convert: --quiet = maybe"
+    return fmt::format("{}: a flag; accepted: without a value", text.substr(text.find(": ") + 2));
   if (outcome.get_name() != "ArgumentMismatch") return fmt::format("{}; see polhode --help", text);
   const bool repeated = text.find("received") != text.npos;
   return fmt::format("{}: {}", option,
@@ -51,7 +55,7 @@ int parsed_otherwise(const CLI::App& app, const CLI::ParseError& outcome) {
   if (outcome.get_exit_code() != 0) throw input_error(fault_of(outcome));
   std::ostringstream text;
   app.exit(outcome, text, text);
-  print(text.str());
+  if (speaks()) print(text.str());
   return 0;
 }
 
@@ -111,7 +115,7 @@ int run_command(int argc, char** argv, const add_commands& add) {
   }
   refuse_unknown(app, commands);
   for (const auto& c : commands)
-    if (c.parser->parsed()) return c.run();
+    if (c.parser->parsed()) return c.shared || speaks() ? c.run() : 0;
   return 0;
 }
 
