@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -116,8 +117,11 @@ staging::staging(fs::path where, const fs::path& known_as) : path_(std::move(whe
 }
 
 staging::~staging() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
+  try {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  } catch (const std::bad_alloc&) {  // the next run removes it
+  }
   if (lock_ >= 0) ::close(lock_);
 }
 

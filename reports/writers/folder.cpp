@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <memory>
 #include <set>
 #include <vector>
@@ -41,26 +40,24 @@ bool is_written_file(const fs::path& path) {
 }
 
 // Files of ours alone, and a results.json that begins as ours does: anything else might be somebody's work.
-bool is_report(const fs::directory_entry& entry) {
+bool is_report(const fs::directory_entry& entry, const fs::path& known_as) {
   std::error_code error;
   if (!fs::is_directory(entry.symlink_status(error))) return false;
   for (fs::directory_iterator file(entry.path(), error), end; !error && file != end; file.increment(error))
     if (!is_written_file(file->path())) return false;
-  if (error) return false;
-  char beginning[256];
-  std::ifstream json(entry.path() / "results.json", std::ios::binary);
-  json.read(beginning, sizeof beginning);
-  return looks_like_results({beginning, static_cast<std::size_t>(json.gcount())});
+  if (error) disk::fail(known_as, error.value());
+  return looks_like_results(beginning_of(entry.path() / "results.json", known_as / "results.json"));
 }
 
 void require_ours(const fs::path& folder, const fs::path& known_as) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (disk::is_staging_name(entry->path().filename().string()) || is_report(*entry)) continue;
+    const auto name = entry->path().filename();
+    if (disk::is_staging_name(name.string()) || is_report(*entry, known_as / name)) continue;
     throw input_error(
         fmt::format("output folder {}: {} in it is not a polhode report; give a new or empty folder, or one that holds "
                     "polhode reports only",
-                    quoted(known_as), quoted(entry->path().filename())));
+                    quoted(known_as), quoted(name)));
   }
   if (error) disk::fail(known_as, error.value());
 }

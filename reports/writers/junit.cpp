@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <new>
 #include <pugixml.hpp>
-#include <sstream>
+#include <string>
+#include <utility>
 
 #include "reports/writers/board.hpp"
 #include "reports/writers/numbers.hpp"
@@ -13,16 +15,32 @@
 namespace polhode::report {
 namespace {
 
+// Where memory is missing, pugixml leaves things out in silence.
+void require(bool done) {
+  if (!done) throw std::bad_alloc();
+}
+
 void set(pugi::xml_node node, const char* name, const std::string& value) {
-  node.append_attribute(name).set_value(printable(value).c_str());
+  require(node.append_attribute(name).set_value(printable(value).c_str()));
+}
+
+pugi::xml_node append(pugi::xml_node node, const char* name) {
+  const auto child = node.append_child(name);
+  require(child);
+  return child;
 }
 
 void set_counts(pugi::xml_node node, const tally& t) {
-  node.append_attribute("tests").set_value(t.total());
-  node.append_attribute("failures").set_value(t.of(verdict_kind::refuted) + t.of(verdict_kind::inconclusive));
-  node.append_attribute("errors").set_value(0);
-  node.append_attribute("skipped").set_value(t.of(verdict_kind::skipped) + t.of(verdict_kind::not_tried));
+  set(node, "tests", std::to_string(t.total()));
+  set(node, "failures", std::to_string(t.of(verdict_kind::refuted) + t.of(verdict_kind::inconclusive)));
+  set(node, "errors", "0");
+  set(node, "skipped", std::to_string(t.of(verdict_kind::skipped) + t.of(verdict_kind::not_tried)));
 }
+
+struct text_writer final : pugi::xml_writer {
+  std::string text;
+  void write(const void* data, std::size_t size) override { text.append(static_cast<const char*>(data), size); }
+};
 
 std::string found(const verdict& v) {
   std::string text = fmt::format("claimed {}, found {}", shown(v.expected), shown(v.estimate));
@@ -32,20 +50,20 @@ std::string found(const verdict& v) {
 }
 
 void append_case(pugi::xml_node suite, const verdict& v) {
-  auto node = suite.append_child("testcase");
+  auto node = append(suite, "testcase");
   set(node, "classname", v.experiment + "." + v.scheme);
   set(node, "name", v.claim);
   if (v.kind == verdict_kind::holds) return;
-  if (v.kind == verdict_kind::skipped) return set(node.append_child("skipped"), "message", reason_of(v));
+  if (v.kind == verdict_kind::skipped) return set(append(node, "skipped"), "message", reason_of(v));
   if (v.kind == verdict_kind::not_tried)
-    return set(node.append_child("skipped"), "message", fmt::format("{}: {}", name_of(v.kind), reason_of(v)));
-  auto failure = node.append_child("failure");
+    return set(append(node, "skipped"), "message", fmt::format("{}: {}", name_of(v.kind), reason_of(v)));
+  auto failure = append(node, "failure");
   set(failure, "type", std::string(name_of(v.kind)));
   set(failure, "message", found(v));
 }
 
 void append_suite(pugi::xml_node root, const results& r, const std::string& name) {
-  auto suite = root.append_child("testsuite");
+  auto suite = append(root, "testsuite");
   set(suite, "name", name);
   const auto rows = verdicts_of(r, name);
   tally counts;
@@ -57,23 +75,23 @@ void append_suite(pugi::xml_node root, const results& r, const std::string& name
   for (const auto& one : r.skipped)
     if (one.experiment == name)
       skipped += fmt::format("skipped: {}: {}\n", one.scheme.empty() ? "every scheme" : one.scheme, one.reason);
-  if (!skipped.empty()) suite.append_child("system-out").text().set(printable(skipped).c_str());
+  if (!skipped.empty()) require(append(suite, "system-out").text().set(printable(skipped).c_str()));
 }
 
 }  // namespace
 
 std::string to_junit(const results& r) {
   pugi::xml_document document;
-  auto declaration = document.append_child(pugi::node_declaration);
-  declaration.append_attribute("version") = "1.0";
-  declaration.append_attribute("encoding") = "UTF-8";
-  auto root = document.append_child("testsuites");
+  const auto declaration = document.append_child(pugi::node_declaration);
+  set(declaration, "version", "1.0");
+  set(declaration, "encoding", "UTF-8");
+  const auto root = append(document, "testsuites");
   set(root, "name", "polhode: " + r.scene.name);
   set_counts(root, count(r.verdicts));
   for (const auto& name : experiment_names(r)) append_suite(root, r, name);
-  std::ostringstream out;
+  text_writer out;
   document.save(out, "  ", pugi::format_default, pugi::encoding_utf8);
-  return out.str();
+  return std::move(out.text);
 }
 
 }  // namespace polhode::report

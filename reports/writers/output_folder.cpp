@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
@@ -41,6 +42,15 @@ fs::path nearest_folder(const fs::path& path, const fs::path& out) {
     throw input_error(
         fmt::format("output folder {}: {} is not a folder; give a folder or a new name", quoted(out), quoted(nearest)));
   return nearest;
+}
+
+std::string beginning_of(const fs::path& file, const fs::path& known_as) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in && errno != ENOENT) disk::fail(known_as, errno);
+  std::string bytes(256, '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return bytes;
 }
 
 void require_writable(const fs::path& folder, const fs::path& known_as) {

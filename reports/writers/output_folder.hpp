@@ -21,6 +21,9 @@ std::filesystem::path settled(const std::filesystem::path& out);
 /// `path`, or the nearest above it that stands; throws input_error where that is no folder.
 std::filesystem::path nearest_folder(const std::filesystem::path& path, const std::filesystem::path& out);
 
+/// Its first 256 bytes, nothing where it does not stand; throws output_error where the system does not let us look.
+std::string beginning_of(const std::filesystem::path& file, const std::filesystem::path& known_as);
+
 void require_writable(const std::filesystem::path& folder, const std::filesystem::path& known_as);
 
 /// Makes the folders that are missing down to `folder`; they are gone again unless kept.

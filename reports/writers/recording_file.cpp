@@ -30,12 +30,39 @@ void write_at(int descriptor, std::string_view bytes, std::uint64_t at, const st
   }
 }
 
+int created(const std::filesystem::path& file, const std::filesystem::path& known_as) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (descriptor < 0) disk::fail(known_as, errno);
+  return descriptor;
+}
+
+/// All of it is on the disk.
+void finish(int& descriptor, const std::filesystem::path& known_as) {
+  if (::fsync(descriptor) != 0 && errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) disk::fail(known_as, errno);
+  if (::close(std::exchange(descriptor, -1)) != 0 && errno != EINTR) disk::fail(known_as, errno);
+}
+
+struct text_file {
+  const std::filesystem::path& known_as;
+  int descriptor;
+  std::uint64_t size = 0;
+  text_file(const std::filesystem::path& file, const std::filesystem::path& name)
+      : known_as(name), descriptor(created(file, name)) {}
+  text_file(const text_file&) = delete;
+  text_file& operator=(const text_file&) = delete;
+  ~text_file() {
+    if (descriptor >= 0) ::close(descriptor);
+  }
+  void append(std::string_view text) {
+    write_at(descriptor, text, size, known_as);
+    size += text.size();
+  }
+};
+
 }  // namespace
 
 recording_file::recording_file(std::filesystem::path file, shape s, std::filesystem::path known_as)
-    : file_(std::move(file)), known_as_(std::move(known_as)), shape_(s) {
-  descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) disk::fail(known_as_, errno);
+    : file_(std::move(file)), known_as_(std::move(known_as)), shape_(s), descriptor_(created(file_, known_as_)) {
   const auto header = npy_header_of_doubles({s.paths, s.records, s.components});
   header_ = header.size();
   write_at(descriptor_, header, 0, known_as_);
@@ -51,17 +78,14 @@ void recording_file::write(std::uint64_t path, std::uint64_t first_record, std::
            known_as_);
 }
 
-void recording_file::close() {
-  if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) disk::fail(known_as_, errno);
-  if (::close(std::exchange(descriptor_, -1)) != 0 && errno != EINTR) disk::fail(known_as_, errno);
-}
+void recording_file::close() { finish(descriptor_, known_as_); }
 
 void write_recording_csv(const std::filesystem::path& npy, recording_file::shape s, double dt,
                          std::span<const std::string> names, const std::filesystem::path& csv,
                          const std::filesystem::path& known_as) {
   std::ifstream in(npy, std::ios::binary);
   in.seekg(static_cast<std::streamoff>(npy_header_of_doubles({s.paths, s.records, s.components}).size()));
-  std::ofstream out(csv, std::ios::binary);
+  text_file out(csv, known_as);
   std::string text = "path,t";
   for (const auto& name : names) text += ',' + name;
   text += '\n';
@@ -72,12 +96,12 @@ void write_recording_csv(const std::filesystem::path& npy, recording_file::shape
       text += fmt::format("{},{}", path, shortest(static_cast<double>(record) * dt));
       for (const double x : values) text += ',' + shortest(x);
       text += '\n';
-      if (text.size() > 1 << 16) out << std::exchange(text, {});
+      if (text.size() > 1 << 16) out.append(std::exchange(text, {}));
     }
   }
-  out << text;
-  out.flush();
-  if (!in || !out) disk::fail(known_as, errno != 0 ? errno : EIO);
+  if (!in) disk::fail(known_as, EIO);
+  out.append(text);
+  finish(out.descriptor, known_as);
 }
 
 }  // namespace polhode::report

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstring>
 #include <fstream>
+#include <new>
 #include <sstream>
 #include <vector>
 
@@ -78,25 +79,24 @@ result_folder::~result_folder() {
 
 fs::path result_folder::file_of(const std::string& key) const { return folder_ / (crc64(key) + std::string(ending)); }
 
-std::optional<results> result_folder::load(const std::string& key) {
+std::optional<results> result_folder::load(const std::string& key) try {
   if (access_ == access::rewrite) return std::nullopt;
   const auto path = file_of(key);
   std::ostringstream text;
   if (std::ifstream file(path, std::ios::binary); !file || !(text << file.rdbuf())) return std::nullopt;
   const auto document = unpacked(text.str(), key);
   if (!document) return std::nullopt;
-  try {
-    auto found = from_json(*document);
-    std::error_code read_only;
-    fs::last_write_time(path, fs::file_time_type::clock::now(), read_only);  // used just now
-    return found;
-  } catch (const std::exception&) {  // whole, but not as this build reads it
-    return std::nullopt;
-  }
+  auto found = from_json(*document);
+  std::error_code read_only;
+  fs::last_write_time(path, fs::file_time_type::clock::now(), read_only);  // used just now
+  return found;
+} catch (const std::exception&) {  // whole, but not as this build reads it; or there is no memory for it
+  return std::nullopt;
 }
 
-void result_folder::save(const std::string& key, const results& r) {
+void result_folder::save(const std::string& key, const results& r) try {
   static std::atomic<unsigned> count = 0;
+  const auto content = packed(key, to_json(r));
   std::error_code error;
   fs::create_directories(folder_, error);
   const auto path = file_of(key);
@@ -104,7 +104,7 @@ void result_folder::save(const std::string& key, const results& r) {
   errno = 0;
   if (!error) {
     std::ofstream file(partial, std::ios::binary);
-    file << packed(key, to_json(r));
+    file << content;
     file.close();
     if (!file) error = {errno != 0 ? errno : EIO, std::generic_category()};
   }
@@ -116,6 +116,8 @@ void result_folder::save(const std::string& key, const results& r) {
   if (trouble_.empty()) trouble_ = error.message();
   std::error_code ignored;
   fs::remove(partial, ignored);
+} catch (const std::bad_alloc&) {
+  if (trouble_.empty()) trouble_ = "out of memory";
 }
 
 void result_folder::remove_oldest() const noexcept try {

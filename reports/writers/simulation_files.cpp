@@ -76,9 +76,10 @@ void write_simulation_files(const std::filesystem::path& folder, const simulatio
   jobs first, pictures;
   if (!s.snapshots.empty())
     first.emplace_back([&] { picture.emplace(s.snapshots.front().side, colour_maps()[style.colour_map]); });
-  first.emplace_back([&] {
-    write(final_name(s), s.bodies > most_rows ? to_npy_rows(s.states, s.final.components.size()) : final_csv(s));
-  });
+  if (!s.states.empty())
+    first.emplace_back([&] {
+      write(final_name(s), s.bodies > most_rows ? to_npy_rows(s.states, s.final.components.size()) : final_csv(s));
+    });
   first.emplace_back([&] { write("summary.json", to_json(s)); });
   for (const auto& shown : s.snapshots) {
     first.emplace_back([&] {

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "reports/model/errors.hpp"
 #include "reports/writers/disk.hpp"
 #include "reports/writers/output_folder.hpp"
@@ -13,13 +11,6 @@ namespace polhode::report {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool begins_as_ours(const fs::path& document, const folder_contents& c) {
-  char beginning[256];
-  std::ifstream json(document, std::ios::binary);
-  json.read(beginning, sizeof beginning);
-  return c.begins_ours({beginning, static_cast<std::size_t>(json.gcount())});
-}
 
 /// Empty, or one of ours and nothing besides.
 void require_ours(const fs::path& folder, const fs::path& known_as, const folder_contents& c) {
@@ -35,7 +26,7 @@ void require_ours(const fs::path& folder, const fs::path& known_as, const folder
     any = true;
   }
   if (error) disk::fail(known_as, error.value());
-  if (any && !begins_as_ours(folder / c.document, c)) refuse(c.document);
+  if (any && !c.begins_ours(beginning_of(folder / c.document, known_as / c.document))) refuse(c.document);
 }
 
 /// The path that is really meant, once nothing speaks against writing there.

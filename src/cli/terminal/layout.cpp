@@ -7,9 +7,19 @@
 #include "reports/model/text.hpp"
 
 namespace polhode::cli {
+namespace {
+
+// Throws where memory is missing: a stream by itself would end the text there, in silence.
+std::istringstream reading(std::string_view text) {
+  std::istringstream stream{std::string{text}};
+  stream.exceptions(std::ios::badbit);
+  return stream;
+}
+
+}  // namespace
 
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent, std::size_t first) {
-  std::istringstream words{std::string{text}};
+  auto words = reading(text);
   std::string out, word;
   std::size_t column = first;
   bool line_is_empty = true;
@@ -37,7 +47,7 @@ std::string entries(std::span<const entry> list, std::size_t width) {
   std::string out;
   for (const auto& e : list) {
     out += e.name;
-    std::istringstream lines{e.text};
+    auto lines = reading(e.text);
     for (auto [line, first] = std::pair{std::string{}, beside}; std::getline(lines, line); first = false) {
       const auto blanks = first ? column - display_width(e.name) : indent;
       out += (first ? "" : "\n") + std::string(blanks, ' ') + wrapped(line, width, indent, indent);

@@ -15,11 +15,7 @@ namespace {
 std::atomic<int> deferring = 0, waiting = 0;
 static_assert(std::atomic<int>::is_always_lock_free, "used in a signal handler");
 
-void end_by(int signal) {
-  clear_progress();
-  foreign::kill_children();
-  ::_exit(128 + signal);
-}
+void end_by(int signal) { end_at_once(128 + signal); }
 
 extern "C" void handle_signal(int signal) {
   if (deferring == 0) end_by(signal);
@@ -27,6 +23,12 @@ extern "C" void handle_signal(int signal) {
 }
 
 }  // namespace
+
+void end_at_once(int code) noexcept {
+  clear_progress();
+  foreign::kill_children();
+  ::_exit(code);
+}
 
 void install_signal_handlers() {
   struct sigaction action {};
@@ -39,7 +41,7 @@ void install_signal_handlers() {
     if (::sigaction(signal, nullptr, &former) == 0 && former.sa_handler == SIG_IGN) continue;
     ::sigaction(signal, &action, nullptr);
   }
-  std::signal(SIGPIPE, SIG_IGN);
+  for (const int of_a_write : {SIGPIPE, SIGXFSZ}) std::signal(of_a_write, SIG_IGN);
 }
 
 defer_signals::defer_signals() { ++deferring; }

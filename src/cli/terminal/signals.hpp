@@ -4,7 +4,10 @@
 
 namespace polhode::cli {
 
-/// Ends with 128 + signal; a reader that has gone (SIGPIPE) becomes a failed write.
+/// Ends the program where it stands, with what it has started; may be called by a signal's handler.
+[[noreturn]] void end_at_once(int code) noexcept;
+
+/// Ends with 128 + signal; a reader that has gone (SIGPIPE) and a file at its limit (SIGXFSZ) become failed writes.
 void install_signal_handlers();
 
 /// While one lives, a signal waits; it ends the command when the last one goes.
