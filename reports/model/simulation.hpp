@@ -45,8 +45,9 @@ struct simulation {
   int pictured = 0;                     ///< the first of the three whose direction the snapshots count
   std::uint64_t numbers_drawn = 0;      ///< increments and areas of the noise
   double path_steps = 0, ns_per_path_step = 0;
+  double resumed_at = 0;  ///< the share of the work that an interrupted run had done; times are of the rest
   std::vector<std::string> remarks;
-  std::vector<double> states;  ///< [component][body] at the end
+  std::vector<double> states;  ///< [component][body] at the end; empty where they are not kept
   ensemble_state final;
   std::vector<ensemble_snapshot> snapshots;
 

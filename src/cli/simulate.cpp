@@ -8,12 +8,15 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/kept/cache.hpp"
+#include "cli/kept/checkpoints.hpp"
 #include "cli/options/arguments.hpp"
 #include "cli/options/integrators.hpp"
 #include "cli/options/opened_scene.hpp"
 #include "cli/terminal/progress.hpp"
 #include "cli/terminal/signals.hpp"
 #include "cli/terminal/terminal.hpp"
+#include "cli/together.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
 #include "reports/writers/colour_map.hpp"
@@ -32,8 +35,8 @@ struct arguments {
   integrator_arguments integrators;
   std::string scene = "paper", scheme, dt, bodies, noise, start, snapshots, record;
   std::string out = "simulation", threads, seed = "1", isa = "auto", generator = "philox", normals = "fast",
-              format = "text", colour_map = "viridis", histogram = "npy", recording;
-  bool quiet = false;
+              format = "text", colour_map = "viridis", histogram = "npy", recording, save_every = "10";
+  bool quiet = false, no_final = false, fresh = false, no_cache = false;
 };
 
 const std::string& required(std::string_view option, const std::string& text) {
@@ -63,6 +66,8 @@ simulate_options checked_options(const arguments& given) {
   options.foreign = opened_integrators(given.integrators);
   options.generator = given.generator;
   options.normals = given.normals;
+  options.final_states = !given.no_final;
+  options.save_every = positive_option("--checkpoint", given.save_every);
   return options;
 }
 
@@ -96,8 +101,12 @@ std::string text_of(const report::simulation& s, const std::filesystem::path& ou
   text += fmt::format("\nlargest relative change of the Casimir: {}\n", report::shown(s.final.casimir_change));
   text += fmt::format("{:g} path-steps in {}: {:.3g} ns each; {} numbers drawn\n", s.path_steps,
                       report::shown_duration(s.provenance.wall_seconds), s.ns_per_path_step, s.numbers_drawn);
+  if (s.resumed_at > 0)
+    text += fmt::format("resumed at {:.1f} % from an interrupted run of the same; the time is that of the rest\n",
+                        100 * s.resumed_at);
   for (const auto& remark : s.remarks) text += fmt::format("note: {}\n", remark);
-  return text + fmt::format("final states: {}\n", one_line((out / report::final_name(s)).string()));
+  const auto written = s.states.empty() ? out : out / report::final_name(s);
+  return text + fmt::format("{}: {}\n", s.states.empty() ? "written" : "final states", one_line(written.string()));
 }
 
 report::simulation run_it(const scene& s, const simulate_options& options, bool quiet) {
@@ -145,18 +154,40 @@ report::simulation whole(const scene& s, const simulate_options& options, const 
   return result;
 }
 
+/// Null where nothing is kept between runs.
+std::unique_ptr<checkpoint_folder> checkpoints_for(const arguments& given, const std::filesystem::path& out) {
+  const auto folder = given.no_cache ? std::filesystem::path() : cache_beside(out);
+  if (folder.empty()) return nullptr;
+  return std::make_unique<checkpoint_folder>(
+      folder, given.fresh ? checkpoint_folder::access::rewrite : checkpoint_folder::access::use);
+}
+
 int run(const arguments& given) {
   const auto output = format_option(given.format);
-  const auto options = checked_options(given);
+  auto options = checked_options(given);
   const auto style = checked_style(given);
   const auto scene = opened_scene(given.scene);
+  options.among = others();
   check_simulation(scene, options);
   if (given.out.empty()) throw input_error("--out '': accepted: the folder to be written");
   const std::filesystem::path out{given.out};
-  report::check_simulation_folder(out);
+  if (speaks()) report::check_simulation_folder(out);
+  const auto checkpoints = checkpoints_for(given, out);
+  options.checkpoints = checkpoints.get();
 
+  if (!speaks()) {
+    simulate(scene, options);
+    if (checkpoints) checkpoints->forget();
+    return 0;
+  }
   const auto result =
       options.record_every > 0 ? recorded(scene, options, given, style) : whole(scene, options, given, style);
+  if (checkpoints) {
+    checkpoints->forget();
+    if (!checkpoints->trouble().empty())
+      print_error(fmt::format("no checkpoint of this run was kept: {}: {}", cache_beside(out).string(),
+                              checkpoints->trouble()));
+  }
   if (output == format::json)
     print(report::to_json(result));
   else if (!given.quiet)
@@ -171,7 +202,11 @@ void add_common(CLI::App& parser, arguments& given) {
   add_option(parser, "--isa", given.isa, "Instruction set: auto, v2, v3, v4 [auto]", "NAME");
   add_option(parser, "--generator", given.generator, "Random bits: philox, ars [philox]", "NAME");
   add_option(parser, "--normals", given.normals, "fast (to 1e-6), precise [fast]", "K");
+  add_option(parser, "--checkpoint", given.save_every, "Seconds from save to save of the run [10]", "S");
   add_option(parser, "--format", given.format, "On standard output: text, json [text]", "F");
+  add_flag(parser, "--no-final", given.no_final, "Neither keep nor write the bodies' last states");
+  add_flag(parser, "--fresh", given.fresh, "Do not go on from a checkpoint of an interrupted run");
+  add_flag(parser, "--no-cache", given.no_cache, "Keep no checkpoint, and do not go on from one");
   add_flag(parser, "-q,--quiet", given.quiet, "No summary, no progress");
 }
 
@@ -194,7 +229,7 @@ command add_simulate(CLI::App& app) {
   add_option(parser, "--recording", given->recording, "Of the records: npy, csv [npy]", "K");
   add_option(parser, "--start", given->start, "uniform, momentum, orbit [by the noise]", "K");
   add_common(parser, *given);
-  return {&parser, [given] { return run(*given); }};
+  return {&parser, [given] { return run(*given); }, true};
 }
 
 }  // namespace polhode::cli

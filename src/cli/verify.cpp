@@ -21,6 +21,7 @@
 #include "cli/terminal/signals.hpp"
 #include "cli/terminal/summary.hpp"
 #include "cli/terminal/terminal.hpp"
+#include "cli/together.hpp"
 #include "cli/verify_arguments.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
@@ -35,7 +36,11 @@ namespace {
 /// "weak: 4 of 10 experiments after 12 s".
 std::string told_of(const report::results& r) {
   const auto done = r.experiments.size();
-  return fmt::format("{}: {} of {} experiments after {}", r.experiments.back().name, done, done + r.to_come.size(),
+  const auto begun = [&](const std::string& name) {
+    return std::ranges::find(r.experiments, name, &report::experiment::name) != r.experiments.end();
+  };
+  const auto rest = r.to_come.size() - static_cast<std::size_t>(std::ranges::count_if(r.to_come, begun));
+  return fmt::format("{}: {} of {} experiments after {}", r.experiments.back().name, done, done + rest,
                      duration_text(r.provenance.wall_seconds));
 }
 
@@ -111,12 +116,22 @@ void print_all(const verify_arguments& given, std::span<const report::results> a
   }
 }
 
+/// Of one that does not speak: its share of the work, in the same order.
+int take_part(std::span<const scene> scenes, const verify_options& options) {
+  for (const auto& scene : scenes) verify(scene, options);
+  return 0;
+}
+
 int run(const verify_arguments& given) {
   format_option(given.format);
   choose("--progress", given.progress, std::array<std::string, 2>{"auto", "lines"});
   auto options = checked_options(given);
   const auto scenes = checked_scenes(given);
   for (const auto& scene : scenes) check_options(scene, options);
+  options.among = others();
+  if (options.among != nullptr && given.budget)
+    throw input_error(fmt::format("--budget '{}': accepted in a run of one process", one_line(*given.budget, 60)));
+  if (!speaks()) return take_part(scenes, options);
   if (given.out.empty()) throw input_error("--out '': accepted: the folder to be written");
   const std::filesystem::path out{given.out};
   report::check_output_folder(out);
@@ -144,7 +159,7 @@ command add_verify(CLI::App& app) {
   const auto given = std::make_shared<verify_arguments>();
   auto& parser = add_command(app, "verify", "Hold the claims of the schemes against scenes");
   add_verify_arguments(parser, *given);
-  return {&parser, [given] { return run(*given); }};
+  return {&parser, [given] { return run(*given); }, true};
 }
 
 }  // namespace polhode::cli

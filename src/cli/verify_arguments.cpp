@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 #include "cli/options/arguments.hpp"
 #include "cli/options/opened_scene.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
+#include "reports/writers/folder.hpp"
 #include "scene/nearest.hpp"
 
 namespace polhode::cli {
@@ -25,6 +27,7 @@ verify_options checked_options(const verify_arguments& given) {
   options.isa = given.isa;
   options.generator = given.generator;
   options.profile = given.profile;
+  if (given.budget) options.budget = std::make_shared<time_budget>(positive_option("--budget", *given.budget));
   options.foreign = opened_integrators(given.integrators);
   return options;
 }
@@ -33,7 +36,8 @@ std::vector<scene> checked_scenes(const verify_arguments& given) {
   std::vector<scene> scenes;
   for (const auto& name : given.scenes) {
     auto loaded = opened_scene(name);
-    if (std::ranges::find(scenes, loaded.name, &scene::name) != scenes.end())
+    const auto folder_of = [](const scene& s) { return report::folder_name(s.name); };
+    if (std::ranges::find(scenes, folder_of(loaded), folder_of) != scenes.end())
       throw input_error(fmt::format(
           "{}: name = '{}': another scene has it; accepted: names that differ, as each scene has its folder",
           one_line(name, 200), loaded.name));
@@ -57,6 +61,7 @@ void add_verify_arguments(CLI::App& parser, verify_arguments& given) {
   add_option(parser, "--isa", given.isa, "Instruction set: auto, v2, v3, v4 [auto]", "NAME");
   add_option(parser, "--baseline", given.baseline, "Compare with what has this name", "NAME");
   add_option(parser, "--save-baseline", given.save_baseline, "Keep the results under this name", "NAME");
+  add_option(parser, "--budget", given.budget, "Seconds; what is not done by then is left out", "S");
   add_option(parser, "--format", given.format, "On standard output: text, json [text]", "F");
   add_option(parser, "--progress", given.progress, "auto: on terminals; lines: one an experiment [auto]", "P");
   add_flag(parser, "--latex", given.latex, "Write report.tex, too: tables and plots for a paper");

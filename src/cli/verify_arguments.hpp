@@ -18,7 +18,7 @@ struct verify_arguments {
   std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto",
                                     generator = "philox", format = "text", progress = "auto";
   integrator_arguments integrators;
-  std::optional<std::string> baseline, save_baseline;
+  std::optional<std::string> baseline, save_baseline, budget;
   bool fresh = false, no_cache = false, quiet = false, latex = false, profile = false;
 };
 

@@ -8,6 +8,7 @@
 
 #include <polhode/noise/address.hpp>
 
+#include "ensemble/ensemble_progress.hpp"
 #include "ensemble/kernel.hpp"
 #include "ensemble/model.hpp"
 #include "ensemble/observing/block_record.hpp"
@@ -31,17 +32,21 @@ struct simulation_plan {
   std::uint64_t seed = 0;
   std::uint64_t path = 0;  ///< whose noise is common to all
   int threads = 1;
-  std::function<void(const increment_view&)> hear = {};  ///< is told of a common noise before it is used
-  std::int64_t record_every = 0;                         ///< steps; 0: nothing is recorded. The start is record 0
-  record_sink record = {};                               ///< by several threads at once, each of other bodies
+  std::function<void(const increment_view&)> hear = {};     ///< is told of a common noise before it is used
+  std::int64_t record_every = 0;                            ///< steps; 0: nothing is recorded. The start is record 0
+  record_sink record = {};                                  ///< by several threads at once, each of other bodies
+  bool keep_states = true;                                  ///< false: of the states at the end only what is observed
+  std::function<void(ensemble_progress&)> resume = {};      ///< may set how far the run is; nothing is recorded then
+  std::function<bool()> save_due = {};                      ///< asked often, by any thread
+  std::function<void(const ensemble_progress&)> save = {};  ///< called by one thread while the others wait
+  int rank = 0, ranks = 1;                                  ///< this process runs the pieces of its rank
+  std::function<void(ensemble_progress&)> join = {};        ///< joins what the other ranks have done
 
   std::int64_t records() const { return record_every > 0 ? steps / record_every + 1 : 0; }
 };
 
-struct ensemble_snapshot {
+struct ensemble_snapshot : direction_counts {
   ensemble_moments moments;
-  std::vector<std::uint32_t> counts;   ///< longitude_bins
-  std::vector<std::uint32_t> picture;  ///< hemisphere_bins
 };
 
 struct simulated {

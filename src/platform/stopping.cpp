@@ -6,17 +6,22 @@
 namespace polhode {
 namespace {
 
-thread_local const std::atomic<bool>* flag_of_thread = nullptr;
+thread_local const stoppable* here = nullptr;
 
 }  // namespace
 
-stoppable::stoppable(const std::atomic<bool>* flag) : before_(std::exchange(flag_of_thread, flag)) {}
-stoppable::~stoppable() { flag_of_thread = before_; }
+stoppable::stoppable(const std::atomic<bool>* flag) : flag_(flag), outer_(here), before_(std::exchange(here, this)) {}
+stoppable::stoppable(const stoppable* other) : flag_(nullptr), outer_(other), before_(std::exchange(here, this)) {}
+stoppable::~stoppable() { here = before_; }
 
-const std::atomic<bool>* stop_flag() { return flag_of_thread; }
+bool stoppable::asked() const {
+  return (flag_ != nullptr && flag_->load(std::memory_order_relaxed)) || (outer_ != nullptr && outer_->asked());
+}
+
+const stoppable* stoppable_here() { return here; }
 
 void stop_if_asked() {
-  if (flag_of_thread != nullptr && flag_of_thread->load(std::memory_order_relaxed)) throw stopped{};
+  if (here != nullptr && here->asked()) throw stopped{};
 }
 
 }  // namespace polhode

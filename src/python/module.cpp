@@ -78,8 +78,9 @@ void add_scene(py::module_& m) {
 void add_commands(py::module_& m) {
   m.def("verify", [](const scene& s, const callables& foreign, std::vector<std::string> schemes,
                      std::vector<std::string> experiments, const std::string& effort, std::uint64_t seed, int threads,
-                     std::optional<std::string> out, bool cache, py::object progress) {
+                     std::optional<std::string> out, bool cache, py::object progress, std::optional<double> budget) {
     verify_options o;
+    if (budget) o.budget = std::make_shared<time_budget>(*budget);
     o.schemes = std::move(schemes);
     o.experiments = std::move(experiments);
     return verified(s, foreign, machine(o, threads, seed), effort,

@@ -15,6 +15,10 @@ namespace polhode {
 /// unknown system.
 subject bind_scene(const scene&, const foreign::foreign_schemes& = {});
 
+/// Throws input_error where a value of its scene, or what follows from all, is so large or so small that double
+/// precision and not a scheme would be tried.
+void require_scale(const subject&);
+
 /// A scheme and what it claims, as reports say it.
 report::scheme described(const scheme_entry&, const foreign::foreign_scheme* = nullptr);
 /// All of them, as `polhode list` prints them.

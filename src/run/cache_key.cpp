@@ -62,4 +62,14 @@ std::string cache_key(const context& c, std::string_view experiment, std::string
                      text_of(c.subject.scene), build_identity());
 }
 
+std::string simulation_key(const scene& s, std::string_view scheme, double dt, const simulation_plan& p) {
+  if (build_identity().empty()) return "";
+  return fmt::format(
+      "simulation\nscheme {}\ndt {}\nnoise {}\nstart {}\nbodies {}\nsnapshots {}\nstates {}\nseed {}\ngenerator {}\n"
+      "normals {}\nrank {} of {}\nisa {}\n{}{}",
+      scheme, dt, static_cast<int>(p.noise), static_cast<int>(p.start), p.bodies, p.snapshots, p.keep_states, p.seed,
+      static_cast<int>(p.source.generator), static_cast<int>(p.source.quality), p.rank, p.ranks, name_of(active_isa()),
+      text_of(s), build_identity());
+}
+
 }  // namespace polhode

@@ -15,6 +15,7 @@ checked_recording check(const scene& s, const std::filesystem::path& data, std::
   gsl_set_error_handler_off();
   const stopwatch watch;
   const auto subject = bind_scene(s);
+  require_scale(subject);
   auto out = check_recording(subject, data, dt);
   out.results.scene = subject.scene;
   out.results.provenance = build_provenance();

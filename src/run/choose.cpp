@@ -55,6 +55,7 @@ selection select(const scene& s, const select_options& o) {
   for (const auto& one : o.foreign)
     measure_claims(s, one, {o.goal == "stationary" ? "gibbs" : o.goal}, o.threads, o.seed);
   const auto bound = bind_scene(s, o.foreign);
+  require_scale(bound);
   if (bound.sphere() || !observable_of(bound, o.observable)) choose("--observable", o.observable, observables);
   std::vector<rejection> silent;
   const auto asked = without_own_numbers(bound, o.foreign, silent);

@@ -127,6 +127,7 @@ reference_answer reference(const scene& s, const reference_options& o) {
   gsl_set_error_handler_off();
   check(o);
   const auto bound = bind_scene(s);
+  require_scale(bound);
   if (!bound.sphere()) return reference_off_sphere(bound, o);
   const auto& p = *bound.sphere();
   reference_answer out;

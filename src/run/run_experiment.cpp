@@ -89,30 +89,69 @@ struct entry {
 
 std::vector<entry> ask(const experiment& e, const context& c, const kept_results& kept) {
   std::vector<entry> entries;
+  const bool first = kept.among == nullptr || kept.among->rank() == 0;
   for (const auto& scheme : c.subject.schemes) {
-    const bool asks = kept.store != nullptr && !contains(kept.but_of, scheme.info.name);
+    const bool asks = first && kept.store != nullptr && !contains(kept.but_of, scheme.info.name);
     entry one{std::string(scheme.info.name), asks ? cache_key(c, e.info.name, scheme.info.name) : "", {}};
     if (!one.key.empty()) one.part = kept.store->load(one.key);
+    if (kept.among != nullptr) one.part = kept.among->of_the_first(one.part);
     entries.push_back(std::move(one));
   }
   return entries;
 }
 
-void compute_missing(const experiment& e, const context& c, report::result_store* store, std::vector<entry>& entries,
+/// Schemes that one process runs together, and what the experiment says of them.
+struct joint_run {
+  names schemes;
+  report::results found;
+};
+
+/// Only what it says of its own schemes and of the scene: the noise, of which a run tells besides, is the same for all,
+/// as it is addressed.
+void keep_own_rows(const experiment& e, joint_run& run) {
+  report::results own;
+  own.provenance = run.found.provenance;
+  own.done = run.found.done;
+  append_rows(
+      run.found,
+      [&](const std::string& scheme) { return scheme.empty() || contains(run.schemes, owner_of(e, scheme)); }, own);
+  run.found = std::move(own);
+}
+
+/// One run of all, or one a rank: every so many of the schemes. The first rank's draws areas if any does.
+std::vector<joint_run> compute_all(const experiment& e, const context& c, const ranks* among, names schemes) {
+  if (among == nullptr || among->size() == 1) return {{schemes, compute(e, c, schemes)}};
+  std::ranges::stable_partition(schemes, [&](const std::string& name) {
+    return std::ranges::find(c.subject.schemes, name, [](const scheme_entry& s) { return s.info.name; })->needs_areas;
+  });
+  std::vector<joint_run> runs(static_cast<std::size_t>(among->size()));
+  for (std::size_t i = 0; i < schemes.size(); ++i) runs[i % runs.size()].schemes.push_back(schemes[i]);
+  const auto& mine = runs[static_cast<std::size_t>(among->rank())].schemes;
+  auto found = among->of_all(mine.empty() ? report::results{} : compute(e, c, mine));
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    runs[i].found = std::move(found[i]);
+    if (i > 0) keep_own_rows(e, runs[i]);
+  }
+  return runs;
+}
+
+void compute_missing(const experiment& e, const context& c, const kept_results& kept, std::vector<entry>& entries,
                      report::results& out) {
   names missing;
   for (const auto& one : entries)
     if (!one.part) missing.push_back(one.scheme);
   if (missing.empty()) return;
-  const auto run = compute(e, c, missing);
+  const auto runs = compute_all(e, c, kept.among, missing);
   for (auto& one : entries) {
     if (one.part) continue;
-    one.part = part_of(e, run, missing, one.scheme);
+    const auto run = std::ranges::find_if(runs, [&](const joint_run& r) { return contains(r.schemes, one.scheme); });
+    one.part = part_of(e, run->found, run->schemes, one.scheme);
     one.fresh = true;
-    if (!one.key.empty()) store->save(one.key, *one.part);
+    if (!one.key.empty()) kept.store->save(one.key, *one.part);
   }
-  out.savings.insert(out.savings.end(), run.savings.begin(), run.savings.end());
-  add(run.done.work, out.done.work);
+  const auto& said = runs.front().found.savings;
+  out.savings.insert(out.savings.end(), said.begin(), said.end());
+  for (const auto& run : runs) add(run.found.done.work, out.done.work);
   ++out.done.experiments_run;
   out.done.results_computed += missing.size();
 }
@@ -147,11 +186,12 @@ subject restricted(subject s, const names& schemes) {
 
 void run_experiment(const experiment& e, const context& c, const kept_results& kept, report::results& out) {
   auto* store = e.kept ? kept.store : nullptr;
-  auto entries = ask(e, c, {store, kept.but_of});
+  const kept_results here{store, kept.but_of, kept.among};
+  auto entries = ask(e, c, here);
   for (const auto& one : entries)
     if (one.part) out.reused.push_back(reused(e, one));
   out.done.results_reused = out.reused.size();
-  compute_missing(e, c, store, entries, out);
+  compute_missing(e, c, here, entries, out);
   if (!entries.empty())  // the scene's own rows are the same in every part
     append_rows(
         *entries.front().part, [](const std::string& scheme) { return scheme.empty(); }, out);

@@ -7,6 +7,7 @@
 
 #include "experiments/common/experiment.hpp"
 #include "reports/model/result_store.hpp"
+#include "run/ranks.hpp"
 
 namespace polhode {
 
@@ -17,6 +18,7 @@ subject restricted(subject, const std::vector<std::string>& schemes);
 struct kept_results {
   report::result_store* store = nullptr;
   std::vector<std::string> but_of = {};
+  const ranks* among = nullptr;  ///< share the schemes, and the first keeps what they find; null: alone
 };
 
 /// Appends what the experiment says: rows of no scheme first, then scheme by scheme in the subject's order, whether

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <ctime>
 
 #include "ensemble/coadjoint_matrices.hpp"
@@ -17,6 +19,7 @@
 #include "problem/observables.hpp"
 #include "reports/model/errors.hpp"
 #include "run/bind_scene.hpp"
+#include "run/cache_key.hpp"
 #include "run/machine_options.hpp"
 #include "run/provenance.hpp"
 #include "scene/nearest.hpp"
@@ -74,14 +77,15 @@ std::int64_t checked_interval(const simulate_options& o, std::int64_t steps) {
 
 void check_memory(const simulation_plan& p, const model& m) {
   // The files of the final states are made in memory, too.
-  const double needed = simulation_bytes(m, p) + 8.0 * m.dimension() * static_cast<double>(p.bodies);
+  const double file = p.keep_states ? 8.0 * m.dimension() * static_cast<double>(p.bodies) : 0;
+  const double needed = simulation_bytes(m, p) + file;
   const double available = available_memory();
   if (needed > memory_share * available)
     refuse("--bodies", fmt::format("{}", p.bodies),
            fmt::format("needs {:.1f} MiB of memory ({} steps, {} snapshots); accepted: what fits into {:.1f} MiB, {:g} "
-                       "% of the memory available",
+                       "% of the memory available{}",
                        needed / 0x1p20, p.steps, p.snapshots.size(), memory_share * available / 0x1p20,
-                       100 * memory_share));
+                       100 * memory_share, p.keep_states ? "; --no-final keeps no states" : ""));
 }
 
 struct prepared_run {
@@ -93,6 +97,7 @@ struct prepared_run {
 prepared_run prepare(const scene& s, const simulate_options& o) {
   apply_isa(o.isa);
   prepared_run r{bind_scene(s, o.foreign), nullptr, {}};
+  require_scale(r.subject);
   auto& p = r.plan;
   r.scheme = &chosen_scheme(r.subject, o.scheme);
   p.noise = static_cast<ensemble_noise>(choose("--noise", o.noise, noises));
@@ -107,7 +112,10 @@ prepared_run prepare(const scene& s, const simulate_options& o) {
   p.bodies = o.bodies;
   p.snapshots = checked_snapshots(s, o, p.steps);
   p.record_every = checked_interval(o, p.steps);
+  if (p.record_every > 0 && o.among != nullptr && o.among->size() > 1)
+    refuse("--record", fmt::format("{}", o.record_every), "accepted in a run of one process");
   p.record = o.record;
+  p.keep_states = o.final_states;
   p.with_areas = r.scheme->needs_areas;
   p.seed = o.seed;
   p.source = {generator_named(o.generator),
@@ -191,6 +199,63 @@ report::simulation frame_of(const scene& s, const simulate_options& o, const pre
   return out;
 }
 
+/// Of each process its bodies, and the first joins them.
+void share(simulation_plan& plan, const ranks& among) {
+  plan.rank = among.rank();
+  plan.ranks = among.size();
+  plan.join = [&among](ensemble_progress& at) {
+    std::string mine;
+    if (among.rank() > 0)
+      at.write([&](const void* bytes, std::size_t count) { mine.append(static_cast<const char*>(bytes), count); });
+    among.to_the_first(mine, [&](const std::string& theirs) {
+      std::size_t next = 0;
+      auto other = at;
+      other.read([&](void* bytes, std::size_t count) {
+        if (count > theirs.size() - next) throw output_error("another rank's bodies do not fit to this one's");
+        std::memcpy(bytes, theirs.data() + next, count);
+        next += count;
+      });
+      at.join(other);
+    });
+  };
+}
+
+using monotonic = std::chrono::steady_clock;
+
+/// A run that takes up what was saved of it and saves itself now and then.
+class saved_run {
+ public:
+  saved_run(const scene& s, const simulate_options& o, simulation_plan& plan) : every_(o.save_every) {
+    if (o.checkpoints == nullptr || plan.record_every > 0 || !o.foreign.empty()) return;
+    const auto key = simulation_key(s, o.scheme, o.dt, plan);
+    if (key.empty()) return;
+    postpone(0);
+    plan.resume = [=, this, &plan, store = o.checkpoints](ensemble_progress& at) {
+      if (!store->load(key, [&](const byte_source& bytes) { at.read(bytes); })) return;
+      const auto blocks = std::ceil(static_cast<double>(plan.bodies) / block_lanes);
+      resumed_at_ = at.steps_done(plan.steps) / (static_cast<double>(plan.steps) * blocks);
+    };
+    plan.save_due = [this] { return monotonic::now() >= next_.load(); };
+    plan.save = [=, this, store = o.checkpoints](const ensemble_progress& at) {
+      const auto begun = monotonic::now();
+      store->save(key, [&](const byte_sink& bytes) { at.write(bytes); });
+      postpone(std::chrono::duration<double>(monotonic::now() - begun).count());
+    };
+  }
+
+  double resumed_at() const { return resumed_at_; }
+
+ private:
+  void postpone(double seconds_of_a_save) {
+    constexpr double share = 50;  // of the time goes into saving: one part at most
+    const std::chrono::duration<double> pause{std::max(every_, share * seconds_of_a_save)};
+    next_ = monotonic::now() + std::chrono::duration_cast<monotonic::duration>(pause);
+  }
+
+  double every_, resumed_at_ = 0;
+  std::atomic<monotonic::time_point> next_{};
+};
+
 }  // namespace
 
 void check_simulation(const scene& s, const simulate_options& o) { prepare(s, o); }
@@ -204,8 +269,10 @@ recording_plan planned_recording(const scene& s, const simulate_options& o) {
 }
 
 report::simulation simulate(const scene& s, const simulate_options& o, const progress_sink& progress) {
-  const auto r = prepare(s, o);
+  auto r = prepare(s, o);
   auto out = frame_of(s, o, r);
+  if (o.among != nullptr) share(r.plan, *o.among);
+  saved_run saved(s, o, r.plan);
   const auto tell = [&](double share) {
     if (progress) progress(share, o.scheme);
   };
@@ -217,7 +284,9 @@ report::simulation simulate(const scene& s, const simulate_options& o, const pro
       throw output_error(fmt::format("{}: {}", o.scheme, *why));
   out.provenance.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   out.provenance.cpu_seconds = static_cast<double>(std::clock() - cpu_begun) / CLOCKS_PER_SEC;
-  out.ns_per_path_step = 1e9 * out.provenance.wall_seconds / out.path_steps;
+  out.resumed_at = saved.resumed_at();
+  if (const double rest = 1 - out.resumed_at; rest > 0)
+    out.ns_per_path_step = 1e9 * out.provenance.wall_seconds / (out.path_steps * rest);
   return out;
 }
 

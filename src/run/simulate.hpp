@@ -10,7 +10,9 @@
 #include "ensemble/simulation.hpp"
 #include "foreign/foreign_scheme.hpp"
 #include "reports/model/simulation.hpp"
+#include "run/checkpoint_store.hpp"
 #include "run/progress_sink.hpp"
+#include "run/ranks.hpp"
 #include "scene/scene.hpp"
 
 namespace polhode {
@@ -27,6 +29,12 @@ struct simulate_options {
   std::string isa = "auto", generator = "philox";  ///< as in verify_options
   std::string normals = "fast";                    ///< fast (float-accurate) or precise
   foreign::foreign_schemes foreign = {};           ///< integrators from elsewhere, beside ours
+  bool final_states = true;                        ///< false: of each body at the end nothing is kept
+  /// Where the run is saved on its way, and taken up from; null: nowhere. Not with records, nor with a foreign scheme.
+  checkpoint_store* checkpoints = nullptr;
+  const ranks* among =
+      nullptr;             ///< processes that share the bodies; the first has the result. Nothing is recorded then
+  double save_every = 10;  ///< seconds, and at least fifty times as long as a save takes
 };
 
 /// Throws input_error, before any work, on what cannot be run.

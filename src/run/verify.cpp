@@ -64,7 +64,7 @@ report::results finished(report::results out, const stopwatch& watch) {
 
 /// On the schemes by how they may be asked.
 void run_on_parts(const experiment& e, const context& c, const verify_options& options, report::results& out) {
-  kept_results kept{options.store};
+  kept_results kept{options.store, {}, options.among};
   for (const auto& one : options.foreign) kept.but_of.push_back(one->about().name);
   const auto parts = parts_for(e, c.subject, options.foreign, out);
   for (const auto& part : parts) {
@@ -79,6 +79,24 @@ void run_on_parts(const experiment& e, const context& c, const verify_options& o
   }
   report_failures(e, c.subject, options.foreign, out);
   excuse_unclaimed(options.foreign, c.subject.model->noise(), out);
+}
+
+/// What the budget ends is left out as a whole, as half an experiment says nothing, and remains to come.
+bool run_in_time(const experiment& e, const context& c, const verify_options& options, report::results& out) {
+  if (const auto reason = e.skip_reason(c.subject)) {
+    out.skipped.push_back({e.info.name, "", *reason});
+    return true;
+  }
+  const auto work = [&] { run_on_parts(e, c, options, out); };
+  if (!options.budget) return work(), true;
+  const bool begun = !options.budget->used_up();
+  auto before = out;
+  if (within(options.budget.get(), work)) return true;
+  out = std::move(before);
+  out.skipped.push_back({e.info.name, "",
+                         fmt::format("the budget of {:g} s was used up {} (--budget)", options.budget->seconds(),
+                                     begun ? "meanwhile" : "before")});
+  return false;
 }
 
 bool is_wanted(std::string_view scheme, const verify_options& options) {
@@ -100,16 +118,11 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
     };
     tell(0);
     out.experiments.push_back(e.info);
-    if (const auto reason = e.skip_reason(s))
-      out.skipped.push_back({e.info.name, "", *reason});
-    else
-      run_on_parts(e,
-                   {s, options.effort, options.threads, options.seed, generator_named(options.generator), tell, &out},
-                   options, out);
+    const context c{s, options.effort, options.threads, options.seed, generator_named(options.generator), tell, &out};
+    if (run_in_time(e, c, options, out)) std::erase(out.to_come, e.info.name);
     profile.end(e.info.name, out.profile);
     before += e.weight;
-    out.to_come.erase(out.to_come.begin());
-    if (options.so_far && !out.to_come.empty()) options.so_far(finished(out, watch));
+    if (options.so_far && &e != &experiments.back()) options.so_far(finished(out, watch));
   }
   if (progress) progress(1, "done");
 }
@@ -120,6 +133,7 @@ void check_options(const scene& s, const verify_options& options) {
   apply_isa(options.isa);
   generator_named(options.generator);
   auto subject = bind_scene(s, options.foreign);
+  require_scale(subject);
   auto experiments = all_experiments();
   keep_wanted(subject.schemes, options.schemes, "--schemes", [](const scheme_entry& e) { return e.info.name; });
   keep_wanted(experiments, options.experiments, "--experiments", [](const experiment& e) { return e.info.name; });
@@ -154,7 +168,7 @@ report::results verify(const scene& s, const verify_options& options, const prog
   generator_named(options.generator);
   for (const auto& one : options.foreign)
     if (is_wanted(one->about().name, options))
-      measure_claims(s, one, options.experiments, options.threads, options.seed);
+      within(options.budget.get(), [&] { measure_claims(s, one, options.experiments, options.threads, options.seed); });
   return verify_subject(bind_scene(s, options.foreign), options, progress);
 }
 

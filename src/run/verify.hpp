@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "reports/model/results.hpp"
 #include "run/bind_scene.hpp"
 #include "run/progress_sink.hpp"
+#include "run/ranks.hpp"
+#include "run/time_budget.hpp"
 #include "scene/scene.hpp"
 
 namespace polhode {
@@ -30,6 +33,9 @@ struct verify_options {
   bool profile = false;                   ///< say where the processor time went
   report::result_store* store = nullptr;  ///< keeps results from run to run; for schemes that are ours only
   foreign::foreign_schemes foreign = {};  ///< integrators from elsewhere, beside ours
+  const ranks* among = nullptr;           ///< processes that share the work, without a budget; null: this one alone
+  std::shared_ptr<const time_budget> budget =
+      nullptr;  ///< what it ends is named in `skipped`; null: as long as it takes
 };
 
 /// Runs the experiments. `provenance` of the result holds what is known here (seed, effort, threads, times).

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "experiments/common/levels.hpp"
 #include "reports/model/errors.hpp"
 #include "transfer/transfer.hpp"
 
@@ -33,6 +34,9 @@ std::unique_ptr<goal> make_goal(const context& c, const goal_question& q) {
   const bool averages = q.name == "weak" || q.name == "stationary";
   if (q.name != "energy" && s.model->noise() == noise_class::none)
     refuse("the scene has no noise, so its path is its law; ask --goal energy, or polhode verify --experiments energy");
+  if (const double scales = fastest_rate(s) * q.time; q.name != "stationary" && scales > most_time_scales)
+    refuse(fmt::format("time = {:g} is {:.2g} of the fastest time scales; accepted: at most {:g}, --time up to {:.3g}",
+                       q.time, scales, most_time_scales, most_time_scales / fastest_rate(s)));
   if (!averages && q.observable != all_observables)
     throw input_error(fmt::format("--observable '{}': of --goal weak and stationary; goal {} is asked of the {}",
                                   q.observable, q.name, q.name == "strong" ? "path" : "energy"));

@@ -11,7 +11,7 @@ from pathlib import Path
 
 POLHODE = Path(sys.argv[1]).resolve()
 DOCS = Path(__file__).resolve().parents[2] / "docs"
-PAGES = ("first-report.md", "read-a-report.md", "choose-an-integrator.md", "speed.md")
+PAGES = ("first-report.md", "read-a-report.md", "choose-an-integrator.md", "speed.md", "long-runs.md")
 MAY_FAIL = {"compare": (0, 1)}  # what it found is its exit code
 
 

@@ -141,6 +141,10 @@ PLANTED = [
     ('src/python/module.cpp', '"run/verify.hpp"', False),
     ('src/python/module.cpp', '"experiments/common/experiment.hpp"', True),
     ('src/cli/verify.cpp', '"python/attended.hpp"', True),
+    ('src/mpi/together.cpp', '"run/ranks.hpp"', False),
+    ('src/mpi/together.cpp', '"run/verify.hpp"', False),
+    ('src/mpi/together.cpp', '"experiments/common/experiment.hpp"', True),
+    ('src/run/verify.cpp', '"mpi/together.hpp"', True),
     ('src/run/verify.cpp', '"python/attended.hpp"', True),
     # the reports
     ('reports/writers/json.cpp', '"json.hpp"', False),

@@ -17,7 +17,7 @@ class Configuration(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        cls.options = ["-D", "POLHODE_PYTHON=ON", "-D", "CMAKE_BUILD_TYPE=Release"]
+        cls.options = ["-D", "POLHODE_PYTHON=ON", "-D", "POLHODE_MPI=ON", "-D", "CMAKE_BUILD_TYPE=Release"]
 
     @classmethod
     def tearDownClass(cls):

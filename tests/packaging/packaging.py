@@ -50,7 +50,7 @@ class Packaging(unittest.TestCase):
         parts = [(one["name"], one["versionInfo"]) for one in spdx["packages"]]
         self.assertEqual(parts[0], ("polhode", VERSION))
         self.assertEqual(parts[1:], [(one["name"], one["version"]) for one in cdx["components"]])
-        linked = set(re.findall(r"polhode_needs\(\S+ (\w+)", (ROOT / "src/CMakeLists.txt").read_text()))
+        linked = set(re.findall(r"^polhode_needs\(\S+ (\w+)", (ROOT / "src/CMakeLists.txt").read_text(), re.M))  # indented: optional
         told = " ".join(name for name, _ in parts).replace("-", "")
         for library in linked:
             self.assertIn(library.lower().replace("_", ""), told)

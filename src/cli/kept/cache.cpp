@@ -26,14 +26,18 @@ bool lies_in(const fs::path& inner, const fs::path& outer) {
 
 }  // namespace
 
-std::unique_ptr<report::result_folder> open_cache(report::result_folder::access how, const fs::path& out) {
-  const auto folder = cache_folder();
-  if (folder.empty()) return nullptr;
-  if (!out.empty() && lies_in(folder, out))
+fs::path cache_beside(const fs::path& out) {
+  auto folder = cache_folder();
+  if (!folder.empty() && !out.empty() && lies_in(folder, out))
     throw input_error(fmt::format(
         "cache folder '{}': lies in the output folder; accepted: POLHODE_CACHE or --out elsewhere, or --no-cache",
         one_line(folder.string(), 200)));
-  return std::make_unique<report::result_folder>(folder, how);
+  return folder;
+}
+
+std::unique_ptr<report::result_folder> open_cache(report::result_folder::access how, const fs::path& out) {
+  const auto folder = cache_beside(out);
+  return folder.empty() ? nullptr : std::make_unique<report::result_folder>(folder, how);
 }
 
 }  // namespace polhode::cli

@@ -9,8 +9,10 @@
 
 namespace polhode::cli {
 
-/// The store in cache_folder(); null where there is none. Throws input_error where that lies in the output folder,
-/// if there is one.
+/// cache_folder(). Throws input_error where that lies in the output folder, if there is one.
+std::filesystem::path cache_beside(const std::filesystem::path& out);
+
+/// The store there; null where there is none.
 std::unique_ptr<report::result_folder> open_cache(report::result_folder::access, const std::filesystem::path& out);
 
 }  // namespace polhode::cli

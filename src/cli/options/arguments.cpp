@@ -9,6 +9,7 @@
 #include <limits>
 #include <thread>
 
+#include "cli/together.hpp"
 #include "reports/model/text.hpp"
 #include "scene/nearest.hpp"
 
@@ -35,7 +36,8 @@ double checked_number(std::string_view option, std::string_view text, bool accep
 std::string shown(std::string_view text) { return fmt::format("'{}'", one_line(text, 60)); }
 
 std::string default_threads() {
-  return std::to_string(std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, most_threads));
+  const auto share = std::thread::hardware_concurrency() / static_cast<unsigned>(processes_here());
+  return std::to_string(std::clamp<std::uint64_t>(share, 1, most_threads));
 }
 
 int threads_option(std::string_view text) {

@@ -20,6 +20,7 @@ namespace polhode::cli {
 struct command {
   CLI::App* parser;
   std::function<int()> run;
+  bool shared = false;  ///< processes that are started together share its work; else the first one does it all
 };
 using add_commands = std::function<std::vector<command>(CLI::App& root)>;
 

@@ -185,6 +185,7 @@ int exit_code(std::span<const report::results> all) {
   bool inconclusive = false;
   for (const auto& r : all) {
     inconclusive = inconclusive || (r.schemes.empty() && !r.skipped.empty());  // none of those asked for runs here
+    inconclusive = inconclusive || !r.to_come.empty();                         // the budget was used up
     for (const auto& v : r.verdicts) {
       if (v.kind == verdict_kind::refuted) return 1;
       inconclusive = inconclusive || v.kind == verdict_kind::inconclusive;

@@ -21,9 +21,9 @@ void parallel_for(int threads, int count, const std::function<void(int)>& work) 
   std::atomic<int> next{0};
   std::exception_ptr failure;
   std::mutex failing;
-  const auto worker = [&, flag = stop_flag()] {
+  const auto worker = [&, asker = stoppable_here()] {
     const flush_denormals flushed;
-    const stoppable as_asked_for(flag);
+    const stoppable as_asked_for(asker);
     for (int i = next++; i < count; i = next++) try {
         stop_if_asked();
         working_on("");
@@ -51,6 +51,7 @@ increment_buffer::increment_buffer(const model& m, int steps, bool with_areas, n
 
 increment_view increment_buffer::fill(std::uint64_t seed, std::uint64_t first_path, std::uint64_t first_step, int steps,
                                       double dt) {
+  stop_if_asked();
   const auto* defect = noise_defect_in_force();
   if (defect) first_path = defect->path(first_path);
   const auto draw = [&](noise_kind kind, int rows, int wanted, double scale, lane_vector<double>& out, float* singles) {

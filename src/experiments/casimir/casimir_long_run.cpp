@@ -9,6 +9,7 @@
 #include "ensemble/noise/paths.hpp"
 #include "experiments/casimir/casimir_drift.hpp"
 #include "experiments/common/judge.hpp"
+#include "experiments/common/levels.hpp"
 #include "experiments/common/recorder.hpp"
 #include "statistics/orders/order_fit.hpp"
 
@@ -86,7 +87,7 @@ void report_long_run(const long_run& run, double dt, recorder record) {
 void report_long_runs(const context& c, bool dear, noise_log& log, report::results& out) {
   const auto& s = c.subject;
   const int chunks = chunks_of(c, dear);
-  const double dt = s.scene.horizon / static_cast<double>(s.scene.steps.back());
+  const double dt = finest_step(s);
   std::vector<long_run> runs;
   for (const auto& scheme : s.schemes)
     if (scheme.info.casimir.exact) runs.push_back({&scheme, scheme.make(dt), replicated(s.scene.momentum), {}, {}, {}});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/common/levels.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +25,11 @@ double energy_size(const subject& s) {
   return std::max(own < next_to_zero * moved ? moved : own, 1e-300);
 }
 
+double finest_step(const subject& s) {
+  const double own = s.scene.horizon / static_cast<double>(s.scene.steps.back()), rate = fastest_rate(s);
+  return rate > 0 ? std::min(own, 1 / rate) : own;
+}
+
 double longest_at_equilibrium(const subject& s) { return time_scales / fastest_rate(s); }
 
 level_grid asymptotic_levels(const subject& s, double resolution) {
@@ -40,10 +47,18 @@ level_grid asymptotic_levels(const subject& s, double resolution) {
   return grid;
 }
 
+std::optional<std::string> beyond_reach(const subject& s) {
+  const double scales = fastest_rate(s) * s.scene.horizon;
+  if (scales <= most_time_scales) return std::nullopt;
+  return fmt::format("horizon = {} is {:.2g} of the fastest time scales: runs over more than {:g} are out of reach",
+                     s.scene.horizon, scales, most_time_scales);
+}
+
 level_grid scene_levels(const subject& s) {
   constexpr double resolution = 64;
   constexpr std::size_t fewest_levels = 5;
-  level_grid grid{s.scene.horizon, {s.scene.steps.begin(), s.scene.steps.end()}};
+  level_grid grid{beyond_reach(s) ? most_time_scales / fastest_rate(s) : s.scene.horizon,
+                  {s.scene.steps.begin(), s.scene.steps.end()}};
   const double time_scales = fastest_rate(s) * grid.horizon;
   auto& steps = grid.steps;
   while (steps.size() < fewest_levels && steps.front() % 2 == 0 && steps.front() >= 2 * time_scales)

@@ -64,7 +64,7 @@ double energy_condition(const model& m, std::span<const double> states) {
 
 rounding_floor rounding_floor_of(const context& c, const subject& s, const scheme_entry& scheme) {
   const auto& m = *s.model;
-  const double dt = s.scene.horizon / static_cast<double>(s.scene.steps.back());
+  const double dt = finest_step(s);
   increment_buffer noise(m, steps, scheme.needs_areas, {c.generator, noise_quality::precise});
   const auto view = !m.layout().silent() ? noise.fill(c.seed, 0, 0, steps, dt) : silence(steps);
   const auto start = replicated(s.scene.momentum);

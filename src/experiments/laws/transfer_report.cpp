@@ -77,10 +77,9 @@ std::vector<error_table> answer_all(const context& c, const std::vector<scheme_e
     for (std::size_t i = 0; i < tasks.size(); ++i) out[tasks[i].scheme].add(step(tasks[i]), answers[i]);
   };
   std::vector<task> tasks;
-  for (std::size_t k = 0; k < schemes.size(); ++k) {
-    out[k].scheme = schemes[k].info.name;
-    for (const int steps : grid.steps) tasks.push_back({k, steps});
-  }
+  for (std::size_t k = 0; k < schemes.size(); ++k) out[k].scheme = schemes[k].info.name;
+  for (const int steps : grid.steps)  // long ones, the dearest, first: no thread is left alone with one
+    for (std::size_t k = 0; k < schemes.size(); ++k) tasks.push_back({k, steps});
   answer(tasks, c.progress);
   std::int64_t steps = grid.steps.back();
   for (int i = 0; i < most_halvings; ++i) {

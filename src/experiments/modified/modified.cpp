@@ -75,7 +75,7 @@ std::optional<std::string> skip_reason(const subject& s) {
     return "the family of effective equations has noise that does not depend on the state";
   if (s.model->noise() == noise_class::none && s.sphere()->is_spherical())
     return "a spherical body without noise turns uniformly about a fixed axis: nothing that a function could see";
-  return std::nullopt;
+  return beyond_reach(s);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/stability/stability_long.hpp"
+#include "experiments/common/levels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +74,7 @@ long_drift drift_over(const subject& s, const scheme_entry& scheme, double dt, d
 
 void report_long_drift(const context& c, const scheme_entry& scheme, recorder& record, const block_listener& hear) {
   if (!scheme.info.casimir.exact) return;
-  const double dt = c.subject.scene.horizon / static_cast<double>(c.subject.scene.steps.back());
+  const double dt = finest_step(c.subject);
   const auto found =
       drift_over(c.subject, scheme, dt, scheme.info.implicit ? many_steps / 10 : many_steps, c.seed, c.generator, hear);
   curve drift{{"casimir_drift", "casimir", "relative", "sampled"}, report::step_count, "1"};

@@ -57,7 +57,7 @@ void run(const context& c, report::results& out) {
 std::optional<std::string> skip_reason(const subject& s) {
   if (s.model->noise() == noise_class::none)
     return "no noise: the error of the law is that of the path (experiment energy)";
-  return std::nullopt;
+  return s.sphere() ? beyond_reach(s) : std::nullopt;
 }
 
 }  // namespace

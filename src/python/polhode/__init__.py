@@ -14,6 +14,7 @@ with one line that says what is accepted, a file that cannot be written OSError.
 from __future__ import annotations
 
 import json
+import math
 import os
 import tempfile
 from collections.abc import Callable, Iterable, Sequence
@@ -39,7 +40,7 @@ _MOST_THREADS, _MOST_SEED = 1024, 2**64 - 1
 def verify(scene: SceneLike = 'paper', schemes: Optional[Iterable[Integrator]] = None,
            experiments: Optional[Iterable[str]] = None, effort: str = 'quick', seed: int = 1,
            threads: Optional[int] = None, out: Optional[Union[str, os.PathLike[str]]] = None, cache: bool = False,
-           progress: Optional[Progress] = None) -> Report:
+           progress: Optional[Progress] = None, budget: Optional[float] = None) -> Report:
     """Holds the claims of integrators against a scene, each experiment in turn.
 
     Arguments:
@@ -51,15 +52,18 @@ def verify(scene: SceneLike = 'paper', schemes: Optional[Iterable[Integrator]] =
         out: a folder for the page and its data, which grow with each experiment.
         cache: use the results that are kept between runs of the command, of its own schemes.
         progress: called with the share done and the experiment.
+        budget: seconds; what is not done by then is left out and named. None: as long as it takes.
 
     A function that raises, or returns what is no state, gets one verdict, refuted, with the reason.
     """
     wanted = list(schemes) if schemes is not None else []
     if isinstance(schemes, str) or schemes is not None and not wanted:
         raise ValueError(f'schemes: {schemes!r}: accepted: a list of names and functions, or None for all of polhode')
+    if budget is not None and not 0 < budget < math.inf:
+        raise ValueError(f'budget = {budget!r}: accepted: a number of seconds above 0')
     theirs, names = _sorted_out(wanted)
     return Report(_core.verify(opened(scene), theirs, names, _list('experiments', experiments), effort, _seed(seed),
-                               _threads(threads), None if out is None else os.fspath(out), cache, progress))
+                               _threads(threads), None if out is None else os.fspath(out), cache, progress, budget))
 
 
 def reference(scene: SceneLike = 'paper', quantity: str = 'expectation', observable: Optional[str] = None,

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Kills `polhode simulate` on its way and lets it go on: the same as in one piece, to the bit.   usage: checkpoints.py POLHODE"""
+import glob, json, os, signal, subprocess, time, unittest
+
+from case import Case, environment, EXE
+from formats import read
+
+RUN = ('simulate', 'paper', '--scheme', 'lie_heun', '--dt', '1e-6', '--bodies', '66', '--noise', 'independent', '--snapshots', '0.5,2', '--checkpoint', '0.05', '--out', 'out')
+
+
+class Checkpoints(Case):
+    def simulate(self, *more, cache=None):
+        return subprocess.Popen([EXE, *RUN, *more], cwd=self.folder.name, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                env=environment(POLHODE_CACHE=cache or self.cache))
+
+    def finished(self, *more, cache=None):
+        process = self.simulate(*more, cache=cache)
+        out, err = process.communicate(timeout=300)
+        self.assertEqual((process.returncode, err), (0, ''))
+        return out
+
+    def kept(self): return glob.glob(os.path.join(self.cache, '*.checkpoint'))
+
+    def killed_after_a_save(self):
+        """Of a run: it is killed once there is a checkpoint that was not there before."""
+        before = [os.stat(f).st_mtime_ns for f in self.kept()]
+        process = self.simulate()
+        for _ in range(3000):
+            time.sleep(0.01)
+            try: now = [os.stat(f).st_mtime_ns for f in self.kept()]
+            except FileNotFoundError: continue  # being replaced
+            if now != before: break
+            self.assertIsNone(process.poll(), 'ended before it was saved once')
+        process.send_signal(signal.SIGKILL)
+        process.communicate()
+        self.assertEqual(self.left_behind(), [], 'no output before the end')
+
+    def files(self):
+        out = os.path.join(self.folder.name, 'out')
+        found = {f: read(os.path.join(out, f)) for f in os.listdir(out)}
+        summary = json.loads(found.pop('summary.json'))
+        for key in ('provenance', 'ns_per_path_step', 'wall_seconds', 'cpu_seconds'): summary.pop(key, None)
+        return found | {'summary': summary}
+
+    def test_resumed_is_uninterrupted(self):
+        self.assertNotIn('resumed', self.finished('--no-cache', '--threads', '2'))
+        whole = self.files()
+        subprocess.run(['rm', '-r', 'out'], cwd=self.folder.name, check=True)
+        for _ in range(3): self.killed_after_a_save()
+        self.assertRegex(self.finished('--threads', '1'), r'resumed at \d+\.\d % from an interrupted run')
+        self.assertEqual(self.files(), whole)
+        self.assertEqual(self.kept(), [], 'a run that has ended needs no checkpoint')
+
+    def test_what_is_damaged_or_of_another_run_is_not_taken(self):
+        self.killed_after_a_save()
+        [path] = self.kept()
+        good = read(path)
+        for bad in (b'', good[:100], good[:-1], good[:-9] + bytes([good[-9] ^ 1]) + good[-8:], good.replace(b'seed 1', b'seed 2', 1), b'x' * len(good)):
+            with self.subTest(bad=bad[:20], size=len(bad)):
+                with open(path, 'wb') as f: f.write(bad)
+                self.assertNotIn('resumed', self.finished())
+        for other in (('--seed', '2'), ('--fresh',), ('--no-cache',)):
+            with open(path, 'wb') as f: f.write(good)
+            self.assertNotIn('resumed', self.finished(*other), other)
+
+    def test_a_cache_that_cannot_be_written_loses_nothing(self):
+        occupied = os.path.join(self.cache, 'file')
+        open(occupied, 'w').close()
+        process = self.simulate(cache=os.path.join(occupied, 'below'))
+        out, err = process.communicate(timeout=300)
+        self.assertEqual(process.returncode, 0)
+        self.assertRegex(err, r'\Apolhode: no checkpoint of this run was kept: [^\n]+: Not a directory\n\Z')
+        self.assertIn('final states', out)
+
+    def test_options(self):
+        for value in ('0', '-1', 'x', 'nan'):
+            self.refused(*RUN, '--checkpoint', value, names=['--checkpoint', 'given more than once'])
+        base = [word for word in RUN if word not in ('--checkpoint', '0.05')]
+        for value in ('0', '-1', 'x', 'nan'): self.refused(*base, '--checkpoint', value, names=['--checkpoint', 'a number above 0'])
+
+    def test_bodies_without_their_states(self):
+        quick = ('simulate', 'paper', '--scheme', 'strang', '--dt', '0.1', '--bodies', '1000', '--noise', 'common', '--snapshots', '2', '--out', 'out')
+        rc, out, err = self.run_it(*quick)
+        self.assertEqual((rc, err), (0, ''))
+        with_states = self.files()
+        rc, out, err = self.run_it(*quick, '--no-final')
+        self.assertEqual((rc, err), (0, ''))
+        self.assertNotIn('final states', out)
+        without = self.files()
+        del with_states['final.csv']
+        self.assertEqual(without, with_states)
+
+
+if __name__ == '__main__': unittest.main()

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The same answer from any number of processes and threads.   usage: ranks.py POLHODE MPIRUN POLHODE-MPI"""
+import hashlib, json, os, signal, subprocess, sys, time, unittest
+
+MPIRUN, TOGETHER = sys.argv.pop(2), sys.argv.pop(2)
+from case import Case, EXE, environment
+from formats import read
+
+# Whoever runs tests as root, on two processors, among strangers.
+ENV = dict(OMPI_ALLOW_RUN_AS_ROOT=1, OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1, OMPI_MCA_rmaps_base_oversubscribe=1, OMPI_MCA_btl_vader_single_copy_mechanism='none')
+
+
+class Ranks(Case):
+    def start(self, ranks, *args):
+        words = [EXE, *args] if ranks == 0 else [MPIRUN, '-q', '-n', str(ranks), TOGETHER, *args]
+        return subprocess.Popen(words, cwd=self.folder.name, env=environment(POLHODE_CACHE=self.cache, **ENV),
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+
+    def run_them(self, ranks, *args):
+        process = self.start(ranks, *args)
+        out, err = process.communicate(timeout=300)
+        return process.returncode, out, err
+
+    def checksum(self, folder):
+        """Of all that does not tell of the run itself."""
+        total = hashlib.sha256()
+        path = os.path.join(self.folder.name, folder)
+        for name in sorted(os.listdir(path)):
+            if name in ('summary.json', 'results.json', 'report.html', 'report.md', 'junit.xml'): continue
+            total.update(name.encode() + read(os.path.join(path, name)))
+        for name in ('summary.json', 'results.json'):
+            if not os.path.exists(os.path.join(path, name)): continue
+            document = json.loads(read(os.path.join(path, name)))
+            for key in ('provenance', 'ns_per_path_step', 'wall_seconds', 'cpu_seconds', 'counters', 'reused', 'savings'): document.pop(key, None)
+            total.update(json.dumps(document, sort_keys=True).encode())
+        return total.hexdigest()
+
+    def test_verify(self):
+        asked = ('verify', 'paper', '--effort', 'quick', '--experiments', 'casimir,energy,strong', '--schemes', 'heun,lie_heun,milstein,strang,magnus', '--no-cache', '--quiet')
+        sums = {}
+        for ranks, threads in ((0, 2), (1, 1), (2, 1), (3, 1), (2, 3)):
+            out = f'out{ranks}x{threads}'
+            rc, text, err = self.run_them(ranks, *asked, '--threads', str(threads), '--out', out)
+            self.assertEqual((rc, text, err), (0, '', ''), (ranks, threads))
+            sums[ranks, threads] = self.checksum(f'{out}/paper')
+        self.assertEqual(len(set(sums.values())), 1, sums)
+
+    def test_simulate(self):
+        everywhere = [(ranks, threads) for ranks in (0, 1, 2, 3) for threads in (1, 2, 3, 4, 8)]
+        for noise, scheme, tried in (('independent', 'milstein', everywhere), ('common', 'strang', [(0, 2), (2, 1), (3, 2)])):
+            asked = ('simulate', 'paper', '--scheme', scheme, '--dt', '0.01', '--bodies', '5000', '--noise', noise, '--snapshots', '1,2', '--quiet')
+            sums = {}
+            for ranks, threads in tried:
+                rc, text, err = self.run_them(ranks, *asked, '--threads', str(threads), '--out', 'out')
+                self.assertEqual((rc, text, err), (0, '', ''), (ranks, threads))
+                sums[ranks, threads] = self.checksum('out')
+            self.assertEqual(len(set(sums.values())), 1, sums)
+
+    def test_what_is_kept_is_everybodys(self):
+        asked = ('verify', 'single', '--effort', 'quick', '--experiments', 'casimir,energy', '--format', 'json', '--out', 'out')
+        first = json.loads(self.run_them(2, *asked)[1])
+        again = json.loads(self.run_them(3, *asked)[1])
+        self.assertGreater(len(again['reused']), 0)
+        self.assertEqual(first['verdicts'], again['verdicts'])
+        self.assertEqual(json.loads(self.run_them(0, *asked)[1])['verdicts'], again['verdicts'])
+
+    def test_one_line_for_all(self):
+        for args, name in ((('verify', 'papr'), 'papr'), (('list', 'schemess'), 'schemess'), (('simulate', 'paper'), '--scheme')):
+            rc, out, err = self.run_them(3, *args)
+            self.assertEqual((rc, out), (2, ''))
+            ours = [line for line in err.splitlines() if line.startswith('polhode: ')]
+            self.assertEqual(len(ours), 1, err)
+            self.assertIn(name, ours[0])
+        rc, out, err = self.run_them(3, 'list', 'schemes')
+        self.assertEqual((rc, err, out), (0, '', self.run_them(0, 'list', 'schemes')[1]))
+        rc, out, err = self.run_them(2, 'verify', 'single', '--budget', '5')
+        self.assertEqual((rc, 'accepted in a run of one process' in err), (2, True), err)
+
+    def test_a_rank_that_dies_ends_the_run_and_the_cache_is_kept(self):
+        asked = ('verify', 'paper', '--effort', 'standard', '--out', 'out', '--progress', 'lines', '--threads', '1')
+        process = self.start(2, *asked)
+        for _ in range(6000):
+            if any(f.endswith('.result') for f in os.listdir(self.cache)): break
+            time.sleep(0.02)
+        ranks = subprocess.run(['pgrep', '-g', str(process.pid), '-x', os.path.basename(TOGETHER)[:15]], capture_output=True, text=True).stdout.split()
+        if not ranks:  # Open MPI gives each a group of its own
+            ranks = subprocess.run(['pgrep', '-P', str(process.pid)], capture_output=True, text=True).stdout.split()
+        os.kill(int(ranks[-1]), signal.SIGKILL)
+        out, err = process.communicate(timeout=60)
+        self.assertNotEqual(process.returncode, 0)
+        self.assertTrue(any(f.endswith('.result') for f in os.listdir(self.cache)))
+
+
+if __name__ == '__main__': unittest.main()
