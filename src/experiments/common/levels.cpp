@@ -27,7 +27,7 @@ double energy_size(const subject& s) {
 
 double finest_step(const subject& s) {
   const double own = s.scene.horizon / static_cast<double>(s.scene.steps.back()), rate = fastest_rate(s);
-  return rate > 0 ? std::min(own, 1 / rate) : own;
+  return rate > 0 ? std::min(own, 1 / (time_scales * rate)) : own;
 }
 
 double longest_at_equilibrium(const subject& s) { return time_scales / fastest_rate(s); }

@@ -28,7 +28,7 @@ double fastest_rate(const subject&);
 /// rate of the motion.
 double energy_size(const subject&);
 
-/// The scene's finest step, or the fastest time scale where that is shorter.
+/// The scene's finest step, or a quarter of the fastest time scale where that is shorter.
 double finest_step(const subject&);
 
 /// The longest step at which a stationary law is asked for: four times the fastest time scale.
