@@ -11,6 +11,15 @@ from formats import read
 ENV = dict(OMPI_ALLOW_RUN_AS_ROOT=1, OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1, OMPI_MCA_rmaps_base_oversubscribe=1, OMPI_MCA_btl_vader_single_copy_mechanism='none')
 
 
+def children_of(parent):
+    found = []
+    for pid in filter(str.isdigit, os.listdir('/proc')):
+        try: stat = read(f'/proc/{pid}/stat', 'r')
+        except OSError: continue  # it has ended meanwhile
+        if int(stat.rpartition(')')[2].split()[1]) == parent: found.append(int(pid))
+    return found
+
+
 class Ranks(Case):
     def start(self, ranks, *args):
         words = [EXE, *args] if ranks == 0 else [MPIRUN, '-q', '-n', str(ranks), TOGETHER, *args]
@@ -83,10 +92,8 @@ class Ranks(Case):
         for _ in range(6000):
             if any(f.endswith('.result') for f in os.listdir(self.cache)): break
             time.sleep(0.02)
-        ranks = subprocess.run(['pgrep', '-g', str(process.pid), '-x', os.path.basename(TOGETHER)[:15]], capture_output=True, text=True).stdout.split()
-        if not ranks:  # Open MPI gives each a group of its own
-            ranks = subprocess.run(['pgrep', '-P', str(process.pid)], capture_output=True, text=True).stdout.split()
-        os.kill(int(ranks[-1]), signal.SIGKILL)
+        ranks = children_of(process.pid)
+        os.kill(ranks[-1], signal.SIGKILL)
         out, err = process.communicate(timeout=60)
         self.assertNotEqual(process.returncode, 0)
         self.assertTrue(any(f.endswith('.result') for f in os.listdir(self.cache)))
