@@ -106,8 +106,8 @@ struct joint_run {
   report::results found;
 };
 
-/// Only what it says of its own schemes and of the scene: the noise, of which a run tells besides, is the same for all,
-/// as it is addressed.
+/// Only what it says of its own schemes and of the scene: of its noise, which is addressed and so the same for all, the
+/// first rank tells.
 void keep_own_rows(const experiment& e, joint_run& run) {
   report::results own;
   own.provenance = run.found.provenance;
