@@ -66,20 +66,31 @@ report::verdict judge_long_run(const long_run& run, double judged, const std::op
                   growth ? fmt::format("; grows like n^{:.2f}", growth->order) : ""));
 }
 
+/// The largest per so many steps as are judged. A shorter run is taken on as it grows: no slower than a random walk,
+/// and linearly where that is not known.
+double judged_drift(const long_run& run, const std::optional<order_fit>& growth) {
+  double judged = 0;
+  for (std::size_t i = 0; i < run.steps.size(); ++i)
+    judged = std::max(judged, run.largest[i] * std::min(1.0, judged_steps / run.steps[i]));
+  if (run.steps.back() < judged_steps)
+    judged *= std::pow(judged_steps / run.steps.back(), growth ? std::clamp(growth->order, 0.5, 1.0) : 1.0);
+  return judged;
+}
+
+/// A guess that is beyond the bound, and not far, refutes nothing: the run has to go on.
+bool too_near_to_guess(const long_run& run) {
+  if (run.steps.back() >= judged_steps) return false;
+  const double judged = judged_drift(run, fit_power_law(run.steps, run.rms));
+  return judged > rounding_bound && judged < 10 * rounding_bound;
+}
+
 void report_long_run(const long_run& run, double dt, recorder record) {
   curve drift{{"drift_over_steps", "casimir", "relative", "sampled"}, report::step_count, "1"};
   drift.at = {at_dt(dt)};
-  double judged = 0;
-  for (std::size_t i = 0; i < run.steps.size(); ++i) {
-    drift.add(run.steps[i], run.rms[i], std::nullopt, run.largest[i]);
-    judged = std::max(judged, run.largest[i] * std::min(1.0, judged_steps / run.steps[i]));
-  }
+  for (std::size_t i = 0; i < run.steps.size(); ++i) drift.add(run.steps[i], run.rms[i], std::nullopt, run.largest[i]);
   const auto growth = fit_power_law(run.steps, run.rms);
-  // A shorter run is taken on as it grows: no slower than a random walk, and linearly where that is not known.
-  if (run.steps.back() < judged_steps)
-    judged *= std::pow(judged_steps / run.steps.back(), growth ? std::clamp(growth->order, 0.5, 1.0) : 1.0);
   const auto written = record.series(drift, growth);
-  record.verdict("Casimirs kept to rounding", judge_long_run(run, judged, growth), {written});
+  record.verdict("Casimirs kept to rounding", judge_long_run(run, judged_drift(run, growth), growth), {written});
 }
 
 }  // namespace
@@ -93,27 +104,42 @@ void report_long_runs(const context& c, bool dear, noise_log& log, report::resul
     if (scheme.info.casimir.exact) runs.push_back({&scheme, scheme.make(dt), replicated(s.scene.momentum), {}, {}, {}});
   if (runs.empty()) return;
   increment_buffer noise(*s.model, chunk_steps, any_needs_areas(s.schemes), {c.generator, noise_quality::fast});
+  const auto chunk_of_noise = [&](int chunk) {
+    const auto first = static_cast<std::uint64_t>(chunk) * chunk_steps;
+    return !s.model->layout().silent() ? noise.fill(c.seed, 0, first, chunk_steps, dt) : silence(chunk_steps);
+  };
+  const auto measure = [&](long_run& r, int done) {
+    r.measure(*s.model, s.scene.momentum, static_cast<double>(done) * chunk_steps);
+  };
   double next = 1;
   for (int chunk = 0; chunk < chunks; ++chunk) {
-    const auto first = static_cast<std::uint64_t>(chunk) * chunk_steps;
-    const auto view =
-        !s.model->layout().silent() ? noise.fill(c.seed, 0, first, chunk_steps, dt) : silence(chunk_steps);
+    const auto view = chunk_of_noise(chunk);
     if (!view.silent()) log.add(0, view, dt);
     parallel_for(c.threads, static_cast<int>(runs.size()), [&](int k) {
       auto& r = runs[static_cast<std::size_t>(k)];
       r.stepper->advance(r.states, view);
     });
     if (chunk + 1 >= next) {  // at 1, 2, 4, … chunks
-      for (auto& r : runs) r.measure(*s.model, s.scene.momentum, static_cast<double>(chunk + 1) * chunk_steps);
+      for (auto& r : runs) measure(r, chunk + 1);
       next *= 2;
     }
     if (chunk % 50 == 0) c.progress(0.9 * chunk / chunks);
   }
-  for (auto& r : runs) {
-    if (r.steps.back() < static_cast<double>(chunks) * chunk_steps)
-      r.measure(*s.model, s.scene.momentum, static_cast<double>(chunks) * chunk_steps);
-    report_long_run(r, dt, {"casimir", r.scheme->info.name, out});
+  for (auto& r : runs)
+    if (r.steps.back() < static_cast<double>(chunks) * chunk_steps) measure(r, chunks);
+  std::vector<long_run*> open;
+  for (auto& r : runs)
+    if (too_near_to_guess(r)) open.push_back(&r);
+  const int enough = static_cast<int>(judged_steps) / chunk_steps;
+  for (int chunk = chunks; chunk < enough && !open.empty(); ++chunk) {
+    const auto view = chunk_of_noise(chunk);
+    parallel_for(c.threads, static_cast<int>(open.size()), [&](int k) {
+      auto& r = *open[static_cast<std::size_t>(k)];
+      r.stepper->advance(r.states, view);
+    });
   }
+  for (auto* r : open) measure(*r, enough);
+  for (const auto& r : runs) report_long_run(r, dt, {"casimir", r.scheme->info.name, out});
 }
 
 }  // namespace polhode
