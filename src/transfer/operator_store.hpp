@@ -18,7 +18,7 @@ namespace polhode {
 /// would be kept. Any thread may ask; two that ask for one scheme and step wait for each other.
 class operator_store {
  public:
-  static constexpr std::size_t most_bytes = std::size_t{128} << 20;
+  static constexpr std::size_t most_bytes = std::size_t{512} << 20;
 
   explicit operator_store(const subject& s) : subject_(s) {}
   std::shared_ptr<const transfer_operator> of(const scheme_entry&, double dt, const transfer_rule&);

@@ -8,6 +8,7 @@
 #include "ensemble/noise/paths.hpp"
 #include "experiments/casimir/casimir_drift.hpp"
 #include "experiments/casimir/casimir_long_run.hpp"
+#include "experiments/casimir/drift_growth.hpp"
 #include "experiments/casimir/poisson_map.hpp"
 #include "experiments/common/dear_experiments.hpp"
 #include "experiments/common/rounding_floor.hpp"

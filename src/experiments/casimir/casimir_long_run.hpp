@@ -7,8 +7,6 @@
 
 namespace polhode {
 
-inline constexpr double rounding_bound = 1e-12;  ///< relative drift allowed after a million steps
-
 /// On one block of paths at the scene's finest dt: the drift over the number of steps, its growth law, the verdict.
 /// dear: over a tenth of the steps, as at effort quick where a state is long.
 void report_long_runs(const context&, bool dear, noise_log&, report::results&);

@@ -123,12 +123,13 @@ void report_chaos_border(const context& c, const sphere_problem& p, recorder& re
   const auto n = static_cast<int>(grid.sigma.size());
   std::vector<report::measurement> map(static_cast<std::size_t>(n * n)), borders(static_cast<std::size_t>(n));
   progress_counter done(n * n + n, c.progress);
-  parallel_for(c.threads, n * n + n, [&](int i) {
+  parallel_for(c.threads, n * n + n, [&](int i) {  // a border asks for many exponents, and for most where noise is weak
     const double sigma = grid.sigma[static_cast<std::size_t>(i % n)];
-    if (i < n * n)
-      map[static_cast<std::size_t>(i)] = map_row(p, sigma, grid.dissipation[static_cast<std::size_t>(i / n)]);
+    const auto row = i / n;
+    if (row == 0)
+      borders[static_cast<std::size_t>(i)] = border_row(p, sigma, most);
     else
-      borders[static_cast<std::size_t>(i - n * n)] = border_row(p, sigma, most);
+      map[static_cast<std::size_t>(i - n)] = map_row(p, sigma, grid.dissipation[static_cast<std::size_t>(row - 1)]);
     done.add();
   });
   for (auto& row : borders) record.row(std::move(row));

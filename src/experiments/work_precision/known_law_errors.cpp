@@ -91,12 +91,23 @@ std::vector<known_error> measured(const measure& m, const priced_row& row) {
   return out;
 }
 
+/// Rows by scheme: those of one ask for the same operators, and would wait for each other on two threads.
+std::vector<std::vector<std::size_t>> by_scheme(const std::vector<priced_row>& rows) {
+  std::vector<std::vector<std::size_t>> out;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto same = [&](const auto& those) { return rows[those.front()].who.scheme == rows[i].who.scheme; };
+    const auto at = std::ranges::find_if(out, same);
+    (at == out.end() ? out.emplace_back() : *at).push_back(i);
+  }
+  return out;
+}
+
 std::vector<std::vector<known_error>> measured_rows(const context& c, const measure& m,
                                                     const std::vector<priced_row>& rows) {
   std::vector<std::vector<known_error>> out(rows.size());
-  parallel_for(c.threads, static_cast<int>(rows.size()), [&](int i) {
-    const auto at = static_cast<std::size_t>(i);
-    out[at] = measured(m, rows[at]);
+  const auto tasks = by_scheme(rows);
+  parallel_for(c.threads, static_cast<int>(tasks.size()), [&](int i) {
+    for (const auto row : tasks[static_cast<std::size_t>(i)]) out[row] = measured(m, rows[row]);
   });
   return out;
 }

@@ -29,10 +29,11 @@ double thread_time() {
   return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
 }
 
-/// Of a run. What a step of n components costs grows faster than n^2.
+/// Of a run. What a step of n components costs grows faster than n^2; in a field it costs several times as much.
 int chunks_for(const subject& s) {
   constexpr int of_one_component = 432;
   const int n = s.model->dimension();
+  if (s.sphere() && s.sphere()->has_field()) return most_chunks / 4;
   return std::clamp(of_one_component / (n * n * n), 1, most_chunks);
 }
 

@@ -168,7 +168,8 @@ experiment work_precision_experiment() {
        "What does an accuracy cost, and with which scheme is it cheapest?",
        {"Cost: CPU time of one thread on this machine in this run, of the pack kernels with independent noise (fast "
         "normals), per path and unit of time. Nine slots that lie apart, all steps in turn; in a slot the quicker of "
-        "two runs of 16,384 path-steps (of n > 3 components 440,000/n^3, but at least 1024), against a loop that never "
+        "two runs of 16,384 path-steps (4096 in a field; of n > 3 components 440,000/n^3, but at least 1024), against "
+        "a loop that never "
         "changes and is timed before and after it (the "
         "yardstick, in whose time ns are counted): the median over the slots and its 96 % interval. Never taken from "
         "an earlier run; no verdict rests on it.",
