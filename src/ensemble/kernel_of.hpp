@@ -13,7 +13,7 @@
 #include <polhode/simd.hpp>
 
 #include "ensemble/kernel.hpp"
-#include "platform/flatten.hpp"
+#include <polhode/flatten.hpp>
 #include "platform/work_counters.hpp"
 
 namespace polhode {
@@ -48,15 +48,6 @@ vec<S, N> load_increment(const increment_view& view, std::ptrdiff_t at, int n = 
 /// leaves too few registers (measured: with AVX2 two are slower, with SSE and AVX-512 faster).
 using loop_pack =
     std::conditional_t<pack::size() == 4, pack, stdx::fixed_size_simd<double, static_cast<int>(2 * pack::size())>>;
-
-/// A splitting whose last flow merges with the first of the next step: step = outer(dt/2) inner outer(dt/2).
-template <class Scheme, class System>
-concept merges_on = requires {
-  requires Scheme::template merges<System>;
-}
-&&requires(const System& system, const vec<double, System::dimension>& mu, const wiener<double, System::channels>& w) {
-  Scheme::outer(system, Scheme::inner(system, mu, w), half_step{});
-};
 
 /// Forms: a system in the forms in which the loops need it (plain_forms.hpp is the simplest).
 ///   own(unit): for paths with increments of their own, in units of `unit`; take(view, scratch) brings them into the

@@ -10,7 +10,7 @@
 
 #include "ensemble/kernel_of.hpp"
 #include "ensemble/tangent_kernel.hpp"
-#include "platform/flatten.hpp"
+#include <polhode/flatten.hpp>
 
 namespace polhode {
 

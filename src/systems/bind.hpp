@@ -14,7 +14,7 @@
 #include "ensemble/kernel_of.hpp"
 #include "ensemble/plain_forms.hpp"
 #include "ensemble/tangent_kernel_of.hpp"
-#include "platform/flatten.hpp"
+#include <polhode/flatten.hpp>
 #include "problem/subject.hpp"
 #include "references/wong_zakai_equation.hpp"
 #include "systems/schemes.hpp"

@@ -64,6 +64,18 @@ void add_yardsticks() {
     add(by_hand_key(level), [level] { return by_hand_loop(level, paper(), steps, dt); });
 }
 
+/// In turns, so that what a busy machine does to one it does to the other.
+void add_headers() {
+  static const std::vector<double> dw = block_of_increments(paper());
+  for (std::size_t i = 0; i < main_schemes.size(); ++i) {
+    const auto scheme = static_cast<yard_scheme>(i);
+    add(headers_key(main_schemes[i]),
+        [=] { return kept(steps * block_lanes, [=] { return by_headers(scheme, start(), dw, steps, dt); }); });
+    add(scalar_key(main_schemes[i]),
+        [=] { return kept(steps * block_lanes, [=] { return by_scalar_kernel(scheme, start(), dw, steps, dt); }); });
+  }
+}
+
 void add_normals() {
   constexpr int count = 4096;
   for (const isa level : usable_isas()) add(normals_key(level), [level] { return own_normals_loop(level, paper()); });
@@ -111,6 +123,7 @@ void register_everything() {
   add_schemes();
   add_other_systems();
   add_yardsticks();
+  add_headers();
   add_normals();
   add_threads();
 }

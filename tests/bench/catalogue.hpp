@@ -37,6 +37,8 @@ inline std::string scheme_key(std::string_view scheme, ensemble_noise noise, std
 inline std::string eigen_key(std::string_view scheme, ensemble_noise noise) {
   return fmt::format("eigen_std/{}/{}", scheme, name_of(noise));
 }
+inline std::string headers_key(std::string_view scheme) { return fmt::format("headers/{}", scheme); }
+inline std::string scalar_key(std::string_view scheme) { return fmt::format("scalar_kernel/{}", scheme); }
 inline std::string soa_key(ensemble_noise noise) { return fmt::format("soa_ziggurat/heun/{}", name_of(noise)); }
 inline std::string by_hand_key(isa level) { return fmt::format("by_hand/heun/none/{}", name_of(level)); }
 inline std::string peak_key(isa level) { return fmt::format("peak/{}", name_of(level)); }

@@ -78,6 +78,13 @@ bool yardsticks_agree() {
     good &= near(what("soa_ziggurat"), first_of(soa_ziggurat_heun(noise, start, w, steps, dt)), ours("heun", noise),
                  rounding);
   }
+  const auto dw = block_of_increments(paper);
+  for (std::size_t i = 0; i < main_schemes.size(); ++i) {
+    const auto scheme = static_cast<yard_scheme>(i);
+    good &=
+        near(fmt::format("installed headers, {}", main_schemes[i]), first_of(by_headers(scheme, start, dw, steps, dt)),
+             first_of(by_scalar_kernel(scheme, start, dw, steps, dt)), rounding);
+  }
   const auto none = ours("heun", ensemble_noise::none);
   for (const isa level : usable_isas())
     good &= near(by_hand_key(level), first_of(heun_by_hand(level, paper, steps, dt)), none, rounding);

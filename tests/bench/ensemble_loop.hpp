@@ -72,6 +72,14 @@ inline loop scheme_loop(isa level, const report::scene& scene, std::string_view 
   return {static_cast<double>(steps) * block_lanes, [block] { block->advance(); }};
 }
 
+/// Precise increments of W for a block of paths, [step][channel][path].
+inline std::vector<double> block_of_increments(const report::scene& scene) {
+  const auto bound = bind_scene(scene);
+  increment_buffer buffer(*bound.model, steps, false, {noise_generator::philox, noise_quality::precise});
+  const auto dw = buffer.fill(seed, 0, 0, steps, dt).dw;
+  return {dw.begin(), dw.end()};
+}
+
 /// Normals alone, three for every path and step.
 inline loop own_normals_loop(isa level, const report::scene& scene) {
   choose_isa(level);

@@ -29,6 +29,7 @@ class summary {
     other_systems();
     features();
     instruction_sets();
+    headers();
     normals();
     threads();
   }
@@ -138,6 +139,17 @@ class summary {
       fmt::print("  {} {}", name_of(level), cell(over(general, cpu(by_hand_key(level))), 0, 3));
     }
     fmt::print("\n");
+  }
+
+  void headers() const {
+    fmt::print("\nns a path and step with one double at a time, for any x86-64\n{:<18}{:>18}{:>18}{:>8}\n", "",
+               "installed headers", "laboratory's loop", "ratio");
+    for (const auto scheme : main_schemes) {
+      const auto outside = ns(headers_key(scheme)), inside = ns(scalar_key(scheme));
+      if (outside)
+        fmt::print("{:<18}{}{}{}\n", scheme, cell(outside, 18, 2), cell(inside, 18, 2),
+                   cell(over(outside, inside), 8, 3));
+    }
   }
 
   void normals() const {

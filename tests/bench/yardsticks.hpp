@@ -35,6 +35,12 @@ inline constexpr int soa_paths = 256;
 /// Boost.Odeint's rk4 without noise.
 momentum odeint_rk4(momentum start, int steps, double dt);
 
+/// A block of paths with increments of their own, [step][channel][path]: the states after `steps`, [component][path].
+/// By a program that has the installed headers alone; and by the laboratory's loop over a system as it is, with a
+/// double in the place of a pack.
+std::vector<double> by_headers(yard_scheme, momentum start, std::span<const double> dw, int steps, double dt);
+std::vector<double> by_scalar_kernel(yard_scheme, momentum start, std::span<const double> dw, int steps, double dt);
+
 /// `count` standard normals added up.
 double sum_of_std_normals(int count);
 double sum_of_boost_normals(int count);

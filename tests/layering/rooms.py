@@ -6,7 +6,7 @@ import re
 INSTALLED = 'integrators/include/polhode/'
 ROOMS = {
     'helpers':       [INSTALLED + name for name in ('vec.hpp', 'scalar.hpp', 'simd.hpp', 'dual.hpp', 'solve.hpp', 'increment.hpp', 'chebyshev.hpp',
-                                             'called.hpp')],
+                                             'called.hpp', 'flatten.hpp')],
     'lie':           [INSTALLED + 'lie/'],
     'noise':         [INSTALLED + 'noise/'],
     'concepts':      [INSTALLED + 'systems/lie_poisson.hpp'],
@@ -59,7 +59,7 @@ MAY = {
     'schemes':       ['helpers', 'concepts', 'scheme_info'],
     'abi':           [],
     'testing':       [],
-    'driver':        ['noise', 'scheme_info'],
+    'driver':        ['helpers', 'noise', 'scheme_info'],
     'examples':      INTEGRATORS + ['driver', 'testing', 'abi', 'lab_systems', 'run', 'writers'],  # what users may
     'platform':      [],
     'algebra':       ['platform'],

@@ -6,7 +6,7 @@
 #include <polhode/simd.hpp>
 
 #include "ensemble/kernel.hpp"
-#include "platform/flatten.hpp"
+#include <polhode/flatten.hpp>
 #include "platform/isa_entry.hpp"
 
 namespace polhode {

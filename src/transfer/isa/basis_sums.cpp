@@ -7,7 +7,7 @@
 #include <polhode/scalar.hpp>
 
 #include "ensemble/kernel_of.hpp"
-#include "platform/flatten.hpp"
+#include <polhode/flatten.hpp>
 #include "platform/isa_entry.hpp"
 
 namespace polhode {

@@ -9,7 +9,7 @@
 #include <polhode/scalar.hpp>
 
 #include "ensemble/kernel_of.hpp"
-#include "platform/flatten.hpp"
+#include <polhode/flatten.hpp>
 #include "platform/isa_entry.hpp"
 #include "transfer/basis_sums.hpp"
 

@@ -64,6 +64,16 @@ concept scheme_on = requires(const System& system, const state_of<System>& mu,
   { Scheme::step(system, mu, w) } -> std::same_as<state_of<System>>;
 };
 
+/// A splitting whose last flow merges with the first of the next step: step = outer(dt/2) inner outer(dt/2), and two
+/// `outer` in a row are one of the sum of their times.
+template <class Scheme, class System>
+concept merges_on = requires {
+  requires Scheme::template merges<System>;
+}
+&&requires(const System& system, const state_of<System>& mu, const wiener<double, System::channels>& w) {
+  Scheme::outer(system, Scheme::inner(system, mu, w), half_step{});
+};
+
 /// The system as the scheme sees it at this step size: some schemes change the noise vectors once, before the first
 /// step.
 template <class Scheme, class System>

@@ -6,7 +6,7 @@
 
 #include "ensemble/kernel_of.hpp"
 #include "ensemble/observing/sphere_bins.hpp"
-#include "platform/flatten.hpp"
+#include <polhode/flatten.hpp>
 #include "platform/isa_entry.hpp"
 
 namespace polhode {
