@@ -6,14 +6,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstring>
 #include <exception>
-#include <latch>
 #include <limits>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <polhode/increment.hpp>
@@ -77,49 +78,46 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// `here` is called when all is ready.
-template <class Here>
-std::vector<double> run_once(integrator& i, const problem& p, Here here) {
+std::vector<double> run_once(integrator& i, const problem& p) {
   tried_block b(i.about(), p);
   const auto opened = i.open(p);
-  here();
   opened->advance(b.all());
   if (b.wrote_before()) throw failure("writes before the states that it is handed");
   return b.states();
 }
 
-std::vector<double> run_once(integrator& i, const problem& p) {
-  return run_once(i, p, [] {});
-}
-
-/// Whether a thread gets what it gets alone while another steps from another state.
+/// Whether a thread gets what it gets alone while another steps from another state: until each has seen the other come
+/// on often enough, however busy the machine is. What cannot be tried is not so.
 bool two_at_a_time(integrator& i, const problem& p) {
-  constexpr int rounds = 32;
+  using namespace std::chrono_literals;
+  constexpr int often = 32, few = 2;
+  constexpr auto patience = 2s, end = 20s;  // then few will do; then it has not been seen
   auto other = p;
   for (double& x : other.scene.momentum) x = -x;
   const std::array problems{p, other};
   const std::array alone{run_once(i, problems[0]), run_once(i, problems[1])};
-  for (int round = 0; round < rounds; ++round) {
-    std::latch ready(2);
-    std::array<bool, 2> same{};
-    const auto run = [&](std::size_t k) {
-      bool waited = false;
-      const auto wait = [&] {
-        waited = true;
-        ready.arrive_and_wait();
-      };
-      try {
-        same[k] = same_bits(run_once(i, problems[k], wait), alone[k]);
-      } catch (const failure&) {
-        if (!waited) ready.count_down();
+  std::array<std::atomic<int>, 2> calls{}, met{};
+  std::atomic<bool> same = true, over = false;
+  const auto begun = std::chrono::steady_clock::now();
+  const auto run = [&](std::size_t k) {
+    try {
+      for (int seen = 0; same && !over;) {
+        if (!same_bits(run_once(i, problems[k]), alone[k])) same = false;
+        ++calls[k];
+        if (const int theirs = calls[1 - k]; std::exchange(seen, theirs) != theirs) ++met[k];
+        const int least = std::min(met[0].load(), met[1].load());
+        const auto taken = std::chrono::steady_clock::now() - begun;
+        if (least >= often || (least >= few && taken > patience)) over = true;
+        if (taken > end) same = false;
       }
-    };
-    std::thread second(run, 1);
-    run(0);
-    second.join();
-    if (!same[0] || !same[1]) return false;
-  }
-  return true;
+    } catch (const failure&) {
+      same = false;
+    }
+  };
+  std::thread second(run, 1);
+  run(0);
+  second.join();
+  return same;
 }
 
 /// In the child. The answer is what goes through the pipe: a reason, or which of the two holds.

@@ -185,7 +185,7 @@ test('a hundred thousand measurements stay usable', async () => {
     page = await open(pageOf({ ...rich, measurements, plots, fits: [], densities: [] }, 'many'));
   assert.ok(Date.now() - start < 20_000);
   const figure = page.locator('figure[data-points="99000"]');
-  await figure.scrollIntoViewIfNeeded();
+  await figure.evaluate((f) => f.scrollIntoView());
   await until(() => figure.evaluate((f) => f.figure.chart !== null));
   await figure.locator('.behind summary').click();
   await figure.locator('.behind tbody tr').first().waitFor();
