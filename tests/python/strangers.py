@@ -19,11 +19,17 @@ def generator(scene, pi):
     return omega + scene.theta * cross(pi, omega)
 
 
+def sin_and_one_less_cos(angle):
+    """By the tangent of the half: a point of the circle to rounding, whatever the tangent's error."""
+    t = np.tan(angle / 2)
+    return 2 * t / (1 + t * t), 2 * t * t / (1 + t * t)
+
+
 def turned(xi, pi):
-    """The solution at s = 1 of dPi/ds = Pi x xi, by Rodrigues' formula."""
+    """The solution at s = 1 of dPi/ds = Pi x xi, by Rodrigues' formula; of numpy's sines some are not right to the last bit, step after step."""
     angle = np.sqrt((xi * xi).sum(axis=0)) + 1e-150
-    first, half = cross(pi, xi), np.sin(angle / 2) / angle
-    return pi + np.sin(angle) / angle * first + 2 * half * half * cross(first, xi)
+    first, (sin, versed) = cross(pi, xi), sin_and_one_less_cos(angle)
+    return pi + sin / angle * first + versed / angle**2 * cross(first, xi)
 
 
 ORDERS = dict(strong_commuting=1, strong_general=0.5, weak_one_vector=1, weak_isotropic=1, weak_general=1, deterministic=2)
@@ -71,9 +77,10 @@ def about(axis, scene, pi, t):
     """The motion of Pi_axis^2 / (2 I_axis) alone."""
     a, b = pi[NEXT[axis]], pi[LAST[axis]]
     angle = t * pi[axis] / scene.inertia[axis]
+    sin, versed = sin_and_one_less_cos(angle)
     out = pi.copy()
-    out[NEXT[axis]] = a * np.cos(angle) + b * np.sin(angle)
-    out[LAST[axis]] = b * np.cos(angle) - a * np.sin(angle)
+    out[NEXT[axis]] += b * sin - a * versed
+    out[LAST[axis]] -= a * sin + b * versed
     return out
 
 
