@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Compiles a changed source beside a finished build and links test programs with it; the build itself stays as it is."""
+import json
+import re
+import shlex
+import subprocess
+from pathlib import Path
+
+LIMIT = 900  # seconds of a compilation or a link
+
+
+class Build:
+    def __init__(self, tree, build):
+        self.tree, self.build = Path(tree).resolve(), Path(build).resolve()
+        commands = json.loads((self.build / 'compile_commands.json').read_text())
+        self.command = {}
+        for c in commands:
+            words = shlex.split(c['command'])
+            self.command[words[words.index('-o') + 1]] = (words, Path(c['file']))
+        self.depends = self._depends()
+
+    def _depends(self):
+        """{object: sources of the tree that it is made from}."""
+        text, out, name = subprocess.run(['ninja', '-C', self.build, '-t', 'deps'], capture_output=True, text=True, check=True).stdout, {}, None
+        for line in text.splitlines():
+            if m := re.match(r'(\S+): #deps', line): name = m.group(1); out[name] = set()
+            elif name and line.startswith('    '):
+                path = (self.build / line.strip()).resolve()
+                if path.is_relative_to(self.tree): out[name].add(path.relative_to(self.tree))
+        return out
+
+    def objects_of(self, file, under):
+        return sorted(o for o, sources in self.depends.items() if file in sources and under in o and o in self.command)
+
+    def compile(self, obj, mutant_file, overlay, out):
+        """Under `overlay` lies the changed source at its place in the tree: found before the tree's own."""
+        words, source = self.command[obj]
+        words = list(words)
+        words[words.index('-o') + 1] = str(out)
+        if source.resolve() == (self.tree / mutant_file).resolve(): words[words.index('-c') + 1] = str(overlay / mutant_file)
+        places = [overlay, overlay / 'src', overlay / 'tests', overlay / 'integrators/include']
+        words[1:1] = [f'-I{place}' for place in places] + ['-w', '-Wno-error']
+        return self.run(words, cwd=self.build)
+
+    def link(self, target, replaced, out, alone=None):
+        """The program with objects replaced; those of the library stand before it, so that its own are not taken.
+        alone: of the program's objects only that."""
+        line = subprocess.run(['ninja', '-C', self.build, '-t', 'commands', target], capture_output=True, text=True, check=True).stdout.splitlines()[-1]
+        line = next(part for part in line.split('&&') if ' -o ' in part)
+        words = shlex.split(line)
+        own = [w for w in words if w.endswith('.o')]
+        extra = [str(o) for name, o in replaced.items() if name not in own]
+        kept = []
+        for w in words:
+            if w in own and (alone is None or w == alone):
+                kept += [str(replaced.get(w, w))] + extra
+                extra = []
+            elif w not in own:
+                kept.append(w)
+        kept[kept.index('-o') + 1] = str(out)
+        return self.run(kept, cwd=self.build)
+
+    @staticmethod
+    def run(words, cwd=None, limit=LIMIT):
+        """Exit code and what was said; None after `limit` seconds."""
+        try:
+            done = subprocess.run([str(w) for w in words], cwd=cwd, capture_output=True, text=True, errors='replace', timeout=limit)
+            return done.returncode, done.stdout + done.stderr
+        except subprocess.TimeoutExpired:
+            return None, ''

@@ -1,0 +1,192 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""A sample of all small changes to the sources that compute: which of them does no test see? See ci/mutation --help."""
+import argparse
+import collections
+import json
+import math
+import re
+import sys
+import tempfile
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+from build import Build
+from mutate import mutants_of, order
+
+ROOMS = {
+    'integrators': ['integrators/include/polhode/**/*.hpp'],
+    'sphere': ['src/sphere/**/*.[ch]pp'],
+    'statistics': ['src/statistics/**/*.[ch]pp'],
+    'common': ['src/experiments/common/**/*.[ch]pp'],
+}
+NOT_OURS = re.compile(r'polhode/(testing|abi|called|flatten|simd)|noise/(aes_portable|ars)')  # tried by tests of their own, or no numbers
+WANTED = 0.98     # share of the changes
+ONE_NUMBER = 1e-10  # relative: less is no change of a number
+UNIT, CONFORMANCE, COMMAND = 'polhode_unit', 'polhode_conformance', 'polhode'
+QUICK = ['verify', 'paper', '--effort', 'quick', '--schemes', 'heun,lie_heun,magnus,strang', '--no-cache', '--threads', '1', '--quiet', '--format', 'json',
+         '--experiments', 'casimir,strong,energy,gibbs,weak,lyapunov']
+
+
+def files_of(tree, rooms):
+    return sorted({p.relative_to(tree) for room in rooms for pattern in ROOMS[room] for p in tree.glob(pattern) if not NOT_OURS.search(str(p))})
+
+
+def suites_in(tree, source):
+    return sorted(set(re.findall(r'^(?:TYPED_)?TEST(?:_F|_P)?\((\w+),', (tree / source).read_text(), re.M)))
+
+
+class Quick:
+    """A quick verification: its verdicts and its numbers."""
+
+    def __init__(self, program, folder, limit):
+        begin = time.time()
+        self.code, text = Build.run([program, *QUICK, '--out', folder], limit=limit)
+        self.seconds = time.time() - begin
+        found = json.loads(text[:text.rindex('}') + 1]) if self.code in (0, 1, 3) else {'verdicts': [], 'measurements': []}
+        self.verdicts = {(v['experiment'], v['scheme'], v['claim']): v['verdict'] for v in found['verdicts']}
+        self.numbers = [m[k] for m in found['measurements'] for k in ('value', 'low', 'high') if isinstance(m.get(k), float)]
+
+    def verdict_unlike(self, other):
+        """The first that is another one, or ''."""
+        if self.code is None: return 'a time limit'
+        if self.code not in (0, 1, 3): return f'an end with code {self.code} of polhode verify'
+        unlike = sorted(k for k in self.verdicts.keys() | other.verdicts.keys() if self.verdicts.get(k) != other.verdicts.get(k))
+        return f'verdict {" ".join(unlike[0])}' if unlike else ''
+
+    def same_numbers(self, other):
+        return len(self.numbers) == len(other.numbers) and all(math.isclose(a, b, rel_tol=ONE_NUMBER, abs_tol=1e-300)
+                                                               for a, b in zip(self.numbers, other.numbers))
+
+
+class Healthy:
+    """What the sources as they are say, and how long they take."""
+
+    def __init__(self, build):
+        with tempfile.TemporaryDirectory() as folder:
+            self.quick = Quick(build.build / COMMAND, folder, None)
+        begin = time.time()
+        if build.run([build.build / 'tests' / UNIT, '--gtest_brief=1'])[0] != 0: raise SystemExit('the tests fail on the sources as they are')
+        self.limit = 10 * max(10, self.quick.seconds, time.time() - begin)
+
+
+class Trial:
+    """One mutant: what sees it first, or that nothing does."""
+
+    def __init__(self, build, healthy, mutant, folder):
+        self.b, self.healthy, self.m, self.folder = build, healthy, mutant, Path(folder)
+        changed = self.folder / mutant.file
+        changed.parent.mkdir(parents=True)
+        changed.write_text(mutant.applied((build.tree / mutant.file).read_text()))
+
+    def compiled(self, objects):
+        """{object: where it lies}; None: the compiler refuses one of them."""
+        out = {}
+        for i, name in enumerate(objects):
+            at = self.folder / f'{i}.o'
+            code, _ = self.b.compile(name, self.m.file, self.folder, at)
+            if code != 0: return None
+            out[name] = at
+        return out
+
+    def runs(self, program, suites=()):
+        """The first test that fails; '' where all pass."""
+        words = [program, '--gtest_brief=1', '--gtest_fail_fast']
+        if suites: words.append('--gtest_filter=' + ':'.join(f'{s}.*:*/{s}.*:{s}/*.*' for s in suites))
+        code, text = self.b.run(words, limit=self.healthy.limit)
+        if code is None: return 'a time limit'
+        failed = re.search(r'\[  FAILED  \] ([\w./]+)', text)
+        return failed.group(1) if failed else '' if code == 0 else f'a crash of {Path(program).name}'
+
+    def by_header(self):
+        """An installed header: tests compile it themselves, one source at a time, those first that need least."""
+        for name in sorted(self.b.objects_of(self.m.file, 'polhode_conformance.dir') + self.b.objects_of(self.m.file, 'polhode_unit.dir'),
+                           key=lambda o: len(self.b.depends[o])):
+            replaced = self.compiled([name])
+            if replaced is None: return 'the compiler'
+            target = CONFORMANCE if 'conformance' in name else UNIT
+            program = self.folder / 'tests_of_one'
+            if self.b.link(target, replaced, program, alone=name)[0] != 0: continue
+            if by := self.runs(program): return by
+        return ''
+
+    def by_library(self):
+        """A source of the laboratory: its objects are compiled anew and stand before those of the library."""
+        objects = self.b.objects_of(self.m.file, 'polhode_laboratory.dir')
+        replaced = self.compiled(objects)
+        if replaced is None: return 'the compiler'
+        near = [s for o in self.b.objects_of(self.m.file.with_suffix('.hpp'), 'polhode_unit.dir') for s in suites_in(self.b.tree, self.b.command[o][1])]
+        tests = self.linked(UNIT, replaced)
+        if near and (by := self.runs(tests, near)): return by
+        quick = Quick(self.linked(COMMAND, replaced), self.folder / 'report', self.healthy.limit)
+        if by := quick.verdict_unlike(self.healthy.quick): return by
+        if by := self.runs(tests): return by
+        return None if quick.same_numbers(self.healthy.quick) else ''
+
+    def linked(self, target, replaced):
+        program = self.folder / target
+        code, said = self.b.link(target, replaced, program)
+        if code != 0: raise RuntimeError(said[-2000:])
+        return program
+
+    def killed_by(self):
+        return self.by_header() if self.m.file.parts[0] == 'integrators' else self.by_library()
+
+
+def wilson(k, n, z=1.96):
+    """The 95 % interval of a share."""
+    p, d = k / n, 1 + z * z / n
+    half = z * math.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
+    return (p + z * z / (2 * n) - half) / d, (p + z * z / (2 * n) + half) / d
+
+
+def arguments():
+    parser = argparse.ArgumentParser()
+    parser.add_argument('build')
+    parser.add_argument('--rooms', default=','.join(ROOMS))
+    parser.add_argument('--sample', type=int, default=100)
+    parser.add_argument('--seed', default='1')
+    parser.add_argument('--out', default='mutation.json')
+    parser.add_argument('--jobs', type=int, default=2)
+    given = parser.parse_args()
+    unknown = [r for r in given.rooms.split(',') if r not in ROOMS]
+    if unknown: parser.error(f"no room '{unknown[0]}'; there are: {', '.join(ROOMS)}")
+    return given
+
+
+def main():
+    given, tree = arguments(), Path(__file__).resolve().parents[2]
+    build = Build(tree, given.build)
+    known = dict(line.rsplit(' :: ', 1) for line in (Path(__file__).parent / 'equivalent.txt').read_text().splitlines() if ' :: ' in line)
+    everything = [m for file in files_of(tree, given.rooms.split(',')) for m in mutants_of(tree, file)]
+    some = sorted(everything, key=lambda m: order(m, given.seed))[:given.sample or None]
+    print(f'{len(everything)} changes in {given.rooms}; {len(some)} of them are tried', flush=True)
+    healthy, results = Healthy(build), []
+
+    def tried(mutant):
+        begin = time.time()
+        if mutant.key() in known: return mutant, None, 0
+        with tempfile.TemporaryDirectory() as folder: return mutant, Trial(build, healthy, mutant, folder).killed_by(), time.time() - begin
+
+    with ThreadPoolExecutor(given.jobs) as pool:
+        for mutant, by, seconds in pool.map(tried, some):
+            fate = 'changes no number' if by is None else f'seen by {by}' if by else 'SURVIVES'
+            print(f'{fate:<48} {seconds:4.0f} s  {mutant.name()}', flush=True)
+            results.append({'mutant': mutant.name(), 'key': mutant.key(), 'kind': mutant.kind, 'by': by, 'seconds': round(seconds, 1)})
+    Path(given.out).write_text(json.dumps(results, indent=1) + '\n')
+    counted = [r for r in results if r['by'] is not None and r['by'] != 'the compiler']
+    seen = sum(bool(r['by']) for r in counted)
+    code = 0
+    if counted:
+        low, high = wilson(seen, len(counted))
+        print(f'seen: {seen} of {len(counted)}, {100 * seen / len(counted):.1f} % [{100 * low:.1f}, {100 * high:.1f}]; besides '
+              f'{sum(r["by"] == "the compiler" for r in results)} refused by the compiler, {sum(r["by"] is None for r in results)} that change no number')
+        if high < WANTED: print(f'fewer than {100 * WANTED:.0f} % are seen'); code = 1
+        for kind, n in sorted(collections.Counter(r['kind'] for r in counted if not r['by']).items()): print(f'  {n} of kind {kind} survive')
+    return code
+
+
+if __name__ == '__main__':
+    sys.exit(main())
