@@ -38,16 +38,23 @@ def suites_in(tree, source):
     return sorted(set(re.findall(r'^(?:TYPED_)?TEST(?:_F|_P)?\((\w+),', (tree / source).read_text(), re.M)))
 
 
+def leaves(value):
+    """Every number and word in it."""
+    if isinstance(value, dict): value = value.values()
+    elif not isinstance(value, list): yield value; return
+    for inner in value: yield from leaves(inner)
+
+
 class Quick:
-    """A quick verification: its verdicts and its numbers."""
+    """A quick verification: its verdicts, and every number and word of its results."""
 
     def __init__(self, program, folder, limit):
         begin = time.time()
         self.code, text = Build.run([program, *QUICK, '--out', folder], limit=limit)
         self.seconds = time.time() - begin
-        found = json.loads(text[:text.rindex('}') + 1]) if self.code in (0, 1, 3) else {'verdicts': [], 'measurements': []}
+        found = json.loads(text[:text.rindex('}') + 1]) if self.code in (0, 1, 3) else {'verdicts': []}
         self.verdicts = {(v['experiment'], v['scheme'], v['claim']): v['verdict'] for v in found['verdicts']}
-        self.numbers = [m[k] for m in found['measurements'] for k in ('value', 'low', 'high') if isinstance(m.get(k), float)]
+        self.said = list(leaves({part: found.get(part) for part in ('measurements', 'fits', 'verdicts', 'skipped')}))
 
     def verdict_unlike(self, other):
         """The first that is another one, or ''."""
@@ -56,9 +63,10 @@ class Quick:
         unlike = sorted(k for k in self.verdicts.keys() | other.verdicts.keys() if self.verdicts.get(k) != other.verdicts.get(k))
         return f'verdict {" ".join(unlike[0])}' if unlike else ''
 
-    def same_numbers(self, other):
-        return len(self.numbers) == len(other.numbers) and all(math.isclose(a, b, rel_tol=ONE_NUMBER, abs_tol=1e-300)
-                                                               for a, b in zip(self.numbers, other.numbers))
+    def says_the_same(self, other):
+        return len(self.said) == len(other.said) and all(
+            math.isclose(a, b, rel_tol=ONE_NUMBER, abs_tol=1e-300) if isinstance(a, float) and isinstance(b, float) else a == b
+            for a, b in zip(self.said, other.said))
 
 
 class Healthy:
@@ -66,7 +74,8 @@ class Healthy:
 
     def __init__(self, build):
         with tempfile.TemporaryDirectory() as folder:
-            self.quick = Quick(build.build / COMMAND, folder, None)
+            self.quick, again = (Quick(build.build / COMMAND, folder, None) for _ in range(2))
+        if not again.says_the_same(self.quick): raise SystemExit('two verifications of the sources as they are differ')
         begin = time.time()
         if build.run([build.build / 'tests' / UNIT, '--gtest_brief=1'])[0] != 0: raise SystemExit('the tests fail on the sources as they are')
         self.limit = 10 * max(10, self.quick.seconds, time.time() - begin)
@@ -123,7 +132,7 @@ class Trial:
         quick = Quick(self.linked(COMMAND, replaced), self.folder / 'report', self.healthy.limit)
         if by := quick.verdict_unlike(self.healthy.quick): return by
         if by := self.runs(tests): return by
-        return None if quick.same_numbers(self.healthy.quick) else ''
+        return None if quick.says_the_same(self.healthy.quick) else ''
 
     def linked(self, target, replaced):
         program = self.folder / target

@@ -14,7 +14,8 @@
 namespace polhode {
 
 /// The Wiener increments of (seed, path) at `step`. `active`: how many channels the system uses; the rest is zero.
-/// `channels`: how many there are, where M < 0 leaves that to the program.
+/// `channels`: how many there are, where M < 0 leaves that to the program. Called, not inlined: beside the normals a
+/// call costs nothing, and the loops below stay short for the compiler.
 template <int M>
 [[gnu::noinline]] wiener<double, M> wiener_at(const noise_address& address, double dt, int active = M,
                                               int channels = M) {
