@@ -18,7 +18,7 @@ set(POLHODE_COMMON_HEADERS
   <algorithm> <array> <atomic> <cmath> <complex> <cstdint> <functional> <limits> <map> <memory> <mutex> <numbers>
   <optional> <span> <string> <string_view> <utility> <vector>
   <fmt/format.h> <fmt/ranges.h> ${PROJECT_SOURCE_DIR}/reports/model/results.hpp)
-set(POLHODE_NUMERICAL_HEADERS <Eigen/Dense> <polhode/scalar.hpp>)
+set(POLHODE_NUMERICAL_HEADERS <Eigen/Dense> <polhode/simd.hpp>)
 
 # Of what runs once: nothing there is worth a second of the compiler's.
 set(POLHODE_RUNS_ONCE $<$<CONFIG:Release>:-O1>)

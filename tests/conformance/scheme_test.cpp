@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <polhode/dual.hpp>
+#include <polhode/simd.hpp>
 
 #include "references/odeint.hpp"
 #include "support/heavy_top.hpp"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include <polhode/simd.hpp>
 #include <polhode/systems/vortices.hpp>
 
 #include "references/odeint.hpp"

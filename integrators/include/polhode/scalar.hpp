@@ -9,19 +9,18 @@
 #include <cstdint>
 #include <limits>
 
-#include <polhode/simd.hpp>
-
 namespace polhode {
 
+/// Whether S is a pack of numbers. polhode/simd.hpp says so of those that it brings, and what they do in a way of their
+/// own: for whoever steps packs; others need not wait for their compiler to read it.
 template <class S>
-requires is_pack<S> S select(const typename S::mask_type& condition, const S& yes, S no) {
-#if defined(__clang__) && defined(__AVX512F__)
-  // There the masked assignment of libstdc++ 12 takes the wrong lanes.
-  return S([&](auto i) { return condition[i] ? yes[i] : no[i]; });
-#else
-  stdx::where(condition, no) = yes;
-  return no;
-#endif
+inline constexpr bool is_pack = false;
+template <class Pack>
+struct of_packs;
+
+template <class S>
+requires is_pack<S> S select(const typename S::mask_type& condition, const S& yes, const S& no) {
+  return of_packs<S>::select(condition, yes, no);
 }
 template <std::floating_point S>
 S select(bool condition, const S& yes, S no) {
@@ -30,7 +29,7 @@ S select(bool condition, const S& yes, S no) {
 
 template <class S>
 requires is_pack<S>
-bool any(const S&, const typename S::mask_type& mask) { return stdx::any_of(mask); }
+bool any(const S&, const typename S::mask_type& mask) { return of_packs<S>::any(mask); }
 template <std::floating_point S>
 bool any(S, bool mask) {
   return mask;
@@ -41,14 +40,26 @@ S square_root(S x) {
   return std::sqrt(x);
 }
 template <class S>
-requires is_pack<S> S square_root(const S& x) { return stdx::sqrt(x); }
+requires is_pack<S> S square_root(const S& x) { return of_packs<S>::square_root(x); }
 
 template <std::floating_point S>
 S magnitude(S x) {
   return std::fabs(x);
 }
 template <class S>
-requires is_pack<S> S magnitude(const S& x) { return stdx::abs(x); }
+requires is_pack<S> S magnitude(const S& x) { return of_packs<S>::magnitude(x); }
+
+/// The bits of a scalar: 64 per lane.
+template <class S>
+struct bits_of_scalar {
+  using type = typename of_packs<S>::bits;
+};
+template <>
+struct bits_of_scalar<double> {
+  using type = std::uint64_t;
+};
+template <class S>
+using bits_of = typename bits_of_scalar<S>::type;
 
 template <class S>
 struct sine_cosine {

@@ -10,11 +10,13 @@
 #include <cstdint>
 #include <experimental/simd>
 #include <type_traits>
-#include <utility>
 
 #if defined(__AVX2__) || defined(__SSE2__)
 #include <immintrin.h>
 #endif
+
+#include <polhode/scalar.hpp>
+#include <polhode/words.hpp>
 
 namespace polhode {
 
@@ -22,15 +24,133 @@ namespace stdx = std::experimental;
 
 using pack = stdx::native_simd<double>;
 
-template <class S>
-inline constexpr bool is_pack = stdx::is_simd_v<S>;
+template <class T, class Abi>
+inline constexpr bool is_pack<stdx::simd<T, Abi>> = true;
 
-/// f(0), ..., f(N-1) written out, so that arrays of packs stay in registers.
-template <std::size_t N, class F>
-void unrolled(const F& f) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) { (f(I), ...); }
-  (std::make_index_sequence<N>());
+/// What the intrinsics below do, in plain C++: the same bits.
+namespace twin {
+
+template <class B>
+std::array<B, 2> interleave(const B& a, const B& b) {
+  if constexpr (!is_pack<B>) {
+    return {a, b};
+  } else if constexpr (B::size() % 2 == 1) {
+    return {a, b};
+  } else {
+    return {B([&](std::size_t i) { return i % 2 == 0 ? a[i] : b[i - 1]; }),
+            B([&](std::size_t i) { return i % 2 == 0 ? a[i + 1] : b[i]; })};
+  }
 }
+
+template <class F, class U, std::size_t N>
+F lookup(const std::array<float, N>& table, const U& index) {
+  return F([&](std::size_t i) { return table[index[i] % N]; });
+}
+
+template <class F>
+void store_scaled(const F& x, double scale, double* out) {
+  for (std::size_t i = 0; i < F::size(); ++i) out[i] = scale * double{x[i]};
+}
+
+}  // namespace twin
+
+/// What scalar.hpp and words.hpp say of one number, for a pack P of them.
+template <class P>
+struct of_packs {
+  using bits = stdx::rebind_simd_t<std::uint64_t, P>;
+  using mask = typename P::mask_type;
+
+  static P select(const mask& condition, const P& yes, P no) {
+#if defined(__clang__) && defined(__AVX512F__)
+    // There the masked assignment of libstdc++ 12 takes the wrong lanes.
+    return P([&](auto i) { return condition[i] ? yes[i] : no[i]; });
+#else
+    stdx::where(condition, no) = yes;
+    return no;
+#endif
+  }
+  static bool any(const mask& m) { return stdx::any_of(m); }
+  static P square_root(const P& x) { return stdx::sqrt(x); }
+  static P magnitude(const P& x) { return stdx::abs(x); }
+
+  static P multiply_low_words(const P& a, const P& b) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(P) == 64)
+      return P(static_cast<__m512i>(_mm512_mul_epu32(static_cast<__m512i>(a), static_cast<__m512i>(b))));
+#endif
+#if defined(__AVX2__)
+    if constexpr (sizeof(P) == 32)
+      return P(static_cast<__m256i>(_mm256_mul_epu32(static_cast<__m256i>(a), static_cast<__m256i>(b))));
+#endif
+#if defined(__SSE2__)
+    if constexpr (sizeof(P) == 16)
+      return P(static_cast<__m128i>(_mm_mul_epu32(static_cast<__m128i>(a), static_cast<__m128i>(b))));
+#endif
+    const P word(0xFFFFFFFF);
+    return (a & word) * (b & word);
+  }
+  static P join_low_words(const P& a, const P& b) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(P) == 64)
+      return P(_mm512_mask_shuffle_epi32(static_cast<__m512i>(a), 0xAAAA, static_cast<__m512i>(b), _MM_PERM_CCAA));
+#endif
+#if defined(__AVX2__)
+    if constexpr (sizeof(P) == 32)
+      return P(_mm256_blend_epi32(static_cast<__m256i>(a), static_cast<__m256i>(b << 32), 0xAA));
+#endif
+    return (a & P(0xFFFFFFFF)) | b << 32;
+  }
+
+  static auto cut_to_float(const P& a) {
+    using F = stdx::rebind_simd_t<float, P>;
+#if defined(__AVX512F__)
+    if constexpr (sizeof(P) == 64)
+      return F(_mm512_cvt_roundepi32_ps(static_cast<__m512i>(a), _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC));
+    else
+#endif
+    {
+      const P cut = a & ~(a >> 24);  // as of one number
+      return stdx::static_simd_cast<F>(stdx::static_simd_cast<stdx::rebind_simd_t<std::int32_t, P>>(cut));
+    }
+  }
+  static P fused(const P& a, const P& b, const P& c) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(P) == 64)
+      return P(_mm512_fmadd_ps(static_cast<__m512>(a), static_cast<__m512>(b), static_cast<__m512>(c)));
+#endif
+#if defined(__FMA__)
+    if constexpr (sizeof(P) == 32)
+      return P(_mm256_fmadd_ps(static_cast<__m256>(a), static_cast<__m256>(b), static_cast<__m256>(c)));
+    if constexpr (sizeof(P) == 16)
+      return P(_mm_fmadd_ps(static_cast<__m128>(a), static_cast<__m128>(b), static_cast<__m128>(c)));
+#endif
+    return P([&](std::size_t i) { return polhode::fused<float>(a[i], b[i], c[i]); });
+  }
+  template <class U, std::size_t N>
+  static P lookup(const std::array<float, N>& table, const U& index) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(P) == 64 && N == 16)
+      return P(_mm512_permutexvar_ps(static_cast<__m512i>(index), _mm512_loadu_ps(table.data())));
+#endif
+#if defined(__AVX2__)
+    if constexpr (sizeof(P) == 32) {
+      const auto i = static_cast<__m256i>(index);
+      if constexpr (N == 8) return P(_mm256_permutevar8x32_ps(_mm256_loadu_ps(table.data()), i));
+      return P(_mm256_blendv_ps(_mm256_permutevar8x32_ps(_mm256_loadu_ps(table.data()), i),
+                                _mm256_permutevar8x32_ps(_mm256_loadu_ps(table.data() + 8), i),
+                                _mm256_castsi256_ps(_mm256_slli_epi32(i, 28))));
+    }
+#endif
+    return twin::lookup<P>(table, index);
+  }
+  /// Whether every lane of all is at least so much.
+  template <std::size_t N>
+  static bool reach(const std::array<P, N>& all, const P& least) {
+    P lowest = all[0];
+    for (std::size_t i = 1; i < N; ++i) lowest = stdx::min(lowest, all[i]);
+    return stdx::all_of(lowest >= least);
+  }
+};
 
 /// A product that several sums share. Without this the compiler fuses it into each of them, and so computes it as
 /// often.
@@ -52,70 +172,6 @@ S rounded_product(const S& x) {
 #endif
 #endif
   return x;
-}
-
-/// The bits of a scalar: 64 per lane.
-template <class S>
-struct bits_of_scalar {
-  using type = stdx::rebind_simd_t<std::uint64_t, S>;
-};
-template <>
-struct bits_of_scalar<double> {
-  using type = std::uint64_t;
-};
-template <class S>
-using bits_of = typename bits_of_scalar<S>::type;
-
-/// What the intrinsics below do, in plain C++: the same bits.
-namespace twin {
-
-template <class B>
-std::array<B, 2> interleave(const B& a, const B& b) {
-  if constexpr (!is_pack<B>) {
-    return {a, b};
-  } else if constexpr (B::size() % 2 == 1) {
-    return {a, b};
-  } else {
-    return {B([&](std::size_t i) { return i % 2 == 0 ? a[i] : b[i - 1]; }),
-            B([&](std::size_t i) { return i % 2 == 0 ? a[i + 1] : b[i]; })};
-  }
-}
-
-template <class F, class U, std::size_t N>
-F lookup(const std::array<float, N>& table, const U& index) {
-  if constexpr (is_pack<F>)
-    return F([&](std::size_t i) { return table[index[i] % N]; });
-  else
-    return table[index % N];
-}
-
-template <class F>
-void store_scaled(const F& x, double scale, double* out) {
-  for (std::size_t i = 0; i < F::size(); ++i) out[i] = scale * double{x[i]};
-}
-
-}  // namespace twin
-
-/// The full products of the low 32 bits of every 64-bit lane.
-inline std::uint64_t multiply_low_words(std::uint64_t a, std::uint64_t b) {
-  return (a & 0xFFFFFFFF) * (b & 0xFFFFFFFF);
-}
-template <class B>
-requires is_pack<B> B multiply_low_words(const B& a, const B& b) {
-#if defined(__AVX512F__)
-  if constexpr (sizeof(B) == 64)
-    return B(static_cast<__m512i>(_mm512_mul_epu32(static_cast<__m512i>(a), static_cast<__m512i>(b))));
-#endif
-#if defined(__AVX2__)
-  if constexpr (sizeof(B) == 32)
-    return B(static_cast<__m256i>(_mm256_mul_epu32(static_cast<__m256i>(a), static_cast<__m256i>(b))));
-#endif
-#if defined(__SSE2__)
-  if constexpr (sizeof(B) == 16)
-    return B(static_cast<__m128i>(_mm_mul_epu32(static_cast<__m128i>(a), static_cast<__m128i>(b))));
-#endif
-  const B word(0xFFFFFFFF);
-  return (a & word) * (b & word);
 }
 
 /// (A0 A1 A2 A3 …), (B0 B1 B2 B3 …) to (A0 B0 A2 B2 …), (A1 B1 A3 B3 …): two packs of low and of high halves become two
@@ -141,21 +197,6 @@ std::array<B, 2> interleave(const B& a, const B& b) {
   }
 #endif
   return twin::interleave(a, b);
-}
-
-/// a's low word below b's low word in every 64-bit lane.
-inline std::uint64_t join_low_words(std::uint64_t a, std::uint64_t b) { return (a & 0xFFFFFFFF) | b << 32; }
-template <class B>
-requires is_pack<B> B join_low_words(const B& a, const B& b) {
-#if defined(__AVX512F__)
-  if constexpr (sizeof(B) == 64)
-    return B(_mm512_mask_shuffle_epi32(static_cast<__m512i>(a), 0xAAAA, static_cast<__m512i>(b), _MM_PERM_CCAA));
-#endif
-#if defined(__AVX2__)
-  if constexpr (sizeof(B) == 32)
-    return B(_mm256_blend_epi32(static_cast<__m256i>(a), static_cast<__m256i>(b << 32), 0xAA));
-#endif
-  return (a & B(0xFFFFFFFF)) | b << 32;
 }
 
 /// Has the target AES instructions for packs of this size?
@@ -223,60 +264,6 @@ requires has_aes<B> std::array<B, N> aes(const std::array<B, N>& blocks, const s
     unrolled<N>([&](std::size_t i) { x[i] = aes_round<true>(x[i], keys[Keys - 1]); });
   }
   return x;
-}
-
-/// The integer below 2^31 as a float, cut to its 24 leading bits.
-template <class U>
-auto cut_to_float(const U& a) {
-  const U cut = a & ~(a >> 24);  // without the first bit that a float drops nothing is rounded up
-  if constexpr (!is_pack<U>) {
-    return static_cast<float>(static_cast<std::int32_t>(cut));
-  } else {
-    using F = stdx::rebind_simd_t<float, U>;
-#if defined(__AVX512F__)
-    if constexpr (sizeof(U) == 64)
-      return F(_mm512_cvt_roundepi32_ps(static_cast<__m512i>(a), _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC));
-    else
-#endif
-      return stdx::static_simd_cast<F>(stdx::static_simd_cast<stdx::rebind_simd_t<std::int32_t, U>>(cut));
-  }
-}
-
-/// a b + c, rounded once. Where the target has no such instruction it is the standard library's, lane by lane: slow,
-/// with the same bits.
-inline float fused(float a, float b, float c) { return std::fma(a, b, c); }
-template <class F>
-requires is_pack<F> F fused(const F& a, const F& b, const F& c) {
-#if defined(__AVX512F__)
-  if constexpr (sizeof(F) == 64)
-    return F(_mm512_fmadd_ps(static_cast<__m512>(a), static_cast<__m512>(b), static_cast<__m512>(c)));
-#endif
-#if defined(__FMA__)
-  if constexpr (sizeof(F) == 32)
-    return F(_mm256_fmadd_ps(static_cast<__m256>(a), static_cast<__m256>(b), static_cast<__m256>(c)));
-  if constexpr (sizeof(F) == 16)
-    return F(_mm_fmadd_ps(static_cast<__m128>(a), static_cast<__m128>(b), static_cast<__m128>(c)));
-#endif
-  return F([&](std::size_t i) { return fused(a[i], b[i], c[i]); });
-}
-
-/// table[index mod N] in every lane, N = 16 or 8.
-template <class F, class U, std::size_t N>
-F lookup(const std::array<float, N>& table, const U& index) {
-#if defined(__AVX512F__)
-  if constexpr (sizeof(F) == 64 && N == 16)
-    return F(_mm512_permutexvar_ps(static_cast<__m512i>(index), _mm512_loadu_ps(table.data())));
-#endif
-#if defined(__AVX2__)
-  if constexpr (sizeof(F) == 32) {
-    const auto i = static_cast<__m256i>(index);
-    if constexpr (N == 8) return F(_mm256_permutevar8x32_ps(_mm256_loadu_ps(table.data()), i));
-    return F(_mm256_blendv_ps(_mm256_permutevar8x32_ps(_mm256_loadu_ps(table.data()), i),
-                              _mm256_permutevar8x32_ps(_mm256_loadu_ps(table.data() + 8), i),
-                              _mm256_castsi256_ps(_mm256_slli_epi32(i, 28))));
-  }
-#endif
-  return twin::lookup<F>(table, index);
 }
 
 /// out[i] = scale x[i], in double precision.

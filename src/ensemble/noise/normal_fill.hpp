@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 
+#include <polhode/noise/block_source.hpp>
 #include <polhode/noise/normal.hpp>
 
 #include "ensemble/kernel.hpp"

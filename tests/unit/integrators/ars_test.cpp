@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <bit>
 
-#include <polhode/noise/random_bits.hpp>
-#include <polhode/scalar.hpp>
+#include <polhode/noise/block_source.hpp>
+#include <polhode/simd.hpp>
 
 namespace polhode {
 namespace {

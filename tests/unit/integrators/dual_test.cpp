@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dual numbers against derivatives in closed form, in several directions, nested, and in packs.
 #include <polhode/dual.hpp>
+#include <polhode/simd.hpp>
 
 #include <gtest/gtest.h>
 

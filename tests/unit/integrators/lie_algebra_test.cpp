@@ -11,6 +11,7 @@
 #include <polhode/lie/so4.hpp>
 #include <polhode/lie/son.hpp>
 #include <polhode/lie/su.hpp>
+#include <polhode/simd.hpp>
 
 #include "support/dense.hpp"
 #include "support/schemes.hpp"

@@ -5,6 +5,7 @@
 
 #include <polhode/increment.hpp>
 #include <polhode/noise/normal.hpp>
+#include <polhode/simd.hpp>
 
 #include "support/noise_sources.hpp"
 

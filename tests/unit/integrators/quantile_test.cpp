@@ -4,6 +4,7 @@
 #include <boost/math/special_functions/erf.hpp>
 
 #include <polhode/noise/quantile.hpp>
+#include <polhode/simd.hpp>
 
 namespace polhode {
 namespace {

@@ -10,7 +10,6 @@
 #include <cstdint>
 
 #include <polhode/noise/aes_portable.hpp>
-#include <polhode/simd.hpp>
 
 namespace polhode {
 
@@ -26,37 +25,5 @@ constexpr aes_block ars4x32(const aes_block& counter, const aes_block& key) {
   for (std::size_t i = 0; i <= Rounds; ++i) keys[i] = ars_round_key(key, i);
   return portable::aes(counter, keys);
 }
-
-/// For packs of blocks, low halves in the even lanes, high halves in the odd. The round keys are kept.
-template <class B, std::size_t Rounds = 7>
-requires is_pack<B>
-class ars {
- public:
-  explicit ars(const aes_block& key) : key_(key) {
-    for (std::size_t i = 0; i <= Rounds; ++i) {
-      const aes_block k = ars_round_key(key, i);
-      keys_[i] = B([&](std::size_t lane) { return k[lane % 2]; });
-    }
-  }
-
-  template <std::size_t N>
-  std::array<B, N> operator()(const std::array<B, N>& counters) const {
-    if constexpr (has_aes<B>) {
-      return aes(counters, keys_);
-    } else {
-      std::array<B, N> out;
-      for (std::size_t n = 0; n < N; ++n)
-        for (std::size_t i = 0; i < B::size(); i += 2) {
-          const aes_block block = ars4x32<Rounds>({counters[n][i], counters[n][i + 1]}, key_);
-          out[n][i] = block[0], out[n][i + 1] = block[1];
-        }
-      return out;
-    }
-  }
-
- private:
-  aes_block key_;
-  std::array<B, Rounds + 1> keys_;
-};
 
 }  // namespace polhode

@@ -9,7 +9,7 @@
 #include <array>
 #include <cstdint>
 
-#include <polhode/simd.hpp>
+#include <polhode/words.hpp>
 
 namespace polhode {
 

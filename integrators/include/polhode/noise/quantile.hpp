@@ -86,9 +86,9 @@ template <class F, class U, std::size_t N>
 std::array<F, N> quantiles(const std::array<U, N>& words) {
   if constexpr (is_pack<F>)
     if constexpr (F::size() == 8) {
-      U least(0x7FFFFFFFu);
-      unrolled<N>([&](std::size_t i) { least = stdx::min(least, U(words[i] & U(0x7FFFFFFFu))); });
-      if (stdx::all_of(U(least & U(0x7F800000u)) != U(0u))) [[likely]]
+      std::array<U, N> unsigned_words;
+      unrolled<N>([&](std::size_t i) { unsigned_words[i] = words[i] & U(0x7FFFFFFFu); });
+      if (of_packs<U>::reach(unsigned_words, U(0x00800000u))) [[likely]]
         return quantiles<F>(words, upper_quantile_table);
     }
   return quantiles<F>(words, quantile_table);
