@@ -12,8 +12,8 @@
 #include <polhode/schemes/scheme_info.hpp>
 #include <polhode/simd.hpp>
 
-#include "ensemble/kernel.hpp"
 #include <polhode/flatten.hpp>
+#include "ensemble/kernel.hpp"
 #include "platform/work_counters.hpp"
 
 namespace polhode {
@@ -44,10 +44,12 @@ vec<S, N> load_increment(const increment_view& view, std::ptrdiff_t at, int n = 
   return S(unit_of(view)) * load_scaled_increment<S, N>(view, at, n);
 }
 
-/// The scalar of the loops: two packs whose operations alternate and hide each other's latency, but one where that
-/// leaves too few registers (measured: with AVX2 two are slower, with SSE and AVX-512 faster).
-using loop_pack =
-    std::conditional_t<pack::size() == 4, pack, stdx::fixed_size_simd<double, static_cast<int>(2 * pack::size())>>;
+/// Two packs whose operations alternate and hide each other's latency.
+using two_packs = stdx::fixed_size_simd<double, static_cast<int>(2 * pack::size())>;
+
+/// The scalar of the rigid body's loops: two packs, but one where that leaves too few registers (measured: with AVX2
+/// two are slower, with SSE and AVX-512 faster).
+using loop_pack = std::conditional_t<pack::size() == 4, pack, two_packs>;
 
 /// Forms: a system in the forms in which the loops need it (plain_forms.hpp is the simplest).
 ///   own(unit): for paths with increments of their own, in units of `unit`; take(view, scratch) brings them into the

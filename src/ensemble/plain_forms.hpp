@@ -35,10 +35,10 @@ vec<S, n> changed(const vec<S, n>& mu, const double* change) {
 
 /// A system of constant noise vectors in one step whose noise all paths share: sum sigma_i dW^i and sum A^ij [sigma_i,
 /// sigma_j] are computed once, and what the noise alone does to a state is a matrix, Ad*_exp(sum sigma_i dW^i) - 1. For
-/// schemes that ask the system alone what an increment does: there is nothing in it here.
+/// schemes that ask the system alone what an increment does: here it has no channels, so that none are carried along.
 template <class System>
 struct under_shared_noise : System {
-  static constexpr int n = System::dimension;
+  static constexpr int n = System::dimension, channels = 0;
   static constexpr bool has_matrix = n > 0 && n <= 6;  // worth its size
 
   explicit under_shared_noise(const System& system) : System(system) {}
@@ -46,15 +46,15 @@ struct under_shared_noise : System {
   const double *b = nullptr, *area = nullptr, *change = nullptr;  ///< of the step
 
   template <class S>
-  vec<S, n> noise(const vec<S, System::channels>&) const {
+  vec<S, n> noise(const vec<S, channels>&) const {
     return detail::lifted<vec<S, n>>(b, dimension_of<System>(*this));
   }
   template <class S>
-  vec<S, n> area_noise(const vec<S, pairs_of<System::channels>>&) const {
+  vec<S, n> area_noise(const vec<S, pairs_of<channels>>&) const {
     return detail::lifted<vec<S, n>>(area, dimension_of<System>(*this));
   }
   template <class S>
-  vec<S, n> noise_flow(const vec<S, n>& mu, const wiener<S, System::channels>& w) const {
+  vec<S, n> noise_flow(const vec<S, n>& mu, const wiener<S, channels>& w) const {
     if constexpr (has_matrix)
       return detail::changed(mu, change);
     else
@@ -106,8 +106,8 @@ class plain_forms {
       return system_;
   }
   template <class S, class Entered>
-  wiener_levy<S, System::channels> enter(Entered& system, const double* row, double dt) const {
-    wiener_levy<S, System::channels> w;
+  wiener_levy<S, Entered::channels> enter(Entered& system, const double* row, double dt) const {
+    wiener_levy<S, Entered::channels> w;
     w.dt = dt;
     if constexpr (summed) {
       const int n = dimension_of(system_);

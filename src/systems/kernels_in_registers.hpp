@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kernels of systems whose states fit into registers, for the schemes that are worth some seconds more of the
-// compiler's: two packs advance together, and a splitting has its flows inlined.
+// compiler's: where a step is a long chain two packs advance together, and a splitting has its flows inlined. (Measured
+// with AVX2 and AVX-512: Lie-Heun and Strang gain up to a third by two packs; Heun is wide enough alone.)
 #pragma once
 
 #include <memory>
@@ -22,9 +23,9 @@ std::unique_ptr<kernel> kernel_in_registers(const System& system, const std::vec
   };
   const auto own = prepared<Scheme>(system, dt);
   if constexpr (std::is_same_v<Scheme, strang>) {
-    if (At bound(own, momentum, dt); bound.fits()) return made(std::type_identity<loop_pack>{}, std::move(bound));
-  } else if constexpr (std::is_same_v<Scheme, heun> || std::is_same_v<Scheme, lie_heun>) {
-    return made(std::type_identity<loop_pack>{}, own);
+    if (At bound(own, momentum, dt); bound.fits()) return made(std::type_identity<two_packs>{}, std::move(bound));
+  } else if constexpr (std::is_same_v<Scheme, lie_heun>) {
+    return made(std::type_identity<two_packs>{}, own);
   }
   return made(std::type_identity<pack>{}, own);
 }
