@@ -188,14 +188,22 @@ void append_provenance(std::string& out, const provenance& p) {
   append_row(out, {"CPU time", shown_duration(p.cpu_seconds)});
 }
 
+/// What a budget has ended is among what is skipped; else a later report has it.
+std::string unfinished(const results& r) {
+  const bool ended = std::ranges::all_of(r.to_come, [&](const std::string& name) {
+    return std::ranges::find(r.skipped, name, &skip::experiment) != r.skipped.end();
+  });
+  return fmt::format("**Unfinished.** {}: {}.\n\n", ended ? "The run was ended before" : "Still to come",
+                     safe(fmt::format("{}", fmt::join(r.to_come, ", "))));
+}
+
 }  // namespace
 
 std::string to_markdown(const results& r) {
   const auto counts = count(r.verdicts);
   std::string out =
       fmt::format("# polhode: {}\n\n**{}** {}\n\n", safe(r.scene.name), headline(counts), sentence(counts));
-  if (!r.to_come.empty())
-    out += fmt::format("**Unfinished.** Still to come: {}.\n\n", safe(fmt::format("{}", fmt::join(r.to_come, ", "))));
+  if (!r.to_come.empty()) out += unfinished(r);
   for (const auto& name : experiment_names(r)) append_experiment(out, r, name);
   append_left_out(out, r);
   append_fits(out, r);

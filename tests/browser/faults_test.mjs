@@ -53,6 +53,19 @@ test('without descriptions of plots there are tables, and it says so', async () 
   await atEnd(page);
 });
 
+test('a run that its budget has ended does not promise a later page', async () => {
+  const note = async (results, label) => {
+    const page = await open(pageOf(results, label)),
+      said = await page.textContent('.lacking');
+    await atEnd(page);
+    return said;
+  };
+  const cut = { ...rich, to_come: ['stability'] },
+    skip = { experiment: 'stability', scheme: '', reason: 'the budget of 5 s was used up before (--budget)' };
+  assert.match(await note(cut, 'growing'), /Still to come: stability\. A later page/);
+  assert.match(await note({ ...cut, skipped: [...rich.skipped, skip] }, 'cut'), /ended before: stability\. What/);
+});
+
 test('nothing measured, nothing at all', async () => {
   for (const [label, results] of [
     ['none', { ...rich, measurements: [], fits: [], verdicts: [], skipped: [], densities: [], plots: [] }],

@@ -28,7 +28,7 @@ class Budget(Case):
         self.assertIn('energy', done)
         measured = {m['experiment'] for m in results['measurements']}
         self.assertLessEqual(measured, done, 'half an experiment says nothing')
-        self.assertIn('Still to come', read(os.path.join(self.folder.name, 'out', 'paper', 'report.md'), 'r'))
+        self.assertIn('**Unfinished.** The run was ended before: ', read(os.path.join(self.folder.name, 'out', 'paper', 'report.md'), 'r'))
 
     def test_a_second_run_goes_on_from_the_first(self):
         first = self.verified('5')[1]

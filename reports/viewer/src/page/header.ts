@@ -130,6 +130,10 @@ function sceneFacts(s: Scene): HTMLElement {
   );
 }
 
+/** What a budget has ended is among what is skipped; else a later page has it. */
+const endedByBudget = (r: Results): boolean =>
+  r.toCome.every((name) => r.skipped.some((s) => s.experiment === name && s.scheme === ''));
+
 export function header(r: Results): HTMLElement {
   const counts = tally(r.verdicts),
     mood = worst(counts),
@@ -162,7 +166,9 @@ export function header(r: Results): HTMLElement {
           'p',
           {},
           h('b', {}, 'Unfinished.'),
-          ` Still to come: ${r.toCome.join(', ')}. A later page replaces this one.`,
+          endedByBudget(r)
+            ? ` The run was ended before: ${r.toCome.join(', ')}. What is finished is kept, and another run goes on from it.`
+            : ` Still to come: ${r.toCome.join(', ')}. A later page replaces this one.`,
         ),
       ),
     r.missing.length > 0 &&
