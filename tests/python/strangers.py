@@ -94,10 +94,12 @@ def free(scene, pi, t):
 
 @polhode.scheme(casimir='kept', poisson=True, strong_commuting=1, strong_general=0.5, weak_one_vector=2, weak_isotropic=2, weak_general=2, deterministic=2)
 def their_strang_weak2(scene, state, dt, dw):
-    """Noise sigma sqrt(1 - sigma^2 dt / 12): isotropic noise alone."""
-    strength = scene.sigma[0, 0]
+    """Isotropic noise, shrunk by sqrt(1 - sigma^2 dt / 12), or that of one vector, of which one exponential is exact."""
+    noise = scene.sigma.T @ dw
+    if np.count_nonzero(scene.sigma.any(axis=1)) == 3:
+        noise = np.sqrt(1 - scene.sigma[0, 0]**2 * dt / 12) * noise
     pi = free(scene, relaxed(scene, state, dt / 2), dt / 2)
-    pi = turned(strength * np.sqrt(1 - strength**2 * dt / 12) * dw, pi)
+    pi = turned(noise, pi)
     return relaxed(scene, free(scene, pi, dt / 2), dt / 2)
 
 
