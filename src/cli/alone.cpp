@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/terminal/terminal.hpp"
 #include "cli/together.hpp"
 
 namespace polhode::cli {
@@ -8,7 +9,6 @@ together::~together() = default;
 const ranks* others() { return nullptr; }
 bool speaks() { return true; }
 int processes_here() { return 1; }
-std::string signature() { return {}; }
-void end_all(int /*code*/) {}
+void fail(std::string_view fault, int /*code*/) { print_error(fault); }
 
 }  // namespace polhode::cli

@@ -18,8 +18,7 @@ namespace {
 constexpr int bad_input = 2, cannot_run = 4;
 
 int ended_by(std::string_view fault, int code) {
-  print_error(signature() + std::string(fault));
-  end_all(code);
+  fail(fault, code);
   return code;
 }
 

@@ -3,6 +3,8 @@
 // src/mpi knows them.
 #pragma once
 
+#include <string_view>
+
 #include "run/ranks.hpp"
 
 namespace polhode::cli {
@@ -22,9 +24,9 @@ const ranks* others();
 bool speaks();
 /// Of those, on this machine.
 int processes_here();
-/// "rank 1 of 3: ", in front of what a process says that does not speak for all; empty for the first.
-std::string signature();
-/// One has failed: ends all of them. Returns where this process is alone.
-void end_all(int code);
+/// Says what has failed. Where all processes come here within a second they have found the same: the first one says it,
+/// and each returns, to end in order. Else who has failed says it, with its number if it is not the first ("rank 1 of
+/// 3: "), and ends all of them with that code.
+void fail(std::string_view fault, int code);
 
 }  // namespace polhode::cli

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <thread>
 
+#include "cli/terminal/terminal.hpp"
 #include "reports/writers/json.hpp"
 
 namespace polhode::cli {
@@ -78,6 +79,18 @@ class mpi_ranks final : public ranks {
 };
 
 const mpi_ranks* world = nullptr;
+MPI_Comm failing = MPI_COMM_NULL;  // apart from where the others may be at work
+
+/// Whether every process comes here within a second.
+bool all_come() {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Ibarrier(failing, &request);
+  int come = 0;
+  while (MPI_Test(&request, &come, MPI_STATUS_IGNORE), come == 0 && std::chrono::steady_clock::now() < until)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return come != 0;
+}
 
 }  // namespace
 
@@ -86,9 +99,13 @@ together::together(int* argc, char*** argv) {
   MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);  // threads compute, the first one speaks
   static const mpi_ranks all;
   world = &all;
+  MPI_Comm_dup(MPI_COMM_WORLD, &failing);
 }
 
-together::~together() { MPI_Finalize(); }
+together::~together() {
+  MPI_Comm_free(&failing);
+  MPI_Finalize();
+}
 
 const ranks* others() { return world != nullptr && world->size() > 1 ? world : nullptr; }
 bool speaks() { return others() == nullptr || world->rank() == 0; }
@@ -102,14 +119,11 @@ int processes_here() {
   return size;
 }
 
-std::string signature() {
-  // What all of them find the first one says, and ends the others meanwhile.
-  if (!speaks()) std::this_thread::sleep_for(std::chrono::seconds(1));
-  return speaks() ? "" : fmt::format("rank {} of {}: ", world->rank(), world->size());
-}
-
-void end_all(int code) {
-  if (others() != nullptr) MPI_Abort(MPI_COMM_WORLD, code);
+void fail(std::string_view fault, int code) {
+  if (speaks()) print_error(fault);
+  if (others() == nullptr || all_come()) return;
+  if (!speaks()) print_error(fmt::format("rank {} of {}: {}", world->rank(), world->size(), fault));
+  MPI_Abort(MPI_COMM_WORLD, code);
 }
 
 }  // namespace polhode::cli

@@ -102,6 +102,14 @@ class Ranks(Case):
         rc, out, err = self.run_them(2, 'verify', 'single', '--budget', '5')
         self.assertEqual((rc, 'accepted in a run of one process' in err), (2, True), err)
 
+    def test_one_that_fails_alone_says_which_it_is_and_ends_all(self):
+        words = [MPIRUN, '-q', '-n', '1', TOGETHER, 'verify', 'paper', '--no-cache', '--threads', '1', ':', '-n', '1', TOGETHER, 'verify', 'papr']
+        process = subprocess.Popen(words, cwd=self.folder.name, env=environment(POLHODE_CACHE=self.cache, **ENV), stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True, start_new_session=True)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, out), (2, ''))
+        self.assertRegex(err, r'(?m)^polhode: rank 1 of 2: papr: no such scene')
+
     def test_a_rank_that_dies_ends_the_run_and_the_cache_is_kept(self):
         asked = ('verify', 'paper', '--effort', 'standard', '--out', 'out', '--progress', 'lines', '--threads', '1')
         process = self.start(2, *asked)
