@@ -42,7 +42,7 @@ function(polhode_isa_objects target level objects sources)
     target_compile_options(${objects} PRIVATE -mmove-max=${pack_bits_${level}} -mstore-max=${pack_bits_${level}}
       -mmemcpy-strategy=${by_packs} -mmemset-strategy=${by_packs} -fno-tree-loop-distribute-patterns)
     # A vector of packs is taken apart into registers however large it is. Else its copies stay on the stack, dead ones
-    # too, and a step of six components waits for its stores: Heun and Lie-Heun take a sixth to a third longer.
+    # too, and a step of six components waits for its stores: with one pack Heun and Lie-Heun take a sixth to a half longer.
     target_compile_options(${objects} PRIVATE "SHELL:--param sra-max-scalarization-size-Ospeed=8192")
   endif()
   if(level STREQUAL v2)  # processors of before 2013 are owed the same results, not speed: two thirds of the compiler's time

@@ -191,7 +191,7 @@ void append_provenance(std::string& out, const provenance& p) {
 /// What a budget has ended is among what is skipped; else a later report has it.
 std::string unfinished(const results& r) {
   const bool ended = std::ranges::all_of(r.to_come, [&](const std::string& name) {
-    return std::ranges::find(r.skipped, name, &skip::experiment) != r.skipped.end();
+    return std::ranges::any_of(r.skipped, [&](const skip& s) { return s.experiment == name && s.scheme.empty(); });
   });
   return fmt::format("**Unfinished.** {}: {}.\n\n", ended ? "The run was ended before" : "Still to come",
                      safe(fmt::format("{}", fmt::join(r.to_come, ", "))));

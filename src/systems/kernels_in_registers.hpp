@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kernels of systems whose states fit into registers, for the schemes that are worth some seconds more of the
 // compiler's: where a step is a long chain two packs advance together, and a splitting has its flows inlined. (Measured
-// with AVX2 and AVX-512: Lie-Heun and Strang gain up to a third by two packs; Heun is wide enough alone.)
+// with AVX2 and AVX-512: by two packs Strang gains 11 to 28 %, Lie-Heun up to 11 %; Heun is wide enough alone.)
 #pragma once
 
 #include <memory>
