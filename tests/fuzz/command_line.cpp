@@ -3,20 +3,12 @@
 #include <sstream>
 
 #include "cli/options/parser.hpp"
-#include "cli/terminal/terminal.hpp"
 #include "fuzz.hpp"
 #include "run/provenance.hpp"
 
-// In place of src/run and src/cli/terminal, for --version and --help.
+// In place of src/run, for --version.
 namespace polhode {
-
 report::provenance build_provenance() { return {}; }
-
-namespace cli {
-
-void print(std::string_view) {}
-
-}  // namespace cli
 }  // namespace polhode
 
 namespace {
