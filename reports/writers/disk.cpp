@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/writers/disk.hpp"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -8,8 +9,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <charconv>
+#include <climits>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -56,7 +60,40 @@ bool is_abandoned(const fs::path& directory, pid_t maker) {
   return opened.value >= 0 && ::flock(opened.value, LOCK_EX | LOCK_NB) == 0;
 }
 
+// The directory staged last, and the hidden name under which it is emptied, where a signal's handler may read them.
+std::array<char, PATH_MAX> staged_path, emptied_path;
+std::atomic<bool> is_staged = false;
+
+void remember_staged(const fs::path& directory) {
+  const auto keep = [](const fs::path& path, std::array<char, PATH_MAX>& to) {
+    if (path.native().size() >= to.size()) return false;
+    std::memcpy(to.data(), path.c_str(), path.native().size() + 1);
+    return true;
+  };
+  is_staged = false;
+  const auto name = directory.filename().string();
+  const auto emptied = directory.parent_path() /
+                       fmt::format("{}.ended{}", name.substr(0, name.rfind(mark)), name.substr(name.rfind(mark)));
+  is_staged = keep(directory, staged_path) && keep(emptied, emptied_path);
+}
+
 }  // namespace
+
+// By system calls alone: nothing of the standard library may be asked in a handler. Under its own name another thread
+// could still put it in place, half empty.
+void remove_last_staged() noexcept {
+  if (!is_staged.exchange(false) || ::rename(staged_path.data(), emptied_path.data()) != 0) return;
+  const int directory = ::open(emptied_path.data(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (directory < 0) return;
+  alignas(dirent64) std::array<char, 4096> entries;
+  for (ssize_t count; (count = ::getdents64(directory, entries.data(), entries.size())) > 0;)
+    for (ssize_t at = 0; at < count;) {
+      const auto* entry = reinterpret_cast<const dirent64*>(entries.data() + at);
+      ::unlinkat(directory, entry->d_name, 0);
+      at += entry->d_reclen;
+    }
+  ::rmdir(emptied_path.data());
+}
 
 void fail(const fs::path& known_as, int error) {
   throw output_error(fmt::format("cannot write '{}': {}", one_line(known_as.string()), std::strerror(error)));
@@ -112,11 +149,13 @@ void put_in_place(const fs::path& from, const fs::path& to) {
 
 staging::staging(fs::path where, const fs::path& known_as) : path_(std::move(where)) {
   make_directory(path_, known_as);
+  remember_staged(path_);
   lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ >= 0) static_cast<void>(::flock(lock_, LOCK_EX | LOCK_NB));
 }
 
 staging::~staging() {
+  is_staged = false;
   try {
     std::error_code ignored;
     fs::remove_all(path_, ignored);

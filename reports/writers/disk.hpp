@@ -43,6 +43,10 @@ class staging {
   int lock_ = -1;
 };
 
+/// Removes what stands in the directory that was staged last, and itself: for the handler of a signal that ends the
+/// program while its other threads go on. Of nested directories nothing; the next run removes those.
+void remove_last_staged() noexcept;
+
 /// ".<name>.partial-<pid>" of this process.
 fs::path staging_name(std::string_view name);
 /// Whether that is such a name, of any process.

@@ -141,9 +141,11 @@ report::simulation record_it(const scene& s, simulate_options options, const arg
 report::simulation recorded(const scene& s, const simulate_options& options, const arguments& given,
                             const report::snapshot_style& style) {
   const bool as_text = given.recording == "csv";
-  return report::write_simulation(
+  auto result = report::write_simulation(
       given.out, [&](const std::filesystem::path& folder) { return record_it(s, options, given, as_text, folder); },
       style);
+  say_when_stopped("");
+  return result;
 }
 
 report::simulation whole(const scene& s, const simulate_options& options, const arguments& given,
@@ -151,6 +153,7 @@ report::simulation whole(const scene& s, const simulate_options& options, const 
   auto result = run_it(s, options, given.quiet);
   const defer_signals until_written;
   report::write_simulation(given.out, result, style);
+  say_when_stopped("");
   return result;
 }
 
@@ -158,8 +161,11 @@ report::simulation whole(const scene& s, const simulate_options& options, const 
 std::unique_ptr<checkpoint_folder> checkpoints_for(const arguments& given, const std::filesystem::path& out) {
   const auto folder = given.no_cache ? std::filesystem::path() : cache_beside(out);
   if (folder.empty()) return nullptr;
+  using access = checkpoint_folder::access;
   return std::make_unique<checkpoint_folder>(
-      folder, given.fresh ? checkpoint_folder::access::rewrite : checkpoint_folder::access::use);
+      folder, given.fresh ? access::rewrite : access::use, [quiet = given.quiet] {
+        if (!quiet) say_when_stopped("stopped: the same command goes on from the last checkpoint");
+      });
 }
 
 int run(const arguments& given) {
@@ -174,6 +180,7 @@ int run(const arguments& given) {
   if (speaks()) report::check_simulation_folder(out);
   const auto checkpoints = checkpoints_for(given, out);
   options.checkpoints = checkpoints.get();
+  if (!given.quiet) say_when_stopped("stopped before any checkpoint: nothing is written");
 
   if (!speaks()) {
     simulate(scene, options);

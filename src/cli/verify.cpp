@@ -49,12 +49,33 @@ void write_whole(const verify_arguments& given, std::span<const report::results>
   report::write_report(given.out, all, given.latex ? report::latex::yes : report::latex::no);
 }
 
-/// The report grows: it is there after the first experiment, marked unfinished until the last.
+/// What is there when a signal ends the run while scene number `at` is at work.
+void prepare_to_stop(std::span<const scene> scenes, std::size_t at, bool begun, const verify_arguments& given) {
+  if (given.quiet) return;
+  const bool some = begun || at > 0;
+  auto words = some ? fmt::format("stopped: {} holds what was finished by then", given.out)
+                    : "stopped before anything was finished";
+  std::vector<std::string> rest;
+  for (const auto& scene : scenes.subspan(at + 1)) rest.push_back(scene.name);
+  if (!rest.empty()) words += fmt::format(", nothing yet of {}", fmt::join(rest, ", "));
+  if (!given.no_cache && some) words += "; the same command goes on from there";
+  say_when_stopped(words);
+}
+
+void keep(std::span<const scene> scenes, std::span<const report::results> all, std::size_t at, bool begun,
+          const verify_arguments& given) {
+  const defer_signals both;
+  write_whole(given, all);
+  prepare_to_stop(scenes, at, begun, given);
+}
+
+/// The report grows: it is there after the first experiment, its scene marked unfinished until the last.
 std::vector<report::results> run_all(std::span<const scene> scenes, verify_options options,
                                      const verify_arguments& given) {
   std::vector<report::results> all;
   const bool notes = given.progress == "lines" && !given.quiet;
   progress_line progress{!given.quiet && !notes};
+  prepare_to_stop(scenes, 0, false, given);
   for (const auto& scene : scenes) {
     const auto label = [&](std::string_view what) {
       return scenes.size() == 1 ? std::string{what} : fmt::format("{}: {}", scene.name, what);
@@ -64,12 +85,13 @@ std::vector<report::results> run_all(std::span<const scene> scenes, verify_optio
     };
     options.so_far = [&](const report::results& part) {
       all.push_back(part);
-      write_whole(given, all);
+      keep(scenes, all, all.size() - 1, true, given);
       all.pop_back();
       if (notes) progress_note(label(told_of(part)));
     };
     all.push_back(verify(scene, options, sink));
     if (notes) progress_note(label(told_of(all.back())));
+    if (all.size() < scenes.size()) keep(scenes, all, all.size(), false, given);
   }
   return all;
 }
@@ -145,6 +167,7 @@ int run(const verify_arguments& given) {
     const defer_signals whole;
     write_whole(given, all);
     earlier.save(all);
+    say_when_stopped("");
   }
   if (cache && !cache->trouble().empty())
     print_error(

@@ -52,6 +52,29 @@ class Checkpoints(Case):
         self.assertEqual(self.files(), whole)
         self.assertEqual(self.kept(), [], 'a run that has ended needs no checkpoint')
 
+    def stopped(self, *more, when):
+        """Standard error of a run that is ended by SIGTERM once that is so."""
+        process = self.simulate(*more)
+        for _ in range(3000):
+            time.sleep(0.01)
+            if when(): break
+            self.assertIsNone(process.poll(), 'ended before')
+        process.send_signal(signal.SIGTERM)
+        err = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 143)
+        self.assertEqual(self.left_behind(), [])
+        return err
+
+    def test_stopped_it_says_what_is_kept(self):
+        self.assertEqual(self.stopped(when=self.kept), 'polhode: stopped: the same command goes on from the last checkpoint\n')
+        self.assertEqual(self.stopped('--quiet', when=self.kept), '')
+        begun = time.monotonic()
+        self.assertEqual(self.stopped('--no-cache', when=lambda: time.monotonic() > begun + .3), 'polhode: stopped before any checkpoint: nothing is written\n')
+
+    def test_a_recording_that_is_stopped_leaves_nothing(self):
+        hidden = lambda: [f for f in os.listdir(self.folder.name) if f.startswith('.out.partial-') and os.listdir(os.path.join(self.folder.name, f))]
+        self.assertEqual(self.stopped('--record', '0.001', when=hidden), 'polhode: stopped before any checkpoint: nothing is written\n')
+
     def test_what_is_damaged_or_of_another_run_is_not_taken(self):
         self.killed_after_a_save()
         [path] = self.kept()

@@ -15,7 +15,7 @@ class Growing(Case):
         p = self.start('verify', *self.LONG, '--progress', 'lines', stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         self.assertRegex(p.stderr.readline().decode(), r'\Aenergy: 1 of 2 experiments after [\d.]+ (m?s|min)')
         p.send_signal(signal.SIGINT)
-        self.assertEqual((p.communicate(timeout=60)[1], p.returncode), (b'', 130))
+        self.assertEqual((p.communicate(timeout=60)[1], p.returncode), (b'polhode: stopped: report holds what was finished by then\n', 130))
         folder = os.path.join(self.folder.name, 'report', 'paper')
         read = lambda name: open(os.path.join(folder, name), encoding='utf-8').read()
         results = json.loads(read('results.json'))
@@ -70,8 +70,22 @@ class Terminal(Case):
             p = self.start('verify', *SLOW, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
             time.sleep(.7); sent = time.time(); p.send_signal(number)
             err = p.communicate(timeout=60)[1]
-            self.assertEqual((p.returncode, err), (code, b'')); self.assertLess(time.time() - sent, 5)
+            self.assertEqual((p.returncode, err), (code, b'polhode: stopped before anything was finished\n')); self.assertLess(time.time() - sent, 5)
             self.assertEqual(self.left_behind(), [])
+
+    def test_scenes_that_were_not_begun_are_named(self):
+        scenes = ('free', 'paper', 'so4', 'spin')
+        p = self.start('verify', *scenes, *SLOW, '--schemes', 'heun', '--progress', 'lines', stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        self.assertRegex(p.stderr.readline().decode(), r'\Afree: strong: 1 of 1 experiments')
+        time.sleep(.1); p.send_signal(signal.SIGTERM)
+        err = p.communicate(timeout=60)[1].decode()
+        self.assertEqual((p.returncode, err), (143, 'polhode: stopped: report holds what was finished by then, nothing yet of so4, spin; the same command goes on from there\n'))
+        self.assertEqual(sorted(os.listdir(os.path.join(self.folder.name, 'report'))), ['free'])
+
+    def test_quiet_is_quiet(self):
+        p = self.start('verify', *SLOW, '--quiet', stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        time.sleep(.7); p.send_signal(signal.SIGINT)
+        self.assertEqual((p.communicate(timeout=60)[1], p.returncode), (b'', 130))
 
 
 if __name__ == '__main__':

@@ -69,6 +69,11 @@ fs::path checkpoint_folder::file_of(const std::string& key) const {
   return folder_ / fmt::format("{:016x}.checkpoint", crc.checksum());
 }
 
+void checkpoint_folder::found(fs::path file) {
+  used_ = std::move(file);
+  when_there_();
+}
+
 bool checkpoint_folder::load(const std::string& key, const std::function<void(const byte_source&)>& read) {
   if (access_ == access::rewrite) return false;
   std::ifstream file(file_of(key), std::ios::binary);
@@ -79,7 +84,7 @@ bool checkpoint_folder::load(const std::string& key, const std::function<void(co
     if (!file.read(static_cast<char*>(bytes), static_cast<std::streamsize>(count)))
       throw std::runtime_error("cut short");
   });
-  used_ = file_of(key);
+  found(file_of(key));
   return true;
 }
 
@@ -97,10 +102,7 @@ void checkpoint_folder::save(const std::string& key, const std::function<void(co
     } catch (const std::bad_alloc&) {
       error = std::make_error_code(std::errc::not_enough_memory);
     }
-  if (!error) {
-    used_ = path;
-    return;
-  }
+  if (!error) return found(path);
   if (trouble_.empty()) trouble_ = error.message();
   std::error_code ignored;
   fs::remove(partial, ignored);

@@ -16,9 +16,10 @@ class checkpoint_folder final : public checkpoint_store {
  public:
   enum class access { use, rewrite };  ///< rewrite: what is there is not read, but replaced
 
-  /// Nothing is created before the first save.
-  explicit checkpoint_folder(std::filesystem::path folder, access how = access::use)
-      : folder_(std::move(folder)), access_(how) {}
+  /// Nothing is created before the first save. `when_there`: a state was loaded or saved.
+  explicit checkpoint_folder(
+      std::filesystem::path folder, access how = access::use, std::function<void()> when_there = [] {})
+      : folder_(std::move(folder)), access_(how), when_there_(std::move(when_there)) {}
 
   bool load(const std::string& key, const std::function<void(const byte_source&)>& read) override;
   void save(const std::string& key, const std::function<void(const byte_sink&)>& write) override;
@@ -31,9 +32,11 @@ class checkpoint_folder final : public checkpoint_store {
 
  private:
   std::filesystem::path file_of(const std::string& key) const;
+  void found(std::filesystem::path);
 
   std::filesystem::path folder_, used_;
   access access_;
+  std::function<void()> when_there_;
   std::string trouble_;
 };
 

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/terminal/signals.hpp"
 
+#include <fmt/format.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <csignal>
+#include <deque>
 
 #include "cli/terminal/progress.hpp"
+#include "cli/terminal/terminal.hpp"
 #include "foreign/child.hpp"
+#include "reports/model/text.hpp"
+#include "reports/writers/disk.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -15,7 +21,21 @@ namespace {
 std::atomic<int> deferring = 0, waiting = 0;
 static_assert(std::atomic<int>::is_always_lock_free, "used in a signal handler");
 
-void end_by(int signal) { end_at_once(128 + signal); }
+std::atomic<const std::string*> last_words = nullptr;
+
+/// Not where nobody reads: a full pipe would hold up the end.
+void print_last_words() {
+  pollfd room{STDERR_FILENO, POLLOUT, 0};
+  const auto* words = last_words.load();
+  if (words != nullptr && ::poll(&room, 1, 0) == 1 && (room.revents & POLLOUT) != 0) print_aside(*words);
+}
+
+void end_by(int signal) {
+  clear_progress();
+  report::disk::remove_last_staged();
+  print_last_words();
+  end_at_once(128 + signal);
+}
 
 extern "C" void handle_signal(int signal) {
   if (deferring == 0) end_by(signal);
@@ -28,6 +48,13 @@ void end_at_once(int code) noexcept {
   clear_progress();
   foreign::kill_children();
   ::_exit(code);
+}
+
+void say_when_stopped(const std::string& words) {
+  static std::deque<std::string> said;  // none of them goes away: a handler may be reading it
+  const auto line = words.empty() ? "" : fmt::format("polhode: {}\n", one_line(words, 500));
+  if (said.empty() || said.back() != line) said.push_back(line);
+  last_words = &said.back();
 }
 
 void install_signal_handlers() {
