@@ -17,7 +17,7 @@ stability_case case_of(const report::scene& scene) {
   stability_case c{.name = "scene", .bound = restricted(bind_scene(scene), {"euler_maruyama", "heun", "lie_euler"})};
   c.rate = fastest_rate(c.bound);
   c.horizon = 64 / c.rate;
-  c.radius = 1;
+  c.casimirs = c.casimir_sizes = {1};
   return c;
 }
 

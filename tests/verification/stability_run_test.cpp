@@ -25,7 +25,8 @@ TEST(Stability, OneVectorOnASphericalBodyBreaksAsTheProductOfItsFactors) {
   const auto s = bind_scene(spherical({{0, 0, 0.7}}));
   auto plain = s.scene;
   plain.momentum = {1, 0, 0};
-  stability_case c{.name = "one vector", .bound = s.with(plain), .rate = 1, .horizon = 8, .radius = 1};
+  stability_case c{
+      .name = "one vector", .bound = s.with(plain), .rate = 1, .horizon = 8, .casimirs = {1}, .casimir_sizes = {1}};
   c.least_energy = c.greatest_energy = 0.5;
   const auto& scheme = c.bound.schemes.front();
   ASSERT_EQ(scheme.info.name, "euler_maruyama");
@@ -57,7 +58,7 @@ TEST(Stability, OneVectorOnASphericalBodyBreaksAsTheProductOfItsFactors) {
 // Schemes with areas and without, implicit or not, of different dt: what they share is drawn for no dt at all.
 TEST(Stability, RunsTogetherAreWhatEachIsAlone) {
   const auto s = bind_scene(load_scene("paper"));
-  stability_case c{.name = "paper", .bound = s, .rate = 1, .horizon = 8, .radius = 1};
+  stability_case c{.name = "paper", .bound = s, .rate = 1, .horizon = 8, .casimirs = {1}, .casimir_sizes = {1}};
   c.least_energy = 1.0 / 6;
   c.greatest_energy = 0.5;
   std::vector<stability_member> members;
@@ -98,7 +99,7 @@ TEST(Stability, LongDriftIsRoundingAlone) {
 
 TEST(Stability, RareBreaksAreCountedAmongTheirPaths) {
   const auto s = bind_scene(spherical({{0, 0, 0.7}}));
-  stability_case c{.name = "one vector", .bound = s, .rate = 1, .horizon = 8, .radius = 1};
+  stability_case c{.name = "one vector", .bound = s, .rate = 1, .horizon = 8, .casimirs = {1}, .casimir_sizes = {1}};
   c.least_energy = c.greatest_energy = 0.5;
   report::results out;
   const context at{s, effort::thorough, 1, 1, noise_generator::philox, [](double) {}};

@@ -9,6 +9,7 @@
 #include "experiments/common/noise_verdict.hpp"
 #include "platform/work_counters.hpp"
 #include "reports/writers/json.hpp"
+#include "run/run_experiment.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
 #include "verification/stability_bodies.hpp"
@@ -81,6 +82,72 @@ TEST(Stability, ExplicitEulerBreaksWhereItsClosedFormDoes) {
   EXPECT_EQ(found.status, "first broken: mean energy");
 }
 
+/// One verdict, and the largest deviation of each part.
+void expect_the_noise_of(const report::results& r, const names& parts) {
+  int verdicts = 0;
+  for (const auto& v : r.verdicts)
+    if (v.scheme == noise_name) {
+      ++verdicts;
+      EXPECT_EQ(v.kind, report::verdict_kind::holds) << v.reason;
+    }
+  EXPECT_EQ(verdicts, 1);
+  names heard;
+  for (const auto& m : r.measurements)
+    if (m.scheme == noise_name) heard.push_back(m.observable.substr(0, m.observable.find(':')));
+  EXPECT_EQ(heard, parts);
+}
+
+/// Two bodies without a bond; the second, of equal moments of inertia, is at rest in its axes.
+scene unbound_tops() {
+  auto s = load_scene("so4");
+  s.vector("inertia") = {1, 1, 2, 1, 1, 1};
+  s.number("coupling") = 0;
+  s.number("theta") = 0;
+  s.vectors("sigma") = {};
+  s.momentum = {0.8, 0, 0.6, 0, 0.6, 0.8};
+  return s;
+}
+
+// The same top as one of two bodies, on a product of spheres: nothing is known there of the range of h, and nothing
+// moves h. |Pi| of the first is its Casimir.
+TEST(Stability, ElsewhereThanOnASphereExplicitEulerBreaksByItsCasimir) {
+  const auto r = quick(unbound_tops(), {"euler_maruyama", "lie_euler"});
+  const double w = 0.6 * 0.5;
+  const double dt = first_dt(
+      row(r, "horizon", "scene"), [&](double h) { return 1 + w * w * h * h; }, (1.21 - 0.36) / 0.64);
+  const auto& found = limit(r, "euler_maruyama", "scene");
+  EXPECT_LE(*found.low, dt * (1 + 1e-9));
+  EXPECT_GE(*found.high, dt * (1 - 1e-9));
+  EXPECT_EQ(found.status, "first broken: Casimir");
+  EXPECT_EQ(limit(r, "lie_euler", "scene").status,
+            "stable at every dt tried");  // turns about an axis at a constant rate
+}
+
+TEST(Stability, AFalseClaimToKeepTheOrbitIsRefutedElsewhereToo) {
+  auto s = bind_scene(load_scene("so4"));
+  std::erase_if(s.schemes, [](const scheme_entry& e) { return e.info.name != "heun" && e.info.name != "lie_heun"; });
+  for (auto& e : s.schemes) e.info.casimir.exact = true;
+  s.with = [schemes = s.schemes, with = s.with](const report::scene& other) {
+    auto out = restricted(with(other), {"heun", "lie_heun"});
+    for (auto& e : out.schemes) e.info.casimir.exact = true;
+    return out;
+  };
+  verify_options options;
+  options.experiments = {"stability"};
+  options.effort = effort::quick;
+  options.threads = 2;
+  const auto r = verify_subject(s, options);
+  int judged = 0;
+  for (const auto& v : r.verdicts)
+    if (v.claim == "on its orbit up to half the largest stable dt") {
+      ++judged;
+      EXPECT_EQ(v.kind, v.scheme == "heun" ? report::verdict_kind::refuted : report::verdict_kind::holds) << v.reason;
+    }
+  EXPECT_EQ(judged, 2);
+  EXPECT_EQ(limit(r, "lie_heun", "scene").status, "first broken: mean energy");
+  expect_the_noise_of(r, {"reference", "border", "map"});
+}
+
 TEST(Stability, ThreadsAndCompanyChangeNothing) {
   const auto text = [](const names& schemes, int threads) {
     auto r = quick(load_scene("single"), schemes, threads);
@@ -108,21 +175,6 @@ TEST(Stability, CostsWhatItMay) {
   EXPECT_GT(after.normals, before.normals);
   EXPECT_LT(after.path_steps - before.path_steps, 3'000'000'000u);
   EXPECT_LT(after.normals - before.normals, 4'500'000'000u);  // each run alone: 11e9
-}
-
-/// One verdict, and the largest deviation of each part.
-void expect_the_noise_of(const report::results& r, const names& parts) {
-  int verdicts = 0;
-  for (const auto& v : r.verdicts)
-    if (v.scheme == noise_name) {
-      ++verdicts;
-      EXPECT_EQ(v.kind, report::verdict_kind::holds) << v.reason;
-    }
-  EXPECT_EQ(verdicts, 1);
-  names heard;
-  for (const auto& m : r.measurements)
-    if (m.scheme == noise_name) heard.push_back(m.observable.substr(0, m.observable.find(':')));
-  EXPECT_EQ(heard, parts);
 }
 
 TEST(Stability, SchemesThatKeepTheOrbitNeverBreakByIt) {

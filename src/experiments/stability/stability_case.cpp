@@ -8,8 +8,10 @@
 #include <limits>
 #include <utility>
 
+#include "ensemble/coadjoint_matrices.hpp"
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/levels.hpp"
+#include "problem/vectors.hpp"
 #include "sphere/equilibria.hpp"
 
 namespace polhode {
@@ -30,7 +32,11 @@ std::vector<double> around(int points, double factor) {
 int points(effort e) { return by_effort(e, 3, 5, 9); }
 double factor(effort e) { return by_effort(e, 16.0, 8.0, 4.0); }
 
-double radius_of(const scene& s) { return std::hypot(s.momentum[0], s.momentum[1], s.momentum[2]); }
+/// Of three components at any size: their squares may not be numbers.
+double radius_of(const scene& s) {
+  const auto& mu = s.momentum;
+  return mu.size() == 3 ? std::hypot(mu[0], mu[1], mu[2]) : length(mu);
+}
 
 /// On an equilibrium that is neither a well nor a peak, or else of middle energy, but for a part `aside` of the length:
 /// near the separatrix.
@@ -53,15 +59,28 @@ scene with_momentum(scene s, double by) {
 /// Below it the squares of small components are lost, and with them digits of |Pi|.
 const double least_radius = std::sqrt(std::numeric_limits<double>::min()) / std::numeric_limits<double>::epsilon();
 
-stability_case bound_case(std::string name, const subject& own, const scene& changed, effort e) {
-  stability_case c{.name = std::move(name), .bound = own.with(changed)};
+void bound_by_sphere(stability_case& c) {
   const auto extremes = equilibria(*c.bound.sphere());
-  c.rate = fastest_rate(c.bound);
-  c.horizon = std::clamp(changed.horizon, least_scales / c.rate, by_effort(e, 128, 256, 1024) / c.rate);
-  c.radius = radius_of(changed);
+  const double radius = radius_of(c.bound.scene);
+  c.casimirs = c.casimir_sizes = {radius};
   c.least_energy = extremes.front().energy;
   c.greatest_energy = extremes.back().energy;
-  c.normal = c.radius >= least_radius;
+  c.normal = radius >= least_radius;
+}
+
+stability_case bound_case(std::string name, const subject& own, const scene& changed, effort e) {
+  stability_case c{.name = std::move(name), .bound = own.with(changed)};
+  c.rate = fastest_rate(c.bound);
+  c.horizon = std::clamp(changed.horizon, least_scales / c.rate, by_effort(e, 128, 256, 1024) / c.rate);
+  c.bounded = c.bound.sphere().has_value();
+  if (c.bounded)
+    bound_by_sphere(c);
+  else {
+    c.casimirs = c.bound.model->casimirs(changed.momentum);
+    c.casimir_sizes = c.bound.model->casimir_sizes(changed.momentum);
+    c.compact = keeps_length(*c.bound.model);
+    for (double& size : c.casimir_sizes) size = std::max(size, 1e-300);
+  }
   return c;
 }
 
@@ -82,7 +101,7 @@ void add_axes(const subject& s, effort e, std::vector<stability_case>& out) {
       add("sigma factor", std::sqrt(by), with_noise_times(own, std::sqrt(by)));
   for (const double x : stiffness_axis(s, e)) add(dissipation_key, x, with_dissipation(own, x));
   for (const double by : steps)
-    if (by != 1) add("c", by * radius_of(own), with_momentum(own, by));
+    if (by != 1 && s.sphere()) add("c", by * radius_of(own), with_momentum(own, by));
   const auto& shape = s.offers->shape;
   for (int i = 0, n = points(e); shape && i < n; ++i) {
     const double x = shape->least * std::pow(shape->greatest / shape->least, static_cast<double>(i) / (n - 1));
@@ -90,16 +109,20 @@ void add_axes(const subject& s, effort e, std::vector<stability_case>& out) {
   }
 }
 
-void add_corners(const subject& s, effort e, std::vector<stability_case>& out) {
+void add_stiff(const subject& s, effort e, std::vector<stability_case>& out) {
+  const auto& rates = s.offers->rates;
+  if (!(rates.damping > 0)) return;
+  const double strength = stiffness * (rates.fastest() - rates.dissipation) / rates.damping;
+  out.push_back(bound_case("stiff", s, with_dissipation(s.scene, strength), e));
+}
+
+void add_corners_of_sphere(const subject& s, effort e, std::vector<stability_case>& out) {
   const auto& own = s.scene;
   const auto& p = *s.sphere();
-  const auto& rates = s.offers->rates;
   const auto& shape = s.offers->shape;
   out.push_back(bound_case("separatrix", s, near_saddle(own, p, 1e-6), e));
   if (shape) out.push_back(bound_case(shape->name_of_nearly_none, s, shape->nearly_none, e));
-  if (rates.damping > 0)
-    out.push_back(bound_case(
-        "stiff", s, with_dissipation(own, stiffness * (rates.fastest() - rates.dissipation) / rates.damping), e));
+  add_stiff(s, e, out);
   out.push_back(bound_case("denormal components", s, near_saddle(own, p, denormal), e));
   out.push_back(bound_case("denormal c", s, with_momentum(own, denormal / radius_of(own)), e));
   out.back().rate = out.front().rate;  // without noise it has no rate of its own
@@ -129,7 +152,7 @@ report::measurement row_in(const stability_case& in, quantity what, std::optiona
 std::vector<stability_case> stability_cases(const context& c) {
   std::vector<stability_case> out{bound_case("scene", c.subject, c.subject.scene, c.effort)};
   add_axes(c.subject, c.effort, out);
-  add_corners(c.subject, c.effort, out);
+  c.subject.sphere() ? add_corners_of_sphere(c.subject, c.effort, out) : add_stiff(c.subject, c.effort, out);
   std::erase_if(out, [](const stability_case& s) { return !std::isfinite(s.rate * s.horizon) || !(s.rate > 0); });
   return out;
 }

@@ -18,15 +18,17 @@
 
 namespace polhode {
 
-/// A scene and what its sphere |Pi| = radius bounds.
+/// A scene, what its orbit keeps, and what it bounds.
 struct stability_case {
   std::string name;                                ///< "scene", "separatrix", …; of one along an axis none
   std::optional<report::coordinate> changed = {};  ///< of one along an axis: its place there
   subject bound;
   double rate = 0;     ///< the fastest of its rates (experiments/common/levels.hpp)
   double horizon = 0;  ///< T: of the scene, but at least 64 of 1/rate and at most 128 … 1024
-  double radius = 0;
-  double least_energy = 0, greatest_energy = 0;  ///< of h on the sphere
+  std::vector<double> casimirs = {}, casimir_sizes = {};  ///< at the start; on a sphere |Pi| alone
+  bool compact = true;                                    ///< |mu| is the same all over the orbit
+  bool bounded = true;                                    ///< the range of h on the orbit is known: it is a sphere
+  double least_energy = 0, greatest_energy = 0;  ///< of h there; elsewhere as far as the true paths are seen to go
   bool normal = true;                            ///< false: |Pi| below the range in which its square keeps all digits
   std::optional<double> mean_energy = {};        ///< E[h(Pi_T)]; absent where h is nearly the Casimir, or not known
   std::string mean_energy_method = {};           ///< exact or reference

@@ -38,7 +38,7 @@ bool runs_off(const kernel& k, const points_in_space& from) {
 
 double escape_radius(const stability_case& in, const scheme_entry& scheme, double dt) {
   const auto k = scheme.make(dt);
-  const points_in_space unit = in.radius * sphere_quadrature(directions).points;
+  const points_in_space unit = in.casimirs.front() * sphere_quadrature(directions).points;
   double stays = 1, off = 1;
   while (!runs_off(*k, off * unit)) {
     stays = off;

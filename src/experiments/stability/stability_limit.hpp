@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "experiments/stability/breakage.hpp"
 
@@ -24,8 +26,22 @@ struct stability_limit {
 /// What one scheme does in one case.
 struct finding {
   stability_limit limit;
-  breakage first = breakage::none;  ///< at the shortest step that breaks
-  double worst_casimir = 0, worst_energy = 0;
+  breakage first = breakage::none;                          ///< at the shortest step that breaks
+  double worst_casimir = 0, worst_energy = 0;               ///< of all runs
+  std::vector<std::pair<std::int64_t, double>> whole = {};  ///< of each stable run its steps and worst Casimir
+
+  /// The worst Casimir of the runs up to half the largest stable dt; if there is none, of that itself.
+  double worst_well_within() const {
+    double worst = 0, at_limit = 0;
+    bool any = false;
+    for (const auto& [steps, casimir] : whole) {
+      if (steps == limit.stable) at_limit = casimir;
+      if (steps < 2 * limit.stable) continue;
+      any = true;
+      worst = std::max(worst, casimir);
+    }
+    return any ? worst : at_limit;
+  }
 };
 
 /// Asks one number of steps after the other whether it is stable, so that many searches can go on side by side. From

@@ -93,8 +93,8 @@ stability_outcome run_until_broken(const stability_case& c, const scheme_entry& 
   return run_until_broken({&alone, 1}, p).front();
 }
 
-double fine_mean_energy(const stability_case& c, int paths, std::uint64_t seed, noise_generator generator,
-                        const block_listener& hear) {
+stability_outcome true_paths(const stability_case& c, int paths, std::uint64_t seed, noise_generator generator,
+                             const block_listener& hear) {
   constexpr double resolution = 16;
   const auto steps = static_cast<std::int64_t>(std::ceil(resolution * c.rate * c.horizon));
   // A seed of its own: a scheme that happens to take as many steps must not see the same paths.
@@ -103,7 +103,7 @@ double fine_mean_energy(const stability_case& c, int paths, std::uint64_t seed, 
   std::vector<watched_run> alone;
   alone.emplace_back(c, *reference, false, false, hear, p);
   run(*c.bound.model, p, alone);
-  return alone.front().outcome().mean_energy;
+  return alone.front().outcome();
 }
 
 }  // namespace polhode

@@ -2,6 +2,8 @@
 // Many paths of one scheme at one step size, watched until they break.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -27,6 +29,12 @@ struct stability_outcome {
   double mean_energy = 0;           ///< over the paths that are whole
   double worst_casimir = 0;         ///< relative; infinite where a path of an explicit scheme was lost
   double worst_energy = 0;          ///< excess over the range of h, relative to its greatest
+  double least_energy = HUGE_VAL, greatest_energy = -HUGE_VAL;  ///< seen on paths that are whole
+
+  void see(double least, double greatest) {
+    least_energy = std::min(least_energy, least);
+    greatest_energy = std::max(greatest_energy, greatest);
+  }
 
   bool stable() const { return first == breakage::none; }
 };
@@ -46,8 +54,8 @@ struct stability_member {
 /// listener of the plan do not count; the noise of all cases has as many channels.
 std::vector<stability_outcome> run_until_broken(std::span<const stability_member>, const stability_plan&);
 
-/// The mean energy at the horizon of the Wong-Zakai equation, 16 steps to a time scale.
-double fine_mean_energy(const stability_case&, int paths, std::uint64_t seed, noise_generator,
-                        const block_listener& hear = {});
+/// The Wong-Zakai equation, 16 steps to a time scale: its mean energy at the horizon and the energies on the way.
+stability_outcome true_paths(const stability_case&, int paths, std::uint64_t seed, noise_generator,
+                             const block_listener& hear = {});
 
 }  // namespace polhode

@@ -10,6 +10,7 @@
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/judge.hpp"
 #include "experiments/common/levels.hpp"
+#include "problem/vectors.hpp"
 
 namespace polhode {
 namespace {
@@ -53,8 +54,8 @@ int last_good(int near, int far, const Good& good) {
 }  // namespace
 
 void report_scale(const context& c, const scheme_entry& scheme, recorder& record) {
-  const auto& pi = c.subject.scene.momentum;
-  const double own = std::hypot(pi[0], pi[1], pi[2]);
+  if (!c.subject.offers->in_unit) return;
+  const double own = length(c.subject.scene.momentum);
   if (std::fabs(std::log10(own)) > decades) return;  // neither could its theta and sigma be scaled
   const auto power_of = [&](double decade) {
     return static_cast<int>(std::lround((decade - std::log10(own)) / std::log10(4)));

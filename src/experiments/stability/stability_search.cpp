@@ -15,20 +15,23 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t together = 16;    // runs under one noise: its cost is small, and threads have work
-constexpr double shortest = 1.0 / 256;  // of the map, times the fastest rate
+constexpr std::size_t together = 16;  // runs under one noise: its cost is small, and threads have work
+
+/// Of the map, times the fastest rate.
+double shortest_of(const stability_case& in) { return in.bounded ? 1.0 / 256 : 1.0 / 16; }
 
 bool on_the_map(const stability_case& in) { return in.changed && in.changed->name == dissipation_key; }
 
-/// Where all blocks without noise are the same, one is enough.
+/// Where all blocks without noise are the same, one is enough. Elsewhere than on a sphere steps take longer.
 int paths_of(const context& c) {
-  return c.subject.model->noise() == noise_class::none ? block_lanes : by_effort(c.effort, 512, 2048, 8192);
+  if (c.subject.model->noise() == noise_class::none) return block_lanes;
+  return c.subject.sphere() ? by_effort(c.effort, 512, 2048, 8192) : by_effort(c.effort, 128, 512, 2048);
 }
 
 step_range range_of(const context& c, const stability_case& in) {
   const double scales = in.rate * in.horizon;
   return {static_cast<std::int64_t>(std::ceil(scales / longest_stable_step)), std::llround(scales / first_stable_step),
-          std::llround(scales * by_effort(c.effort, 1 << 10, 1 << 12, 1 << 14))};
+          std::llround(scales * by_effort(c.effort, in.bounded ? 1 << 10 : 1 << 8, 1 << 12, 1 << 14))};
 }
 
 struct search {
@@ -39,6 +42,7 @@ struct search {
 
 void learn(search& s, const stability_outcome& o) {
   s.found->worst_casimir = std::max(s.found->worst_casimir, o.worst_casimir);
+  if (o.stable()) s.found->whole.emplace_back(*s.limit.asks(), o.worst_casimir);
   s.found->worst_energy = std::max(s.found->worst_energy, o.worst_energy);
   if (!o.stable()) s.found->first = o.first;  // the last run that broke is the one at the limit
   s.limit.tell(o.stable());
@@ -99,7 +103,7 @@ void run_row(const context& c, double own_rate, map_row& row) {
   for (int i = 0; i < cells; ++i) {
     const double dt = longest_stable_step / own_rate * std::exp2(-12.0 * (cells - 1 - i) / (cells - 1));
     if (dt * in.rate > longest_stable_step) break;
-    if (dt * in.rate < shortest) continue;  // too many steps for what they would show
+    if (dt * in.rate < shortest_of(in)) continue;  // too many steps for what they would show
     const auto steps = static_cast<std::int64_t>(std::ceil(in.horizon / dt));
     auto members = row.schemes;
     for (auto& m : members) {
@@ -107,7 +111,8 @@ void run_row(const context& c, double own_rate, map_row& row) {
       if (steps == before) m.hear = {};
     }
     before = steps;
-    const auto outcomes = run_until_broken(members, {0, steps, map_paths, c.seed, c.generator, true});
+    const auto outcomes =
+        run_until_broken(members, {0, steps, in.bounded ? map_paths : map_paths_elsewhere, c.seed, c.generator, true});
     for (std::size_t k = 0; k < members.size(); ++k) {
       const auto& o = outcomes[k];
       auto m = row_in(in, {"stable_share", "", "1", "sampled"}, 1 - static_cast<double>(o.broken) / o.paths);

@@ -14,7 +14,7 @@
 namespace polhode {
 
 /// Of a cell of the map.
-inline constexpr int map_paths = 256;
+inline constexpr int map_paths = 256, map_paths_elsewhere = 64;
 
 /// [scheme][case]
 struct stability_findings {

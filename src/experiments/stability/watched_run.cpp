@@ -13,6 +13,7 @@
 namespace polhode {
 namespace {
 
+constexpr double close = 1e-12;    // of a Casimir, on an orbit that is not compact: beyond, paths are looked at singly
 constexpr int most_extension = 4;  // times the planned paths, where the mean energy is near its margin
 
 bool too_many(const stability_outcome& out, int planned) {
@@ -45,7 +46,7 @@ running_moments energy_of_whole(const watched_block& b) {
 }  // namespace
 
 void watched_block::look(stability_outcome& out) {
-  case_.bound.model->conserved(states, energy_, casimir_);
+  case_.bound.model->conserved(states, energy_, casimirs_);
   if (all_whole(out)) return;
   for (std::size_t lane = 0; lane < block_lanes; ++lane) {
     const auto now = judge(lane, out);
@@ -56,33 +57,60 @@ void watched_block::look(stability_outcome& out) {
   }
 }
 
-double watched_block::off(double c) const { return c > 0 ? std::fabs(c - case_.radius) / case_.radius : 1; }
+double watched_block::off(std::size_t i, double c) const {
+  if (case_.bounded && !(c > 0)) return 1;
+  return std::fabs(c - case_.casimirs[i]) / case_.casimir_sizes[i];
+}
+
+double watched_block::off(std::size_t lane) const {
+  double worst = 0;
+  const auto now =
+      case_.compact
+          ? case_.casimir_sizes
+          : case_.bound.model->casimir_sizes(lane_of(states, static_cast<int>(lane), case_.bound.model->dimension()));
+  for (std::size_t i = 0; i < case_.casimirs.size(); ++i) {
+    const double one = off(i, casimirs_[i * block_lanes + lane]) * std::min(1.0, case_.casimir_sizes[i] / now[i]);
+    worst = std::isnan(one) ? one : std::max(worst, one);
+    if (std::isnan(worst)) break;
+  }
+  return worst;
+}
 
 double watched_block::beyond(double h) const {
-  return std::max({0.0, h - case_.greatest_energy, case_.least_energy - h});
+  return case_.bounded ? std::max({0.0, h - case_.greatest_energy, case_.least_energy - h}) : 0;
 }
 
 bool watched_block::all_whole(stability_outcome& out) const {
-  const Eigen::Map<const Eigen::Array<double, block_lanes, 1>> h(energy_.data()), c(casimir_.data());
-  if (!std::isfinite(h.sum() + c.sum())) return false;
-  const double worst = std::max(off(c.minCoeff()), off(c.maxCoeff())), most = case_.energy_size(),
-               excess = std::max(beyond(h.minCoeff()), beyond(h.maxCoeff()));
-  if (!(worst <= casimir_share && excess <= energy_share * most)) return false;
+  using lanes = Eigen::Map<const Eigen::Array<double, block_lanes, 1>>;
+  const lanes h(energy_.data());
+  double sum = h.sum(), worst = 0;
+  for (std::size_t i = 0; i < case_.casimirs.size(); ++i) {
+    const lanes c(casimirs_.data() + i * block_lanes);
+    sum += c.sum();
+    worst = std::max({worst, off(i, c.minCoeff()), off(i, c.maxCoeff())});
+  }
+  if (!std::isfinite(sum)) return false;
+  const double least = h.minCoeff(), greatest = h.maxCoeff(), most = case_.energy_size(),
+               excess = std::max(beyond(least), beyond(greatest));
+  if (!(worst <= (case_.compact ? casimir_share : close) && excess <= energy_share * most)) return false;
+  out.see(least, greatest);
   out.worst_casimir = std::max(out.worst_casimir, worst);
   if (most > 0) out.worst_energy = std::max(out.worst_energy, excess / most);
   return true;
 }
 
 breakage watched_block::judge(std::size_t lane, stability_outcome& out) const {
-  const double h = energy_[lane], c = casimir_[lane];
-  if (!std::isfinite(h) || !std::isfinite(c)) {
-    if (!implicit_) out.worst_casimir = std::numeric_limits<double>::infinity();
+  const double h = energy_[lane], apart = off(lane);
+  if (!std::isfinite(h) || !std::isfinite(apart)) {
+    if (!implicit_ && case_.bounded) out.worst_casimir = std::numeric_limits<double>::infinity();
     return implicit_ ? breakage::not_solved : breakage::not_finite;
   }
   const double most = case_.energy_size();
-  out.worst_casimir = std::max(out.worst_casimir, off(c));
+  if (case_.bounded || (broken[lane] == breakage::none && apart <= casimir_share))
+    out.worst_casimir = std::max(out.worst_casimir, apart);
   if (most > 0) out.worst_energy = std::max(out.worst_energy, beyond(h) / most);
-  if (off(c) > casimir_share) return breakage::casimir;
+  if (apart > casimir_share) return breakage::casimir;
+  if (broken[lane] == breakage::none) out.see(h, h);
   return beyond(h) > energy_share * most ? breakage::energy_range : breakage::none;
 }
 

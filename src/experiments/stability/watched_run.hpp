@@ -16,27 +16,35 @@ namespace polhode {
 class watched_block {
  public:
   watched_block(const stability_case& c, bool implicit)
-      : states(replicated(c.bound.scene.momentum)), case_(c), implicit_(implicit) {}
+      : states(replicated(c.bound.scene.momentum)),
+        case_(c),
+        implicit_(implicit),
+        casimirs_(c.casimirs.size() * block_lanes) {}
 
   std::vector<double> states;
   std::array<breakage, block_lanes> broken{};
 
-  /// At the energy and |Pi| of all paths.
+  /// At the energy and the Casimirs of all paths.
   void look(stability_outcome&);
   double energy(std::size_t lane) const { return energy_[lane]; }
 
  private:
   const stability_case& case_;
   bool implicit_;
-  std::array<double, block_lanes> energy_{}, casimir_{};
+  std::array<double, block_lanes> energy_{};
+  lane_vector<double> casimirs_;  ///< [casimir][lane]
 
-  double off(double casimir) const;
+  /// Of the Casimir of that number, relative.
+  double off(std::size_t i, double casimir) const;
+  /// The largest of all Casimirs; NaN where one is no number. Where |mu| may grow without bound, rounding of a Casimir
+  /// is that of what it is made of now.
+  double off(std::size_t lane) const;
   double beyond(double h) const;
 
   /// What is nearly always so, by the extremes alone. NaN is in no order, but a sum keeps it.
   bool all_whole(stability_outcome&) const;
 
-  /// |Pi| = 0 is no rounding: its square has vanished, and with it every direction.
+  /// On a sphere |Pi| = 0 is no rounding: its square has vanished, and with it every direction.
   breakage judge(std::size_t lane, stability_outcome&) const;
 };
 

@@ -8,6 +8,7 @@
 // The Casimir is |p|: orbits are cylinders, so not compact. Sign convention as in lie/so3.hpp.
 #pragma once
 
+#include <polhode/lie/so3.hpp>
 #include <polhode/scalar.hpp>
 #include <polhode/vec.hpp>
 
@@ -71,11 +72,9 @@ struct se2 {
   /// p to the length of that of `onto`; of a state with p = 0 itself.
   template <class S>
   static vec<S, 3> orbit_projection(const vec<S, 3>& mu, const vec<S, 3>& onto) {
-    const S own = mu[1] * mu[1] + mu[2] * mu[2], asked = onto[1] * onto[1] + onto[2] * onto[2];
-    // As a correction of p, which a factor next to one would round alike step after step.
-    const S excess = select(own == S(0.0), S(0.0), S((asked - own) / own));
-    const S correction = excess / (S(1.0) + square_root(S(1.0) + excess));
-    return {{mu[0], mu[1] + correction * mu[1], mu[2] + correction * mu[2]}};
+    const auto plane = [](const vec<S, 3>& x) { return vec<S, 3>{{S(0.0), x[1], x[2]}}; };
+    const auto p = so3::orbit_projection(plane(mu), plane(onto));
+    return {{mu[0], p[1], p[2]}};
   }
 };
 

@@ -137,8 +137,11 @@ struct son {
   /// A point of the orbit of `onto` next to mu (lie/skew_projection.hpp).
   template <class S>
   POLHODE_CALLED static element<S> orbit_projection(const element<S>& mu, const element<S>& onto) {
+    // At |mu| = 1, where traces of powers neither overflow nor vanish.
+    const S size = square_root(dot(onto, onto)), unit = S(1.0) / size;
     return of_rows(mu.size, [&]<int n>(std::integral_constant<int, n>) {
-      return mu + above_diagonal(skew_projection(skew<n>(mu), skew<n>(onto), skew<n>(onto - mu)));
+      const auto apart = skew<n>(unit * (onto - mu));
+      return mu + size * above_diagonal(skew_projection(skew<n>(unit * mu), skew<n>(unit * onto), apart));
     });
   }
 };
