@@ -123,6 +123,20 @@ TEST(Stability, ElsewhereThanOnASphereExplicitEulerBreaksByItsCasimir) {
             "stable at every dt tried");  // turns about an axis at a constant rate
 }
 
+TEST(Stability, IsFoundOnEverySystem) {
+  for (const char* name :
+       {"heavy_top", "maxwell_bloch", "manakov", "sine_euler", "spin_pair", "spin_ring", "vortices"}) {
+    const auto r = quick(load_scene(name), {"lie_heun"});
+    const auto& found = limit(r, "lie_heun", "scene");
+    ASSERT_TRUE(found.low && found.high) << name;
+    const double rate = row(r, "fastest_rate", "scene");
+    EXPECT_GT(*found.low * rate, 0.125) << name;  // where the search begins
+    EXPECT_LT(*found.high * rate, 32) << name;
+    EXPECT_EQ(found.status, "first broken: mean energy") << name;
+    for (const auto& v : r.verdicts) EXPECT_EQ(v.kind, report::verdict_kind::holds) << name << ": " << v.reason;
+  }
+}
+
 TEST(Stability, AFalseClaimToKeepTheOrbitIsRefutedElsewhereToo) {
   auto s = bind_scene(load_scene("so4"));
   std::erase_if(s.schemes, [](const scheme_entry& e) { return e.info.name != "heun" && e.info.name != "lie_heun"; });
