@@ -39,5 +39,16 @@ TEST(StabilityLimit, LongerStepsThatAreStableByAccidentDoNotCount) {
   EXPECT_EQ(b.stable, 20);
 }
 
+// Up to half the largest stable dt; that itself where nothing else was run; no answer where no run is stable.
+TEST(StabilityLimit, TheOrbitIsJudgedWellWithinIt) {
+  finding f;
+  EXPECT_FALSE(f.worst_well_within());
+  f.limit.stable = 10;
+  f.whole = {{10, 1e-3}};
+  EXPECT_EQ(f.worst_well_within(), 1e-3);
+  f.whole = {{40, 1e-15}, {20, 1e-8}, {19, 1e-4}, {10, 1e-3}};
+  EXPECT_EQ(f.worst_well_within(), 1e-8);
+}
+
 }  // namespace
 }  // namespace polhode

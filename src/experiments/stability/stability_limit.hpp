@@ -30,17 +30,15 @@ struct finding {
   double worst_casimir = 0, worst_energy = 0;               ///< of all runs
   std::vector<std::pair<std::int64_t, double>> whole = {};  ///< of each stable run its steps and worst Casimir
 
-  /// The worst Casimir of the runs up to half the largest stable dt; if there is none, of that itself.
-  double worst_well_within() const {
-    double worst = 0, at_limit = 0;
-    bool any = false;
+  /// The worst Casimir of the runs up to half the largest stable dt; if there is none, of that itself; nothing where no
+  /// run is stable.
+  std::optional<double> worst_well_within() const {
+    std::optional<double> worst, at_limit;
     for (const auto& [steps, casimir] : whole) {
       if (steps == limit.stable) at_limit = casimir;
-      if (steps < 2 * limit.stable) continue;
-      any = true;
-      worst = std::max(worst, casimir);
+      if (steps >= 2 * limit.stable) worst = std::max(worst.value_or(0), casimir);
     }
-    return any ? worst : at_limit;
+    return worst ? worst : at_limit;
   }
 };
 

@@ -44,9 +44,13 @@ void judge_orbit(const scheme_entry& scheme, const std::vector<stability_case>& 
   if (!scheme.info.casimir.exact) return;
   const bool bounded = cases.front().bounded;
   double casimir = 0, energy = 0;
+  bool judged = false;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (!cases[i].normal) continue;
-    casimir = std::max(casimir, bounded ? found[i].worst_casimir : found[i].worst_well_within());
+    const auto worst = bounded ? std::optional(found[i].worst_casimir) : found[i].worst_well_within();
+    if (!worst) continue;
+    judged = true;
+    casimir = std::max(casimir, *worst);
     energy = std::max(energy, found[i].worst_energy);
   }
   // It rests on every path of every run, of which no row is kept.
@@ -57,6 +61,10 @@ void judge_orbit(const scheme_entry& scheme, const std::vector<stability_case>& 
     if (!std::isfinite(worst)) {
       v.kind = report::verdict_kind::refuted;
       v.reason = "a path was lost: not finite";
+    }
+    if (!judged) {
+      v.kind = report::verdict_kind::inconclusive;
+      v.reason = "no run is stable";
     }
     record.verdict(claim, v);
   };

@@ -64,12 +64,12 @@ double watched_block::off(std::size_t i, double c) const {
 
 double watched_block::off(std::size_t lane) const {
   double worst = 0;
-  const auto now =
-      case_.compact
-          ? case_.casimir_sizes
-          : case_.bound.model->casimir_sizes(lane_of(states, static_cast<int>(lane), case_.bound.model->dimension()));
+  const auto& m = *case_.bound.model;
+  std::vector<double> now;
+  if (!case_.compact) now = m.casimir_sizes(lane_of(states, static_cast<int>(lane), m.dimension()));
   for (std::size_t i = 0; i < case_.casimirs.size(); ++i) {
-    const double one = off(i, casimirs_[i * block_lanes + lane]) * std::min(1.0, case_.casimir_sizes[i] / now[i]);
+    const double grown = case_.compact ? 1 : std::min(1.0, case_.casimir_sizes[i] / now[i]);
+    const double one = off(i, casimirs_[i * block_lanes + lane]) * grown;
     worst = std::isnan(one) ? one : std::max(worst, one);
     if (std::isnan(worst)) break;
   }
