@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <functional>
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/casimir/casimir_drift.hpp"
@@ -38,6 +40,13 @@ struct long_run {
   std::unique_ptr<kernel> stepper;
   std::vector<double> states;
   drift_growth drift;
+  double seconds = 0;  ///< of the chunks so far: the dearest go first
+
+  void advance(const increment_view& noise) {
+    const auto begun = std::chrono::steady_clock::now();
+    stepper->advance(states, noise);
+    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  }
 
   void measure(const model& m, std::span<const double> start, double n) {
     const auto d = casimir_drifts(m, states, start);
@@ -75,49 +84,91 @@ void report_long_run(const long_run& run, double dt, recorder record) {
   record.verdict("Casimirs kept to rounding", judge_long_run(run, law), {written});
 }
 
+/// Runs side by side, one chunk of noise after the other. The next one is drawn meanwhile.
+class runs_under_one_noise {
+ public:
+  runs_under_one_noise(const context& c, double dt)
+      : c_(c), dt_(dt), silent_(c.subject.model->layout().silent()), view_(silence(chunk_steps)) {
+    for (int k = 0; k < 2 && !silent_; ++k)
+      held_.emplace_back(*c.subject.model, chunk_steps, any_needs_areas(c.subject.schemes),
+                         noise_source{c.generator, noise_quality::fast});
+    view_ = draw(0);
+  }
+
+  /// Of the chunk that is advanced over next.
+  const increment_view& noise() const { return view_; }
+
+  void advance(const std::vector<long_run*>& those) {
+    auto next = view_;
+    parallel_for(c_.threads, static_cast<int>(those.size()) + 1, [&](int k) {
+      if (k == 0)
+        next = draw(done_ + 1);
+      else
+        those[static_cast<std::size_t>(k - 1)]->advance(view_);
+    });
+    view_ = next;
+    ++done_;
+  }
+
+ private:
+  increment_view draw(int chunk) {
+    if (silent_) return silence(chunk_steps);
+    auto& buffer = held_[static_cast<std::size_t>(chunk % 2)];
+    return buffer.fill(c_.seed, 0, static_cast<std::uint64_t>(chunk) * chunk_steps, chunk_steps, dt_);
+  }
+
+  const context& c_;
+  double dt_;
+  bool silent_;
+  int done_ = 0;
+  increment_view view_;
+  std::vector<increment_buffer> held_;
+};
+
+void measure(const context& c, const std::vector<long_run*>& those, int chunks) {
+  const auto& s = c.subject;
+  for (auto* run : those) run->measure(*s.model, s.scene.momentum, static_cast<double>(chunks) * chunk_steps);
+}
+
+/// At 1, 2, 4, ... chunks, and at the last.
+void run_all(const context& c, int chunks, std::vector<long_run*> those, runs_under_one_noise& together,
+             noise_log& log) {
+  int next = 1;
+  for (int done = 0; done < chunks;) {
+    if (!together.noise().silent()) log.add(0, together.noise(), finest_step(c.subject));
+    together.advance(those);
+    if (++done == 1) std::ranges::sort(those, std::greater{}, &long_run::seconds);
+    if (done == next || done == chunks) measure(c, those, done);
+    if (done == next) next *= 2;
+    if (done % 50 == 0) c.progress(0.9 * done / chunks);
+  }
+}
+
+/// Twice as far each time, while a drift that was guessed would be refuted if it were measured.
+void go_on(const context& c, int done, std::vector<long_run*> open, runs_under_one_noise& together) {
+  constexpr int enough = static_cast<int>(judged_steps) / chunk_steps;
+  const auto decided = [](const long_run* run) { return !run->drift.has_to_go_on(); };
+  for (std::erase_if(open, decided); !open.empty(); std::erase_if(open, decided)) {
+    for (const int next = std::min(2 * done, enough); done < next; ++done) together.advance(open);
+    measure(c, open, done);
+  }
+}
+
 }  // namespace
 
 void report_long_runs(const context& c, bool dear, noise_log& log, report::results& out) {
   const auto& s = c.subject;
-  const int chunks = chunks_of(c, dear);
   const double dt = finest_step(s);
   std::vector<long_run> runs;
   for (const auto& scheme : s.schemes)
     if (scheme.info.casimir.exact) runs.push_back({&scheme, scheme.make(dt), replicated(s.scene.momentum), {}});
   if (runs.empty()) return;
-  increment_buffer noise(*s.model, chunk_steps, any_needs_areas(s.schemes), {c.generator, noise_quality::fast});
-  const auto chunk_of_noise = [&](int chunk) {
-    const auto first = static_cast<std::uint64_t>(chunk) * chunk_steps;
-    return !s.model->layout().silent() ? noise.fill(c.seed, 0, first, chunk_steps, dt) : silence(chunk_steps);
-  };
-  const auto advance = [&](const std::vector<long_run*>& those, const increment_view& view) {
-    parallel_for(c.threads, static_cast<int>(those.size()), [&](int k) {
-      auto& r = *those[static_cast<std::size_t>(k)];
-      r.stepper->advance(r.states, view);
-    });
-  };
-  const auto measure = [&](const std::vector<long_run*>& those, int done) {
-    for (auto* r : those) r->measure(*s.model, s.scene.momentum, static_cast<double>(done) * chunk_steps);
-  };
   std::vector<long_run*> every;
   for (auto& r : runs) every.push_back(&r);
-  double next = 1;
-  for (int chunk = 0; chunk < chunks; ++chunk) {
-    const auto view = chunk_of_noise(chunk);
-    if (!view.silent()) log.add(0, view, dt);
-    advance(every, view);
-    if (chunk + 1 >= next) {  // at 1, 2, 4, … chunks
-      measure(every, chunk + 1);
-      next *= 2;
-    }
-    if (chunk % 50 == 0) c.progress(0.9 * chunk / chunks);
-  }
-  if (every.front()->drift.steps.back() < static_cast<double>(chunks) * chunk_steps) measure(every, chunks);
-  auto open = every;
-  std::erase_if(open, [](const long_run* r) { return !r->drift.has_to_go_on(); });
-  const int enough = static_cast<int>(judged_steps) / chunk_steps;
-  for (int chunk = chunks; chunk < enough && !open.empty(); ++chunk) advance(open, chunk_of_noise(chunk));
-  measure(open, enough);
+  runs_under_one_noise together(c, dt);
+  const int chunks = chunks_of(c, dear);
+  run_all(c, chunks, every, together, log);
+  go_on(c, chunks, every, together);
   for (const auto& r : runs) report_long_run(r, dt, {"casimir", r.scheme->info.name, out});
 }
 
