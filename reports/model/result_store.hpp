@@ -15,6 +15,8 @@ class result_store {
  public:
   virtual ~result_store() = default;
   virtual std::optional<results> load(const std::string& key) = 0;
+  /// Whether it is worth to load; what is there may prove to be damaged.
+  virtual bool may_hold(const std::string& key) const = 0;
   virtual void save(const std::string& key, const results&) = 0;
 };
 

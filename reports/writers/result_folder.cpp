@@ -94,6 +94,11 @@ std::optional<results> result_folder::load(const std::string& key) try {
   return std::nullopt;
 }
 
+bool result_folder::may_hold(const std::string& key) const {
+  std::error_code error;
+  return access_ == access::use && fs::exists(file_of(key), error);
+}
+
 void result_folder::save(const std::string& key, const results& r) try {
   static std::atomic<unsigned> count = 0;
   const auto content = packed(key, to_json(r));

@@ -26,6 +26,7 @@ class result_folder final : public result_store {
   result_folder& operator=(const result_folder&) = delete;
 
   std::optional<results> load(const std::string& key) override;
+  bool may_hold(const std::string& key) const override;
   void save(const std::string& key, const results&) override;
 
   /// What the system said when something could not be saved, the first time; empty while all is well.

@@ -10,12 +10,14 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/answers/json.hpp"
 #include "cli/commands.hpp"
 #include "cli/comparing.hpp"
 #include "cli/kept/baseline.hpp"
 #include "cli/kept/cache.hpp"
 #include "cli/kept/user_folders.hpp"
 #include "cli/options/arguments.hpp"
+#include "cli/terminal/forecast_table.hpp"
 #include "cli/terminal/profile_table.hpp"
 #include "cli/terminal/progress.hpp"
 #include "cli/terminal/signals.hpp"
@@ -89,6 +91,9 @@ std::vector<report::results> run_all(std::span<const scene> scenes, verify_optio
       all.pop_back();
       if (notes) progress_note(label(told_of(part)));
     };
+    options.beforehand = [&](const std::vector<expected_cost>& costs) {
+      if (!given.quiet) print_aside(long_run_note(scene.name, costs, options.threads, terminal_width(STDERR_FILENO)));
+    };
     all.push_back(verify(scene, options, sink));
     if (notes) progress_note(label(told_of(all.back())));
     if (all.size() < scenes.size()) keep(scenes, all, all.size(), false, given);
@@ -138,6 +143,20 @@ void print_all(const verify_arguments& given, std::span<const report::results> a
   }
 }
 
+/// What is kept from earlier runs costs nothing.
+int tell_costs(std::span<const scene> scenes, const verify_options& options, const verify_arguments& given) {
+  std::string text, rows;
+  for (const auto& scene : scenes) {
+    const auto costs = expected_costs(scene, options);
+    text +=
+        (text.empty() ? "" : "\n") + forecast_table(scene.name, costs, options.threads, terminal_width(STDOUT_FILENO));
+    rows += (rows.empty() ? "" : ",\n") + to_json(scene.name, costs, options.threads);
+  }
+  const bool json = format_option(given.format) == format::json;
+  print(!json ? text : scenes.size() == 1 ? rows + '\n' : "[\n" + rows + "\n]\n");
+  return 0;
+}
+
 /// Of one that does not speak: its share of the work, in the same order.
 int take_part(std::span<const scene> scenes, const verify_options& options) {
   for (const auto& scene : scenes) verify(scene, options);
@@ -153,13 +172,15 @@ int run(const verify_arguments& given) {
   options.among = others();
   if (options.among != nullptr && given.budget)
     throw input_error(fmt::format("--budget '{}': accepted in a run of one process", one_line(*given.budget, 60)));
-  if (!speaks()) return take_part(scenes, options);
+  if (!speaks()) return given.forecast ? 0 : take_part(scenes, options);
   if (given.out.empty()) throw input_error("--out '': accepted: the folder to be written");
   const std::filesystem::path out{given.out};
   report::check_output_folder(out);
   const baseline earlier(given.baseline, given.save_baseline, scenes);
   const auto cache = cache_for(given, out);
   options.store = cache.get();
+
+  if (given.forecast) return tell_costs(scenes, options, given);
 
   const auto all = run_all(scenes, options, given);
   const auto compared = earlier.compare(all);

@@ -66,6 +66,7 @@ void add_verify_arguments(CLI::App& parser, verify_arguments& given) {
   add_option(parser, "--progress", given.progress, "auto: on terminals; lines: one an experiment [auto]", "P");
   add_flag(parser, "--latex", given.latex, "Write report.tex, too: tables and plots for a paper");
   add_flag(parser, "--profile", given.profile, "Say where the processor time went");
+  add_flag(parser, "--forecast", given.forecast, "Say what each experiment would cost, and end");
   add_flag(parser, "--fresh", given.fresh, "Compute all anew and replace what is cached");
   add_flag(parser, "--no-cache", given.no_cache, "Neither use the cache nor write to it");
   add_flag(parser, "-q,--quiet", given.quiet, "No summary, no progress");

@@ -19,7 +19,7 @@ struct verify_arguments {
                                     generator = "philox", format = "text", progress = "auto";
   integrator_arguments integrators;
   std::optional<std::string> baseline, save_baseline, budget;
-  bool fresh = false, no_cache = false, quiet = false, latex = false, profile = false;
+  bool fresh = false, no_cache = false, quiet = false, latex = false, profile = false, forecast = false;
 };
 
 /// Defaults, and the options that change them.

@@ -8,6 +8,7 @@
 
 #include "platform/isa.hpp"
 #include "reports/model/errors.hpp"
+#include "run/forecast.hpp"
 #include "run/foreign_runs.hpp"
 #include "run/machine_options.hpp"
 #include "run/measured_claims.hpp"
@@ -103,31 +104,55 @@ bool is_wanted(std::string_view scheme, const verify_options& options) {
   return options.schemes.empty() || std::ranges::find(options.schemes, scheme) != options.schemes.end();
 }
 
+/// Of an experiment in the time of a run: none of them takes no time at all.
+double weight_of(const expected_cost& e) { return e.cpu_seconds + 0.1; }
+
 void run_experiments(const subject& s, const std::vector<experiment>& experiments, const verify_options& options,
                      const progress_sink& progress, const stopwatch& watch, report::results& out) {
+  const auto costs = forecast(s, experiments, options);
+  if (options.beforehand) options.beforehand(costs);
   double total = 0, before = 0;
-  for (const auto& e : experiments) {
-    total += e.weight;
-    out.to_come.push_back(e.info.name);
+  for (const auto& e : costs) {
+    total += weight_of(e);
+    out.to_come.push_back(e.experiment);
   }
   experiment_profile profile(options.profile);
-  for (const auto& e : experiments) {
+  for (std::size_t i = 0; i < experiments.size(); ++i) {
+    const auto& e = experiments[i];
+    const double weight = weight_of(costs[i]);
     profile.begin();
     const auto tell = [&](double share) {
-      if (progress) progress((before + e.weight * share) / total, e.info.name);
+      if (progress) progress((before + weight * share) / total, e.info.name);
     };
     tell(0);
     out.experiments.push_back(e.info);
     const context c{s, options.effort, options.threads, options.seed, generator_named(options.generator), tell, &out};
     if (run_in_time(e, c, options, out)) std::erase(out.to_come, e.info.name);
     profile.end(e.info.name, out.profile);
-    before += e.weight;
+    before += weight;
     if (options.so_far && &e != &experiments.back()) options.so_far(finished(out, watch));
   }
   if (progress) progress(1, "done");
 }
 
+/// What runs: these schemes on the scene, and these experiments.
+std::pair<subject, std::vector<experiment>> wanted_of(subject s, const verify_options& options) {
+  auto experiments = all_experiments();
+  keep_wanted(
+      s.schemes, options.schemes, "--schemes", [](const scheme_entry& e) { return e.info.name; },
+      refusing(options.foreign));
+  if (!options.schemes.empty()) s = restricted(std::move(s), options.schemes);
+  keep_wanted(experiments, options.experiments, "--experiments", [](const experiment& e) { return e.info.name; });
+  return {std::move(s), std::move(experiments)};
+}
+
 }  // namespace
+
+std::vector<expected_cost> expected_costs(const scene& s, const verify_options& options) {
+  apply_isa(options.isa);
+  const auto [subject, experiments] = wanted_of(bind_scene(s, options.foreign), options);
+  return forecast(subject, experiments, options);
+}
 
 void check_options(const scene& s, const verify_options& options) {
   apply_isa(options.isa);
@@ -139,15 +164,9 @@ void check_options(const scene& s, const verify_options& options) {
   keep_wanted(experiments, options.experiments, "--experiments", [](const experiment& e) { return e.info.name; });
 }
 
-report::results verify_subject(subject s, const verify_options& options, const progress_sink& progress) {
+report::results verify_subject(subject whole, const verify_options& options, const progress_sink& progress) {
   gsl_set_error_handler_off();  // GSL's failures come back as values here, not as abort()
-  auto experiments = all_experiments();
-  keep_wanted(
-      s.schemes, options.schemes, "--schemes", [](const scheme_entry& e) { return e.info.name; },
-      refusing(options.foreign));
-  if (!options.schemes.empty()) s = restricted(std::move(s), options.schemes);
-  keep_wanted(experiments, options.experiments, "--experiments", [](const experiment& e) { return e.info.name; });
-
+  const auto [s, experiments] = wanted_of(std::move(whole), options);
   report::results out;
   out.scene = s.scene;
   out.skipped = s.inapplicable;

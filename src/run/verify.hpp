@@ -20,6 +20,12 @@
 
 namespace polhode {
 
+/// Of one experiment, beforehand.
+struct expected_cost {
+  std::string experiment;
+  double cpu_seconds = 0;
+};
+
 struct verify_options {
   std::vector<std::string> schemes;      ///< empty: all
   std::vector<std::string> experiments;  ///< empty: all
@@ -28,6 +34,8 @@ struct verify_options {
   std::uint64_t seed = 1;
   std::string generator = "philox";  ///< of random bits: philox, or ars where the processor has AES
   std::string isa = "auto";          ///< instruction set of the inner loops; auto: the widest that this machine has
+  /// Called before the first experiment with what each is expected to cost.
+  std::function<void(const std::vector<expected_cost>&)> beforehand = {};
   /// Called after every experiment but the last with what there is by then, the rest named in `to_come`.
   std::function<void(const report::results&)> so_far = {};
   bool profile = false;                   ///< say where the processor time went
@@ -41,6 +49,9 @@ struct verify_options {
 /// Runs the experiments. `provenance` of the result holds what is known here (seed, effort, threads, times).
 /// Throws input_error on an unknown scheme or experiment (names the nearest one).
 report::results verify(const scene&, const verify_options&, const progress_sink& = {});
+
+/// What each experiment is expected to cost (run/forecast.hpp). Runs none; throws as verify() does.
+std::vector<expected_cost> expected_costs(const scene&, const verify_options&);
 
 /// Throws what verify() would throw of these options, before any work.
 void check_options(const scene&, const verify_options&);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/terminal/forecast_table.hpp"
 #include "cli/terminal/layout.hpp"
 #include "cli/terminal/reproduction_table.hpp"
 #include "reports/model/text.hpp"
@@ -120,6 +121,29 @@ TEST(reproductions, fit_and_give_reasons_for_what_differs) {
       for (const auto& line : lines_of(text)) EXPECT_LE(display_width(line), width) << line;
       EXPECT_EQ(text.find("reason") != text.npos, verdict != report::agreement::agrees) << text;
     }
+}
+
+TEST(forecasts, name_the_dearest_first_with_two_digits) {
+  const std::vector<expected_cost> costs{{"casimir", 0.2}, {"weak", 12.34}, {"gibbs", 600}, {"modified", 0}};
+  EXPECT_EQ(cli::forecast_table("a", costs, 2, 80),
+            "experiment  expected CPU time\n"
+            "gibbs       10 min\n"
+            "weak        12 s\n"
+            "casimir     below 1 s\n"
+            "modified    none\n"
+            "a: about 5.1 min on 2 threads\n");
+}
+
+TEST(forecasts, are_told_beforehand_where_a_run_is_long) {
+  const std::vector<expected_cost> costs{{"strong", 59}, {"energy", 1}, {"weak", 7200}};
+  EXPECT_EQ(cli::long_run_note("a", costs, 1, 80),
+            "a: about 2.0 h on 1 thread: weak 2.0 h (--budget ends it in time)\n");
+  EXPECT_EQ(cli::long_run_note("a", std::span(costs).first(2), 1, 80),
+            "a: about 60 s on 1 thread: strong 59 s (--budget ends it in time)\n");
+  EXPECT_EQ(cli::long_run_note("a", std::span(costs).first(2), 2, 80), "");
+  EXPECT_EQ(cli::long_run_note("a", {}, 2, 80), "");
+  for (const auto& line : lines_of(cli::long_run_note("a scene with a name", costs, 64, 40)))
+    EXPECT_LE(display_width(line), 40U) << line;
 }
 
 TEST(layout, names_stand_beside_or_above) {

@@ -90,4 +90,11 @@ std::string to_json(const checked_recording& checked) {
   return out.dump(2) + '\n';
 }
 
+std::string to_json(std::string_view scene, std::span<const expected_cost> costs, int threads) {
+  json experiments = json::array();
+  for (const auto& one : costs)
+    experiments.push_back({{"name", one.experiment}, {"expected_cpu_seconds", one.cpu_seconds}});
+  return json{{"scene", scene}, {"threads", threads}, {"experiments", experiments}}.dump(2);
+}
+
 }  // namespace polhode::cli

@@ -85,6 +85,11 @@ void run(const context& c, report::results& out) {
   log.report("attractor", out);
 }
 
+expected_work work_of(const subject& s, effort e) {
+  if (s.sphere()) return {by_effort(e, 7e7, 9e8, 9e9), 0};
+  return {by_effort(e, 5e6, 2e7, 2e8), 0};
+}
+
 }  // namespace
 
 std::int64_t attractor_frame::steps_in(double time, double step) const {
@@ -138,7 +143,7 @@ experiment attractor_experiment() {
         "spin, at half, one, two and four times that in which the volume of a set shrinks by e.",
         "Normals: fast ones. Areas from the weak surrogate, as in the transfer operator. Noise: the moments and "
         "correlations of all paths drawn, part by part, against their law; of one scheme, as all have the same."}},
-      4,
+      work_of,
       skip_reason,
       run};
 }

@@ -29,6 +29,8 @@ void run(const context& c, bool dear, report::results& out) {
   }
 }
 
+expected_work work_of(const subject& s, effort e, bool dear) { return {steps_of_long_run(s, e, dear), 0.01}; }
+
 }  // namespace
 
 experiment casimir_experiment() {
@@ -52,13 +54,14 @@ experiment casimir_experiment() {
         "bracket, J B(mu) J^T = B(step(mu)). Of schemes that do not claim it, the order of what is missing, which is "
         "their deterministic order and one more, or better.",
         "Normals: fast ones (right to 1e-6) in the long runs, precise ones for the drift."}},
-      3,
+      [](const subject& s, effort e) { return work_of(s, e, false); },
       [](const subject&) -> std::optional<std::string> { return std::nullopt; },
       [](const context& c, report::results& out) { run(c, false, out); }};
 }
 
 experiment dear_casimir_experiment() {
   auto e = casimir_experiment();
+  e.work = [](const subject& s, effort level) { return work_of(s, level, true); };
   e.run = [](const context& c, report::results& out) { run(c, true, out); };
   return e;
 }

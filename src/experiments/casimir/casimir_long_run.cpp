@@ -28,10 +28,10 @@ bool dear_steps(const subject& s) {
 }
 
 /// dear: by what is known of the schemes.
-int chunks_of(const context& c, bool dear) {
+int chunks_of(const subject& s, effort e, bool dear) {
   if (dear) return 100;
-  if (c.effort == effort::quick && dear_steps(c.subject)) return std::max(40, 600 / c.subject.model->dimension());
-  return by_effort(c.effort, 1000, 2500, 10'000);
+  if (e == effort::quick && dear_steps(s)) return std::max(40, 600 / s.model->dimension());
+  return by_effort(e, 1000, 2500, 10'000);
 }
 
 /// One scheme on one block of paths for a long time.
@@ -156,6 +156,10 @@ void go_on(const context& c, int done, std::vector<long_run*> open, runs_under_o
 
 }  // namespace
 
+double steps_of_long_run(const subject& s, effort e, bool dear) {
+  return static_cast<double>(chunks_of(s, e, dear)) * chunk_steps * block_lanes;
+}
+
 void report_long_runs(const context& c, bool dear, noise_log& log, report::results& out) {
   const auto& s = c.subject;
   const double dt = finest_step(s);
@@ -166,7 +170,7 @@ void report_long_runs(const context& c, bool dear, noise_log& log, report::resul
   std::vector<long_run*> every;
   for (auto& r : runs) every.push_back(&r);
   runs_under_one_noise together(c, dt);
-  const int chunks = chunks_of(c, dear);
+  const int chunks = chunks_of(s, c.effort, dear);
   run_all(c, chunks, every, together, log);
   go_on(c, chunks, every, together);
   for (const auto& r : runs) report_long_run(r, dt, {"casimir", r.scheme->info.name, out});

@@ -7,6 +7,9 @@
 
 namespace polhode {
 
+/// Of each scheme that makes one, every path of its block counted; where none has to go on.
+double steps_of_long_run(const subject&, effort, bool dear);
+
 /// On one block of paths at the scene's finest dt: the drift over the number of steps, its growth law, the verdict.
 /// dear: over a tenth of the steps, as at effort quick where a state is long.
 void report_long_runs(const context&, bool dear, noise_log&, report::results&);

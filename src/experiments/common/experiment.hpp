@@ -28,9 +28,15 @@ struct context {
   const report::results* before = nullptr;  ///< what the experiments before this one found
 };
 
+/// What an experiment expects to do for each scheme, by what runs of it have done.
+struct expected_work {
+  double path_steps = 0;  ///< of single paths, or what takes as long
+  double seconds = 0;     ///< of a processor beside them: operators and their equations
+};
+
 struct experiment {
   report::experiment info;
-  double weight = 1;  ///< share of a run's time, for the ETA
+  std::function<expected_work(const subject&, effort)> work;
   /// Why this experiment cannot say anything about this scene; empty: it can.
   std::function<std::optional<std::string>(const subject&)> skip_reason;
   /// Appends measurements, fits, verdicts and skips.

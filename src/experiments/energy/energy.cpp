@@ -69,6 +69,8 @@ void run(const context& c, report::results& out) {
   report_energy_trace(c, out);
 }
 
+expected_work work_of(const subject& s, effort e) { return {by_effort(e, 4e5, 4e5, 1e6), s.sphere() ? 0.02 : 0}; }
+
 }  // namespace
 
 experiment energy_experiment() {
@@ -87,7 +89,7 @@ experiment energy_experiment() {
         "(h_0 - m) exp(-3 sigma^2 t) at all times, m the mean over the sphere. The error of one step, over dt, from "
         "points all over the sphere, by quadrature over the noise; judged like the weak errors (experiment weak). Of "
         "schemes that keep the sphere it bounds the error of E[h] at any time, however late."}},
-      1,
+      work_of,
       [](const subject& s) -> std::optional<std::string> {
         if (at_rest(s)) return "the initial momentum is an equilibrium: nothing moves without noise";
         return std::nullopt;

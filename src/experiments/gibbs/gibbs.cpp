@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 
 #include "experiments/common/experiment.hpp"
+#include "experiments/common/operator_work.hpp"
 #include "experiments/common/progress_counter.hpp"
 #include "experiments/gibbs/gibbs_moments.hpp"
 #include "experiments/gibbs/gibbs_on_orbits.hpp"
 #include "experiments/gibbs/gibbs_sampled.hpp"
+#include "experiments/gibbs/long_runs.hpp"
 #include "experiments/laws/stationary_bias.hpp"
 
 namespace polhode {
@@ -33,6 +35,12 @@ void run(const context& c, report::results& out) {
   if (!c.subject.sphere()) return report_sampled_means(c, out);
   report_sampled_law(part_of(c, 0, 0.5), out);
   report_stationary_bias(part_of(c, 0.5, 1), out);
+}
+
+expected_work work_of(const subject& s, effort e) {
+  if (s.sphere()) return {by_effort(e, 6e6, 1.5e7, 3e7), by_sphere(s, 0.1, 2, 0.2)};
+  if (no_gibbs_means(s)) return {};
+  return {by_effort(e, 9e6, 3e7, 1e8), 0};
 }
 
 }  // namespace
@@ -67,7 +75,7 @@ experiment gibbs_experiment() {
         "is asked of all means. Means that vanish by symmetry have no slope.",
         "Normals: fast ones (right to 1e-6). Areas are drawn from the weak surrogate (independent normals of variance "
         "dt^2/4)."}},
-      4,
+      work_of,
       skip_reason,
       run};
 }

@@ -14,6 +14,7 @@
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/experiment.hpp"
 #include "experiments/common/levels.hpp"
+#include "experiments/common/operator_work.hpp"
 #include "experiments/common/progress_counter.hpp"
 #include "experiments/common/undecided.hpp"
 #include "experiments/lyapunov/chaos_border.hpp"
@@ -116,6 +117,11 @@ std::optional<std::string> skip_reason(const subject& s) {
   return std::nullopt;
 }
 
+expected_work work_of(const subject& s, effort e) {
+  if (s.sphere()) return {by_effort(e, 5e6, 1e7, 1e8), by_sphere(s, 0.3, 0.3, 2)};
+  return {by_effort(e, 1e7, 3e7, 3e8), 0};
+}
+
 }  // namespace
 
 experiment lyapunov_experiment() {
@@ -153,7 +159,7 @@ experiment lyapunov_experiment() {
         "to a thousandth of the fastest rate. Without dissipation exponents come in pairs that cancel. The sign of "
         "lambda_1 is asked of schemes where that of the equation is known.",
         "Normals: fast ones (right to 1e-6). Areas are drawn from the weak surrogate."}},
-      4,
+      work_of,
       skip_reason,
       run};
 }

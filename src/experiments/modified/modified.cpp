@@ -6,6 +6,7 @@
 // Zygalakis, SIAM J. Sci. Comput. 33 (2011) 102, and Abdulle, Cohen, Vilmart, Zygalakis, SIAM J. Sci. Comput. 34 (2012)
 // A1800). The rigid body whose generator is nearest to it says what the scheme's inertia, dissipation and noise are in
 // effect; what no rigid body does is the residual.
+#include "experiments/common/operator_work.hpp"
 #include "experiments/common/undecided.hpp"
 #include "experiments/modified/converging_numbers.hpp"
 #include "experiments/modified/modified_constants.hpp"
@@ -78,6 +79,8 @@ std::optional<std::string> skip_reason(const subject& s) {
   return beyond_reach(s);
 }
 
+expected_work work_of(const subject& s, effort) { return {0, by_sphere(s, 0.2, 0.2, 0.2)}; }
+
 }  // namespace
 
 experiment modified_experiment() {
@@ -101,7 +104,7 @@ experiment modified_experiment() {
         "the least decay rate of the Kolmogorov operator. Asymptotic variance of time averages: both by Poisson "
         "equations. Judged as power series, like the parameters.",
         "dt: from 0.3 of the fastest time scale down, where the logarithm exists."}},
-      1,
+      work_of,
       skip_reason,
       run};
 }

@@ -137,17 +137,27 @@ std::vector<std::string> notes() {
       "dt^2/4)."};
 }
 
+expected_work work_of(const subject& s, effort e) {
+  if (s.model->noise() == noise_class::none) return {by_effort(e, 1e7, 1e8, 1e9), 0};  // one block is enough
+  if (s.sphere()) return {by_effort(e, 8e7, 1e9, 1e10), 0};
+  return {by_effort(e, 6e6, 4e7, 4e8), 0};
+}
+
 }  // namespace
 
 experiment stability_experiment() {
   return {{"stability", "How large may a step be before the scheme breaks, and by what does it break first?", notes()},
-          3,
+          work_of,
           skip_reason,
           [](const context& c, report::results& out) { run(c, false, out); }};
 }
 
 experiment dear_stability_experiment() {
   auto e = stability_experiment();
+  e.work = [](const subject& s, effort level) {
+    constexpr double of_the_scene_alone = 0.1;
+    return expected_work{of_the_scene_alone * work_of(s, level).path_steps};
+  };
   e.run = [](const context& c, report::results& out) { run(c, true, out); };
   return e;
 }

@@ -131,6 +131,8 @@ void run(const context& c, report::results& out) {
   report_the_reference(r, blocks_of(plan.first) * block_lanes, out);
 }
 
+expected_work work_of(const subject& s, effort e) { return {by_effort(e, 3e6, 4e6, 1e7), s.sphere() ? 0.05 : 0}; }
+
 }  // namespace
 
 experiment strong_experiment() {
@@ -158,7 +160,7 @@ experiment strong_experiment() {
         "the areas inside the fine cells. That moves no slope while dt is well above a cell. How far it is: from "
         "references of the levels' own steps as cells, extrapolated (row noise).",
         "Normals: precise ones."}},
-      3,
+      work_of,
       [](const subject& s) -> std::optional<std::string> {
         if (s.model->noise() == noise_class::none)
           return "no noise: the experiment energy measures the order for sigma = 0";

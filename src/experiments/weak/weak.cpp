@@ -8,6 +8,7 @@
 
 #include <functional>
 
+#include "experiments/common/operator_work.hpp"
 #include "experiments/common/undecided.hpp"
 #include "experiments/laws/extrapolation.hpp"
 #include "experiments/weak/weak_sampled.hpp"
@@ -60,6 +61,11 @@ std::optional<std::string> skip_reason(const subject& s) {
   return s.sphere() ? beyond_reach(s) : std::nullopt;
 }
 
+expected_work work_of(const subject& s, effort e) {
+  if (s.sphere()) return {by_effort(e, 3.5e6, 5e6, 1e7), by_sphere(s, 0.3, 1.2, 2)};
+  return {by_effort(e, 7e6, 1.2e7, 2e7), 0};
+}
+
 }  // namespace
 
 experiment weak_experiment() {
@@ -104,7 +110,7 @@ experiment weak_experiment() {
         "Areas of transfer operators are drawn from the weak surrogate (independent normals of variance dt^2/4); "
         "those of "
         "sampled paths are the path's own."}},
-      2,
+      work_of,
       skip_reason,
       run,
       extrapolated_names()};

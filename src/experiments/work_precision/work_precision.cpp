@@ -10,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include "experiments/common/operator_work.hpp"
 #include "experiments/common/recorder.hpp"
 #include "experiments/laws/extrapolation.hpp"
 #include "experiments/work_precision/cost_front.hpp"
@@ -160,6 +161,8 @@ void run(const context& c, report::results& out) {
   report_missing(c, kinds, out);
 }
 
+expected_work work_of(const subject& s, effort) { return {1e5, s.sphere() ? by_sphere(s, 0.2, 2, 1) : 0.05}; }
+
 }  // namespace
 
 experiment work_precision_experiment() {
@@ -189,7 +192,7 @@ experiment work_precision_experiment() {
         "between two measured levels; nothing is extrapolated beyond them. Tied: the ranges of the ratio reach 1.",
         "Combinations over step sizes pay for all their runs and stand at the coarsest dt. A step may cost more at a "
         "long dt, where rotations need longer polynomials: costs between two levels are of the same power law."}},
-      1,
+      work_of,
       [](const subject&) -> std::optional<std::string> { return std::nullopt; },
       run,
       extrapolated_names()};
