@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "ensemble/noise/noise_defect.hpp"
@@ -36,7 +37,10 @@ void parallel_for(int threads, int count, const std::function<void(int)>& work) 
   };
   {
     std::vector<std::jthread> others;
-    for (int t = 1; t < std::min(threads, count); ++t) others.emplace_back(worker);
+    try {
+      for (int t = 1; t < std::min(threads, count); ++t) others.emplace_back(worker);
+    } catch (const std::system_error&) {  // the system has no more threads: those there are do the work
+    }
     worker();
   }
   if (failure) std::rethrow_exception(failure);
