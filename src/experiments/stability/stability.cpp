@@ -140,7 +140,7 @@ std::vector<std::string> notes() {
 expected_work work_of(const subject& s, effort e) {
   if (s.model->noise() == noise_class::none) return {by_effort(e, 1e7, 1e8, 1e9), 0};  // one block is enough
   if (s.sphere()) return {by_effort(e, 8e7, 1e9, 1e10), 0};
-  return {by_effort(e, 6e6, 4e7, 4e8), 0};
+  return {by_effort(e, 6e6, 5e7, 2e9), 0};
 }
 
 }  // namespace
