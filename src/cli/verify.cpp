@@ -92,7 +92,8 @@ std::vector<report::results> run_all(std::span<const scene> scenes, verify_optio
       if (notes) progress_note(label(told_of(part)));
     };
     options.beforehand = [&](const std::vector<expected_cost>& costs) {
-      if (!given.quiet) print_aside(long_run_note(scene.name, costs, options.threads, terminal_width(STDERR_FILENO)));
+      if (!given.quiet && options.among == nullptr)  // it is of one process
+        print_aside(long_run_note(scene.name, costs, options.threads, terminal_width(STDERR_FILENO)));
     };
     all.push_back(verify(scene, options, sink));
     if (notes) progress_note(label(told_of(all.back())));
