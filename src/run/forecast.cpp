@@ -61,25 +61,37 @@ bool is_kept(const context& c, const experiment& e, std::string_view scheme, con
   return !key.empty() && options.store->may_hold(key);
 }
 
-double cost_of(const experiment& e, const context& c, step_prices& prices, const verify_options& options) {
+void add_costs(const experiment& e, const context& c, step_prices& prices, const verify_options& options,
+               std::vector<scheme_cost>& out) {
   report::results unread;
-  double seconds = 0;
   for (const auto& part : parts_for(e, c.subject, options.foreign, unread)) {
     const auto work = part.experiment.work(part.subject, c.effort);
     for (const auto& scheme : part.subject.schemes)
-      if (!is_kept(c, e, scheme.info.name, options)) seconds += work.path_steps * prices.of(scheme) + work.seconds;
+      if (!is_kept(c, e, scheme.info.name, options))
+        out.push_back({e.info.name, std::string(scheme.info.name), work.path_steps * prices.of(scheme) + work.seconds});
   }
-  return seconds;
 }
 
 }  // namespace
 
-std::vector<expected_cost> forecast(const subject& s, std::span<const experiment> experiments,
-                                    const verify_options& options) {
+std::vector<scheme_cost> scheme_costs(const subject& s, std::span<const experiment> experiments,
+                                      const verify_options& options) {
   step_prices prices(s, options);
   const context c{s, options.effort, options.threads, options.seed, generator_named(options.generator)};
+  std::vector<scheme_cost> out;
+  for (const auto& e : experiments)
+    if (!e.skip_reason(s)) add_costs(e, c, prices, options, out);
+  return out;
+}
+
+std::vector<expected_cost> forecast(std::span<const experiment> experiments, std::span<const scheme_cost> costs) {
   std::vector<expected_cost> out;
-  for (const auto& e : experiments) out.push_back({e.info.name, e.skip_reason(s) ? 0 : cost_of(e, c, prices, options)});
+  for (const auto& e : experiments) {
+    double seconds = 0;
+    for (const auto& one : costs)
+      if (one.experiment == e.info.name) seconds += one.cpu_seconds;
+    out.push_back({e.info.name, seconds});
+  }
   return out;
 }
 

@@ -7,13 +7,17 @@
 #include <vector>
 
 #include "experiments/common/experiment.hpp"
+#include "run/shared_work.hpp"
 #include "run/verify.hpp"
 
 namespace polhode {
 
-/// Processor time of the experiments that apply to the subject, in their order: the steps that each expects at the
-/// price of a step as it is measured here in milliseconds, and its operators. Nothing for what is kept in the store.
+/// Processor time of each scheme in each experiment that applies to the subject, but for what is kept in the store: the
+/// steps that the experiment expects at the price of a step as it is measured here in milliseconds, and its operators.
 /// Right within a factor of two or so: most experiments end when their intervals are narrow enough.
-std::vector<expected_cost> forecast(const subject&, std::span<const experiment>, const verify_options&);
+std::vector<scheme_cost> scheme_costs(const subject&, std::span<const experiment>, const verify_options&);
+
+/// The same of all schemes together, experiment by experiment.
+std::vector<expected_cost> forecast(std::span<const experiment>, std::span<const scheme_cost>);
 
 }  // namespace polhode

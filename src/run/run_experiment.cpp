@@ -53,18 +53,6 @@ void add(const report::counters& more, report::counters& sum) {
   sum.kernels_run += more.kernels_run;
 }
 
-report::results compute(const experiment& e, const context& c, const names& schemes) {
-  const auto s = restricted(c.subject, schemes);
-  report::results out;
-  out.provenance = build_provenance();
-  const auto work = work_done_so_far();
-  const double cpu = cpu_seconds();
-  e.run({s, c.effort, c.threads, c.seed, c.generator, c.progress, c.before}, out);
-  out.provenance.cpu_seconds = cpu_seconds() - cpu;
-  out.done.work = work_done_so_far() - work;
-  return out;
-}
-
 /// One scheme's part of a run, as it is kept: its rows, those of no scheme, and an equal share of the work.
 report::results part_of(const experiment& e, const report::results& run, const names& computed,
                         const std::string& scheme) {
@@ -118,20 +106,44 @@ void keep_own_rows(const experiment& e, joint_run& run) {
   run.found = std::move(own);
 }
 
-/// One run of all, or one a rank: every so many of the schemes. The first rank's draws areas if any does.
-std::vector<joint_run> compute_all(const experiment& e, const context& c, const ranks* among, names schemes) {
-  if (among == nullptr || among->size() == 1) return {{schemes, compute(e, c, schemes)}};
+/// Every so many of the schemes to each rank. The first rank's draws areas if any does.
+dealt_schemes dealt_in_turn(const subject& s, int ranks, names schemes) {
   std::ranges::stable_partition(schemes, [&](const std::string& name) {
-    return std::ranges::find(c.subject.schemes, name, [](const scheme_entry& s) { return s.info.name; })->needs_areas;
+    return std::ranges::find(s.schemes, name, [](const scheme_entry& e) { return e.info.name; })->needs_areas;
   });
-  std::vector<joint_run> runs(static_cast<std::size_t>(among->size()));
-  for (std::size_t i = 0; i < schemes.size(); ++i) runs[i % runs.size()].schemes.push_back(schemes[i]);
-  const auto& mine = runs[static_cast<std::size_t>(among->rank())].schemes;
-  auto found = among->of_all(mine.empty() ? report::results{} : compute(e, c, mine));
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    runs[i].found = std::move(found[i]);
-    if (i > 0) keep_own_rows(e, runs[i]);
-  }
+  dealt_schemes out(static_cast<std::size_t>(ranks));
+  for (std::size_t i = 0; i < schemes.size(); ++i) out[i % out.size()].push_back(std::move(schemes[i]));
+  return out;
+}
+
+/// What was dealt of the experiment beforehand, if that is just what is missing: the same on all ranks.
+const dealt_schemes* dealt_before(const experiment& e, const shared_work* shared, const names& missing) {
+  if (shared == nullptr || !shared->dealt.contains(e.info.name)) return nullptr;
+  const auto& dealt = shared->dealt.at(e.info.name);
+  std::set<std::string> all;
+  for (const auto& some : dealt) all.insert(some.begin(), some.end());
+  return all == std::set<std::string>(missing.begin(), missing.end()) ? &dealt : nullptr;
+}
+
+/// One run of all, or one of each rank that has some of them; first that which draws areas if any does.
+std::vector<joint_run> compute_all(const experiment& e, const context& c, const kept_results& kept,
+                                   const names& schemes) {
+  const auto* among = kept.among;
+  if (among == nullptr || among->size() == 1) return {{schemes, computed(e, c, schemes)}};
+  const auto* before = dealt_before(e, kept.shared, schemes);
+  const auto dealt = before != nullptr ? *before : dealt_in_turn(c.subject, among->size(), schemes);
+  const auto& mine = dealt[static_cast<std::size_t>(among->rank())];
+  auto found = among->of_all(mine.empty()        ? report::results{}
+                             : before != nullptr ? kept.shared->found.at(e.info.name)
+                                                 : computed(e, c, mine));
+  std::vector<joint_run> runs;
+  for (std::size_t i = 0; i < dealt.size(); ++i)
+    if (!dealt[i].empty()) runs.push_back({dealt[i], std::move(found[i])});
+  const auto draws_areas = [&](const joint_run& run) {
+    return any_needs_areas(restricted(c.subject, run.schemes).schemes);
+  };
+  std::ranges::stable_partition(runs, draws_areas);
+  for (std::size_t i = 1; i < runs.size(); ++i) keep_own_rows(e, runs[i]);
   return runs;
 }
 
@@ -141,7 +153,7 @@ void compute_missing(const experiment& e, const context& c, const kept_results& 
   for (const auto& one : entries)
     if (!one.part) missing.push_back(one.scheme);
   if (missing.empty()) return;
-  const auto runs = compute_all(e, c, kept.among, missing);
+  const auto runs = compute_all(e, c, kept, missing);
   for (auto& one : entries) {
     if (one.part) continue;
     const auto run = std::ranges::find_if(runs, [&](const joint_run& r) { return contains(r.schemes, one.scheme); });
@@ -184,9 +196,21 @@ subject restricted(subject s, const names& schemes) {
   return s;
 }
 
+report::results computed(const experiment& e, const context& c, const names& schemes) {
+  const auto s = restricted(c.subject, schemes);
+  report::results out;
+  out.provenance = build_provenance();
+  const auto work = work_done_so_far();
+  const double cpu = cpu_seconds();
+  e.run({s, c.effort, c.threads, c.seed, c.generator, c.progress, c.before}, out);
+  out.provenance.cpu_seconds = cpu_seconds() - cpu;
+  out.done.work = work_done_so_far() - work;
+  return out;
+}
+
 void run_experiment(const experiment& e, const context& c, const kept_results& kept, report::results& out) {
   auto* store = e.kept ? kept.store : nullptr;
-  const kept_results here{store, kept.but_of, kept.among};
+  const kept_results here{store, kept.but_of, kept.among, kept.shared};
   auto entries = ask(e, c, here);
   for (const auto& one : entries)
     if (one.part) out.reused.push_back(reused(e, one));

@@ -8,6 +8,7 @@
 #include "experiments/common/experiment.hpp"
 #include "reports/model/result_store.hpp"
 #include "run/ranks.hpp"
+#include "run/shared_work.hpp"
 
 namespace polhode {
 
@@ -18,8 +19,12 @@ subject restricted(subject, const std::vector<std::string>& schemes);
 struct kept_results {
   report::result_store* store = nullptr;
   std::vector<std::string> but_of = {};
-  const ranks* among = nullptr;  ///< share the schemes, and the first keeps what they find; null: alone
+  const ranks* among = nullptr;         ///< share the schemes, and the first keeps what they find; null: alone
+  const shared_work* shared = nullptr;  ///< how, and what this one has found already; null: scheme by scheme in turn
 };
+
+/// What the experiment says of these of the subject's schemes, with the work that it was.
+report::results computed(const experiment&, const context&, const std::vector<std::string>& schemes);
 
 /// Appends what the experiment says: rows of no scheme first, then scheme by scheme in the subject's order, whether
 /// they are computed now or come from the store. What is computed goes into the store. Relies on an experiment saying

@@ -64,8 +64,9 @@ report::results finished(report::results out, const stopwatch& watch) {
 }
 
 /// On the schemes by how they may be asked.
-void run_on_parts(const experiment& e, const context& c, const verify_options& options, report::results& out) {
-  kept_results kept{options.store, {}, options.among};
+void run_on_parts(const experiment& e, const context& c, const verify_options& options, const shared_work* shared,
+                  report::results& out) {
+  kept_results kept{options.store, {}, options.among, shared};
   for (const auto& one : options.foreign) kept.but_of.push_back(one->about().name);
   const auto parts = parts_for(e, c.subject, options.foreign, out);
   for (const auto& part : parts) {
@@ -83,12 +84,13 @@ void run_on_parts(const experiment& e, const context& c, const verify_options& o
 }
 
 /// What the budget ends is left out as a whole, as half an experiment says nothing, and remains to come.
-bool run_in_time(const experiment& e, const context& c, const verify_options& options, report::results& out) {
+bool run_in_time(const experiment& e, const context& c, const verify_options& options, const shared_work* shared,
+                 report::results& out) {
   if (const auto reason = e.skip_reason(c.subject)) {
     out.skipped.push_back({e.info.name, "", *reason});
     return true;
   }
-  const auto work = [&] { run_on_parts(e, c, options, out); };
+  const auto work = [&] { run_on_parts(e, c, options, shared, out); };
   if (!options.budget) return work(), true;
   const bool begun = !options.budget->used_up();
   auto before = out;
@@ -109,25 +111,31 @@ double weight_of(const expected_cost& e) { return e.cpu_seconds + 0.1; }
 
 void run_experiments(const subject& s, const std::vector<experiment>& experiments, const verify_options& options,
                      const progress_sink& progress, const stopwatch& watch, report::results& out) {
-  const auto costs = forecast(s, experiments, options);
+  auto of_schemes = scheme_costs(s, experiments, options);
+  if (options.among != nullptr) of_schemes = agreed(of_schemes, *options.among);
+  const auto costs = forecast(experiments, of_schemes);
   if (options.beforehand) options.beforehand(costs);
   double total = 0, before = 0;
   for (const auto& e : costs) {
     total += weight_of(e);
     out.to_come.push_back(e.experiment);
   }
+  const auto tell_of = [&](std::string_view what, double seconds) {
+    if (progress) progress((before + seconds) / total, what);
+  };
   experiment_profile profile(options.profile);
+  // One from elsewhere is asked in a form of its own, so nothing is shared beforehand.
+  sharing shares(experiments, of_schemes, options.foreign.empty() ? options.among : nullptr);
   for (std::size_t i = 0; i < experiments.size(); ++i) {
     const auto& e = experiments[i];
     const double weight = weight_of(costs[i]);
+    const auto tell = [&](double share) { tell_of(e.info.name, weight * share); };
     profile.begin();
-    const auto tell = [&](double share) {
-      if (progress) progress((before + weight * share) / total, e.info.name);
-    };
     tell(0);
-    out.experiments.push_back(e.info);
     const context c{s, options.effort, options.threads, options.seed, generator_named(options.generator), tell, &out};
-    if (run_in_time(e, c, options, out)) std::erase(out.to_come, e.info.name);
+    const auto* shared = shares.of(i, c, [&](double seconds) { tell_of("shared experiments", seconds); });
+    out.experiments.push_back(e.info);
+    if (run_in_time(e, c, options, shared, out)) std::erase(out.to_come, e.info.name);
     profile.end(e.info.name, out.profile);
     before += weight;
     if (options.so_far && &e != &experiments.back()) options.so_far(finished(out, watch));
@@ -151,7 +159,7 @@ std::pair<subject, std::vector<experiment>> wanted_of(subject s, const verify_op
 std::vector<expected_cost> expected_costs(const scene& s, const verify_options& options) {
   apply_isa(options.isa);
   const auto [subject, experiments] = wanted_of(bind_scene(s, options.foreign), options);
-  return forecast(subject, experiments, options);
+  return forecast(experiments, scheme_costs(subject, experiments, options));
 }
 
 void check_options(const scene& s, const verify_options& options) {

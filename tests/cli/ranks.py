@@ -81,6 +81,24 @@ class Ranks(Case):
             sums[ranks, threads] = self.checksum(f'{out}/paper')
         self.assertEqual(len(set(sums.values())), 1, sums)
 
+    def test_verify_experiment_by_experiment(self):
+        """Whole experiments and parts of them: three processes share six of some schemes, and what was kept of some is not dealt."""
+        asked = ('verify', 'so4', '--effort', 'quick', '--experiments', 'casimir,strong,energy,gibbs,weak,lyapunov', '--schemes', 'heun,milstein,strang,lie_heun', '--quiet', '--threads', '1')
+        sums = {}
+        for ranks in (0, 2, 3):
+            rc, text, err = self.run_them(ranks, *asked, '--no-cache', '--out', f'out{ranks}')
+            self.assertEqual((text, err), ('', ''), ranks); self.assertIn(rc, (0, 3))
+            sums[ranks] = self.checksum(f'out{ranks}/so4')
+        self.assertEqual(len(set(sums.values())), 1, sums)
+        first = ('--experiments', 'casimir,weak', '--schemes', 'heun,strang')
+        self.run_them(3, *asked[:4], *first, *asked[8:], '--out', 'some')
+        self.run_them(2, *asked, '--out', 'rest')
+        # What is said of the run's noise is that of fewer schemes then; what is said of the schemes is not.
+        once, rest = (json.loads(read(os.path.join(self.folder.name, out, 'so4', 'results.json'))) for out in ('out2', 'rest'))
+        self.assertEqual(*([v for v in one['verdicts'] if v['scheme'] != 'noise'] for one in (once, rest)))
+        reused = rest['reused']
+        self.assertEqual(sorted((r['experiment'], r['scheme']) for r in reused), [(e, s) for e in ('casimir', 'weak') for s in ('heun', 'strang')])
+
     def test_simulate(self):
         everywhere = [(ranks, threads) for ranks in (0, 1, 2, 3) for threads in (1, 2, 3, 4, 8)]
         for noise, scheme, tried in (('independent', 'milstein', everywhere), ('common', 'strang', [(0, 2), (2, 1), (3, 2)])):

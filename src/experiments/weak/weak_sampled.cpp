@@ -100,9 +100,11 @@ void report_sampled_orders(const context& c, const std::vector<scheme_entry>& sc
   });
   const auto exact = exact_means_of(c.subject, observables, levels.grid().horizon);
   if (!exact.reason.empty()) out.skipped.push_back({"weak", "", "true means of a pair: " + exact.reason});
-  const int most = std::ranges::max(sizes, {}, &sample_size::used).used;
-  const auto truth = exact.known() ? held_to(exact, observables, levels.truth(most)) : held_truth{};
-  report_truth(truth, out);
+  // Over a scheme's own paths, and for all schemes over those that each has, so that none depends on what others need.
+  const auto truth_over = [&](int paths) {
+    return exact.known() ? held_to(exact, observables, levels.truth(paths)) : held_truth{};
+  };
+  report_truth(truth_over(plan.first), out);
   const double size = length(c.subject.scene.momentum);
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     const auto how = fmt::format("; sampled against paths of the driven equation, at time {:.4g} of {:.4g}, {}",
@@ -113,6 +115,7 @@ void report_sampled_orders(const context& c, const std::vector<scheme_entry>& sc
       report_against(exact.of.front(), observables.front().name, dt,
                      levels.values(static_cast<int>(k), 0, sizes[k].used), record);
     record.value({"cost", "", "path-steps", "sampled"}, at_dt(dt.back()), levels.steps_of_a_path() * sizes[k].used);
+    const auto truth = truth_over(sizes[k].used);
     auto order = judge_slope(expected(schemes[k]), found[k].fits.back());
     order.reason += fmt::format(" (of all {} observables together)", observables.size()) + how;
     hold_to(truth, order);
