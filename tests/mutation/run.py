@@ -25,7 +25,7 @@ ROOMS = {
 NOT_OURS = re.compile(r'polhode/(testing|abi|called|flatten|simd)|noise/(aes_portable|ars)')  # tried by tests of their own, or no numbers
 WANTED = 0.98     # share of the changes
 ONE_NUMBER = 1e-10  # relative: less is no change of a number
-UNIT, CONFORMANCE, COMMAND = 'polhode_unit', 'polhode_conformance', 'polhode'
+UNIT, CONFORMANCE, VERIFICATION, COMMAND = 'polhode_unit', 'polhode_conformance', 'polhode_verification', 'polhode'
 QUICK = ['verify', 'paper', '--effort', 'quick', '--schemes', 'heun,lie_heun,magnus,strang', '--no-cache', '--threads', '1', '--quiet', '--format', 'json',
          '--experiments', 'casimir,strong,energy,gibbs,weak,lyapunov']
 
@@ -132,7 +132,8 @@ class Trial:
         quick = Quick(self.linked(COMMAND, replaced), self.folder / 'report', self.healthy.limit)
         if by := quick.verdict_unlike(self.healthy.quick): return by
         if by := self.runs(tests): return by
-        return None if quick.says_the_same(self.healthy.quick) else ''
+        if quick.says_the_same(self.healthy.quick): return None
+        return self.runs(self.linked(VERIFICATION, replaced))  # minutes, so last
 
     def linked(self, target, replaced):
         program = self.folder / target
