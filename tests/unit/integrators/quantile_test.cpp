@@ -43,6 +43,13 @@ TEST(Quantile, TableIsTheInterpolation) {
           << "octave " << e << ", t^" << k;
 }
 
+TEST(Quantile, TheUpperOctavesHaveTheirColumnsInATableOfTheirOwn) {
+  for (std::size_t e = 23; e < 31; ++e)
+    for (std::size_t k = 0; k < 7; ++k)
+      EXPECT_EQ(upper_quantile_table[k][(e + 127) % 8], quantile_table[k][(e + 127) % 16])
+          << "octave " << e << ", t^" << k;
+}
+
 double error_at(std::uint32_t m) {
   const int e = 31 - std::countl_zero(m);
   const std::uint32_t cell = e > 23 ? 1u << (e - 23) : 1u;
