@@ -3,6 +3,7 @@
 import json
 import re
 import shlex
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -27,7 +28,13 @@ class Build:
             elif name and line.startswith('    '):
                 path = (self.build / line.strip()).resolve()
                 if path.is_relative_to(self.tree): out[name].add(path.relative_to(self.tree))
-        return out
+        # What is read precompiled is not told of those who read it.
+        return {name: sources | out.get(self._precompiled_by(name), set()) for name, sources in out.items()}
+
+    def _precompiled_by(self, obj):
+        """The object that holds the headers precompiled that this one reads, or None."""
+        words, _ = self.command.get(obj, ((), None))
+        return f"{Path(words[words.index('-include') + 1]).relative_to(self.build)}.gch" if '-include' in words else None
 
     def objects_of(self, file, under):
         return sorted(o for o, sources in self.depends.items() if file in sources and under in o and o in self.command)
@@ -38,6 +45,9 @@ class Build:
         words = list(words)
         words[words.index('-o') + 1] = str(out)
         if source.resolve() == (self.tree / mutant_file).resolve(): words[words.index('-c') + 1] = str(overlay / mutant_file)
+        if mutant_file in self.depends.get(self._precompiled_by(obj), ()):  # precompiled from the sources as they are
+            at = words.index('-include') + 1
+            words[at] = str(shutil.copy(words[at], overlay))
         places = [overlay, overlay / 'src', overlay / 'tests', overlay / 'integrators/include']
         words[1:1] = [f'-I{place}' for place in places] + ['-w', '-Wno-error']
         return self.run(words, cwd=self.build)

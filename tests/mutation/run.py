@@ -110,9 +110,9 @@ class Trial:
         return failed.group(1) if failed else '' if code == 0 else f'a crash of {Path(program).name}'
 
     def by_header(self):
-        """An installed header: tests compile it themselves, one source at a time, those first that need least."""
+        """An installed header: tests compile it themselves, one source at a time: those first that name it and need least."""
         for name in sorted(self.b.objects_of(self.m.file, 'polhode_conformance.dir') + self.b.objects_of(self.m.file, 'polhode_unit.dir'),
-                           key=lambda o: len(self.b.depends[o])):
+                           key=lambda o: (self.m.file.name not in self.b.command[o][1].read_text(), len(self.b.depends[o]))):
             replaced = self.compiled([name])
             if replaced is None: return 'the compiler'
             target = CONFORMANCE if 'conformance' in name else UNIT
@@ -158,6 +158,7 @@ def arguments():
     parser.add_argument('--rooms', default=','.join(ROOMS))
     parser.add_argument('--sample', type=int, default=100)
     parser.add_argument('--seed', default='1')
+    parser.add_argument('--only', default='')
     parser.add_argument('--out', default='mutation.json')
     parser.add_argument('--jobs', type=int, default=2)
     given = parser.parse_args()
@@ -170,7 +171,7 @@ def main():
     given, tree = arguments(), Path(__file__).resolve().parents[2]
     build = Build(tree, given.build)
     known = dict(line.rsplit(' :: ', 1) for line in (Path(__file__).parent / 'equivalent.txt').read_text().splitlines() if ' :: ' in line)
-    everything = [m for file in files_of(tree, given.rooms.split(',')) for m in mutants_of(tree, file)]
+    everything = [m for file in files_of(tree, given.rooms.split(',')) for m in mutants_of(tree, file) if given.only in m.name()]
     some = sorted(everything, key=lambda m: order(m, given.seed))[:given.sample or None]
     print(f'{len(everything)} changes in {given.rooms}; {len(some)} of them are tried', flush=True)
     healthy, results = Healthy(build), []
