@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 #include <polhode/noise/normal.hpp>
+
+#include "statistics/distributions.hpp"
 
 namespace polhode {
 
@@ -40,6 +43,14 @@ inline std::pair<double, double> central_interval(std::vector<double> values, do
     return values[i];
   };
   return {at((1 - share) / 2), at((1 + share) / 2)};
+}
+
+/// The interval of what a statistic of `samples` resampled ones gives: the middle of the replicates, taken wider by
+/// what resampling few makes too narrow. It holds 2 Phi(sqrt(n / (n - 1)) t) - 1 of them, t Student's quantile of n - 1
+/// degrees (the expanded percentile interval; Hesterberg 2015, doi 10.1080/00031305.2015.1089789).
+inline std::pair<double, double> bootstrap_interval(std::vector<double> replicates, double share, int samples) {
+  const double n = samples, t = student_t_quantile((1 + share) / 2, n - 1);
+  return central_interval(std::move(replicates), std::erf(std::sqrt(n / (n - 1)) * t / std::numbers::sqrt2));
 }
 
 }  // namespace polhode

@@ -120,7 +120,7 @@ void run_paths(const context& c, const attractor_frame& f, const time_course& co
 void report_slope(const own_law& own, const Eigen::MatrixXd& means, std::uint64_t seed, recorder& record) {
   const quantity what{"distance to the true law", "density", "of the uniform density", "sampled"};
   const double bias = own.bias.norm();
-  const auto d = distances_of(means, bias);
+  const auto d = distances_of(means, looks, bias);
   const auto fit = slope_over_paths(d, seed);
   curve over_paths{what, "noise paths", "1"};
   for (std::size_t i = 0; i < d.paths.size(); ++i) over_paths.add(d.paths[i], d.value[i], d.low[i], d.high[i]);

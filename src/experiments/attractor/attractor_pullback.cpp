@@ -11,7 +11,9 @@
 #include "experiments/attractor/pullback_changes.hpp"
 #include "experiments/common/sequential.hpp"
 #include "experiments/common/undecided.hpp"
+#include "statistics/distributions.hpp"
 #include "statistics/orders/level_choice.hpp"
+#include "statistics/resample.hpp"
 
 namespace polhode {
 namespace {
@@ -20,6 +22,7 @@ constexpr double span_time = 2.5;                  // in the time in which the a
 constexpr double least_standard_errors = 3;        // that a level must have above zero to be fitted
 constexpr double most_path_steps = 1e8;            // of one scheme at quick effort
 constexpr int least_paths = 24, most_paths = 288;  // the most where too few levels are resolved for a fit
+constexpr int replicates = 400;
 constexpr int least_looks = 4, most_looks = 7;
 constexpr const char* pullback_claim = "pullback converges";
 
@@ -33,28 +36,43 @@ int resolved_levels(const squared_errors& changes) {
   return n;
 }
 
-/// Distances fall like exp(-rate T): the mean squares over 2^-T in spans have the order 2 rate span / log 2.
-std::optional<interval_estimate> rate_of(const squared_errors& changes, double span, std::uint64_t seed) {
-  const int levels = resolved_levels(changes);
-  squared_errors resolved{changes.paths, levels, {}};
+/// Over the first levels, those that are resolved and no fewer than a fit needs. Distances fall like exp(-rate T): the
+/// mean squares over 2^-T in spans have the order 2 rate span / log 2.
+std::optional<double> rate_at(const squared_errors& changes, double span) {
+  const int levels = std::max(resolved_levels(changes), static_cast<int>(least_levels));
+  squared_errors first{changes.paths, levels, {}};
   for (int path = 0; path < changes.paths; ++path)
-    for (int i = 0; i < levels; ++i) resolved.values.push_back(changes.at(path, i));
+    for (int i = 0; i < levels; ++i) first.values.push_back(changes.at(path, i));
   std::vector<double> abscissa;
   for (int i = 0; i < levels; ++i) abscissa.push_back(std::exp2(-1.0 - i));
-  const auto fit = fit_power_law_of_means(abscissa, resolved, seed);
-  if (!fit) return std::nullopt;
-  const double unit = std::numbers::ln2 / (2 * span);
-  return interval_estimate{unit * fit->order, unit * fit->low, unit * fit->high};
+  const auto power = power_of_means(abscissa, first);
+  return power ? std::optional(std::numbers::ln2 / (2 * span) * *power) : std::nullopt;
+}
+
+/// The interval is over paths: each replicate has its own levels, as they are chosen by what was sampled.
+std::optional<interval_estimate> rate_of(const squared_errors& changes, double span, std::uint64_t seed) {
+  const auto rate = rate_at(changes, span);
+  if (resolved_levels(changes) < static_cast<int>(least_levels) || !rate) return std::nullopt;
+  std::vector<double> rates;
+  for (int r = 0; r < replicates; ++r) {
+    squared_errors drawn{changes.paths, changes.levels, {}};
+    for (const int path : resample(seed, r, changes.paths))
+      for (int i = 0; i < changes.levels; ++i) drawn.values.push_back(changes.at(path, i));
+    if (const auto of_drawn = rate_at(drawn, span)) rates.push_back(*of_drawn);
+  }
+  const auto [low, high] = bootstrap_interval(std::move(rates), 0.95, changes.paths);
+  return interval_estimate{*rate, low, high};
 }
 
 report::series_id report_changes(const squared_errors& changes, double span, recorder& record) {
   const auto root = [](double x) { return std::sqrt(std::max(0.0, x)); };
   const int resolved = resolved_levels(changes);
+  const double t = student_t_quantile(0.975, changes.paths - 1);
   curve change{{"change of the snapshot", "density", "of the uniform density", "sampled"},
                "time T before the snapshot"};
   for (int i = 0; i < changes.levels; ++i) {
     const auto m = level_mean(changes, i);
-    change.add((i + 1) * span, root(m.mean), root(m.mean - 1.96 * m.error), root(m.mean + 1.96 * m.error));
+    change.add((i + 1) * span, root(m.mean), root(m.mean - t * m.error), root(m.mean + t * m.error));
     change.points.back().used = i < resolved;
     if (i >= resolved) change.points.back().status = "not clear of zero";
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ensemble/noise/paths.hpp"
+#include "statistics/distributions.hpp"
 #include "statistics/resample.hpp"
 
 namespace polhode {
@@ -20,6 +21,21 @@ Eigen::MatrixXd halved(const Eigen::MatrixXd& m) {
   Eigen::MatrixXd out(m.rows(), m.cols() / 2);
   for (Eigen::Index i = 0; i < out.cols(); ++i) out.col(i) = 0.5 * (m.col(2 * i) + m.col(2 * i + 1));
   return out;
+}
+
+/// The means over the looks at the same paths, `of_look` values a look and block.
+Eigen::ArrayXd over_looks(const Eigen::ArrayXd& values, int looks, int of_look) {
+  Eigen::ArrayXd out = Eigen::ArrayXd::Zero(values.size() / looks);
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    out[i / (looks * of_look) * of_look + i % of_look] += values[i] / looks;
+  return out;
+}
+
+/// Half of the 95 % interval of the mean; NaN of too few.
+double half_width_of_mean(const Eigen::ArrayXd& values) {
+  const auto n = static_cast<double>(values.size());
+  if (n < 4) return NAN;
+  return student_t_quantile(0.975, n - 1) * std::sqrt((values - values.mean()).square().mean() / (n - 1));
 }
 
 }  // namespace
@@ -38,7 +54,7 @@ grand_mean mean_of(const Eigen::MatrixXd& means, std::uint64_t seed) {
   return out;
 }
 
-distances distances_of(const Eigen::MatrixXd& means, double bias) {
+distances distances_of(const Eigen::MatrixXd& means, int looks, double bias) {
   const int count = static_cast<int>(means.cols()) / row, levels = std::bit_width(static_cast<unsigned>(row));
   distances out;
   out.rows = {count, levels, std::vector<double>(static_cast<std::size_t>(count * levels))};
@@ -48,7 +64,8 @@ distances distances_of(const Eigen::MatrixXd& means, double bias) {
     const auto n = square.size();
     out.paths.push_back(std::exp2(level));
     out.value.push_back(std::sqrt(square.mean()));
-    const double error = n < 8 ? NAN : 1.96 * std::sqrt((square - square.mean()).square().mean() / double(n - 1));
+    const double error =
+        level < levels ? half_width_of_mean(over_looks(square, looks, row >> level)) : half_width_of_mean(square);
     const bool known = std::isfinite(error);
     out.low.push_back(known ? std::optional(std::sqrt(std::max(0.0, square.mean() - error))) : std::nullopt);
     out.high.push_back(known ? std::optional(std::sqrt(square.mean() + error)) : std::nullopt);

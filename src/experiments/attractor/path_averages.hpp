@@ -27,7 +27,9 @@ struct distances {
   squared_errors rows;  ///< less the bias, for N up to a row
 };
 
-distances distances_of(const Eigen::MatrixXd& means, double bias);
+/// means: [coefficient][block, look, path of the block]. Intervals are over paths: looks at one path are not
+/// independent of each other, as bodies that have met stay together for long.
+distances distances_of(const Eigen::MatrixXd& means, int looks, double bias);
 
 /// The slope over N: that over 1/N with the other sign.
 std::optional<order_fit> slope_over_paths(const distances&, std::uint64_t seed);

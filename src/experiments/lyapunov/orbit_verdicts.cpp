@@ -86,7 +86,7 @@ interval_estimate dimension_of(const Eigen::MatrixXd& rates, std::uint64_t seed)
   const Eigen::MatrixXd resampled = resampled_means(rates, seed);
   std::vector<double> found;
   for (Eigen::Index i = 0; i < resampled.rows(); ++i) found.push_back(dimension(resampled.row(i)));
-  const auto [low, high] = central_interval(found, 0.95);
+  const auto [low, high] = bootstrap_interval(found, 0.95, static_cast<int>(rates.rows()));
   return {dimension(rates.colwise().mean()), low, high};
 }
 

@@ -42,8 +42,8 @@ error_model fit_error_model(std::span<const double> dt, const squared_errors& e,
     leading.push_back(coefficient);
   }
   const auto [square, coefficient] = coefficients(values.colwise().mean());
-  const auto [low, high] = central_interval(limits, 0.95);
-  const auto [least, most] = central_interval(leading, 0.95);
+  const auto [low, high] = bootstrap_interval(limits, 0.95, e.paths);
+  const auto [least, most] = bootstrap_interval(leading, 0.95, e.paths);
   const auto distance = [](double x) { return std::sqrt(std::max(0.0, x)); };
   return {{distance(square), distance(low), distance(high)}, {coefficient, least, most}};
 }

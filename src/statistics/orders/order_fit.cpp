@@ -43,20 +43,26 @@ order_fit exact_fit(const level_choice& c, std::size_t count) {
 struct moments {
   squared_errors values;
   double power = 1;
-  bool growth = false;  ///< a law that takes every level
   level_choice chosen = {};
 };
 
-void choose_levels_of(std::span<const double> dt, double least_mean, moments& m) {
+/// The levels whose mean is finite and above that, with its sampling error; of mean^power.
+std::vector<log_level> levels_of_means(std::span<const double> x, const squared_errors& values, double power,
+                                       double least_mean) {
   std::vector<log_level> levels;
-  for (int i = 0; i < m.values.levels; ++i) {
-    const auto at = level_mean(m.values, i);
+  for (int i = 0; i < values.levels; ++i) {
+    const auto at = level_mean(values, i);
     if (!std::isfinite(at.mean) || at.mean <= least_mean) continue;
-    levels.push_back({i, std::log2(dt[static_cast<std::size_t>(i)]), m.power * std::log2(at.mean),
-                      std::max(1e-12, m.power * at.error / at.mean / std::log(2.0))});
+    levels.push_back({i, std::log2(x[static_cast<std::size_t>(i)]), power * std::log2(at.mean),
+                      std::max(1e-12, power * at.error / at.mean / std::log(2.0))});
   }
+  return levels;
+}
+
+void choose_levels_of(std::span<const double> dt, double least_mean, moments& m) {
+  auto levels = levels_of_means(dt, m.values, m.power, least_mean);
   const auto left_out = static_cast<std::size_t>(m.values.levels) - levels.size();
-  m.chosen = m.growth ? every_level(std::move(levels)) : choose_levels(std::move(levels), left_out);
+  m.chosen = choose_levels(std::move(levels), left_out);
   if (m.chosen.levels.size() < least_levels) m.chosen = {};
 }
 
@@ -69,16 +75,16 @@ order_fit resampled_fit(const moments& m, const Eigen::Ref<const Eigen::MatrixXd
   for (Eigen::Index r = 0; r < resampled.rows(); ++r) {
     for (std::size_t k = 0; k < levels.size(); ++k)
       levels[k].y = m.power * std::log2(resampled(r, static_cast<Eigen::Index>(k)));
-    slopes.push_back(line_through(m.growth ? levels : asymptotic_part(levels)).slope);
+    slopes.push_back(line_through(asymptotic_part(levels)).slope);
     const auto same = std::span(levels).subspan(early);
     off.push_back(off_the_others(same));
     finest.push_back(slope_at_the_finest(same));
   }
-  const auto [low, high] = central_interval(slopes, 0.95);
-  const auto [least, most] = central_interval(off, 0.95);
+  const auto [low, high] = bootstrap_interval(slopes, 0.95, m.values.paths);
+  const auto [least, most] = bootstrap_interval(off, 0.95, m.values.paths);
   auto fit = result_of(m.chosen, line_through(m.chosen.levels), low, high, static_cast<std::size_t>(m.values.levels));
   fit.asymptotic = least <= off_the_line && most >= -off_the_line;
-  const auto [slowest, fastest] = central_interval(finest, 0.95);
+  const auto [slowest, fastest] = bootstrap_interval(finest, 0.95, m.values.paths);
   fit.finest = {slope_at_the_finest(m.chosen.levels), slowest, fastest};
   return fit;
 }
@@ -132,11 +138,10 @@ std::optional<order_fit> fit_order(std::span<const double> dt, const squared_err
   return fit_orders(dt, {&rms, 1}, floor, seed).front();
 }
 
-std::optional<order_fit> fit_power_law_of_means(std::span<const double> x, const squared_errors& values,
-                                                std::uint64_t seed) {
-  moments m{values, 1, true};
-  choose_levels_of(x, 0, m);
-  return resampled_fits({&m, 1}, seed).front();
+std::optional<double> power_of_means(std::span<const double> x, const squared_errors& values) {
+  const auto all = every_level(levels_of_means(x, values, 1, 0));
+  if (all.levels.size() < least_levels) return std::nullopt;
+  return line_through(all.levels).slope;
 }
 
 std::optional<order_fit> fit_order_of_clear_means(std::span<const double> dt, squared_errors values, double resolved,

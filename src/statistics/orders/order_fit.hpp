@@ -51,9 +51,8 @@ std::vector<std::optional<order_fit>> fit_orders(std::span<const double> dt, std
 std::optional<order_fit> fit_order_of_clear_means(std::span<const double> dt, squared_errors values, double resolved,
                                                   std::uint64_t seed);
 
-/// The growth law of the mean against any abscissa; all levels take part whose mean is positive.
-std::optional<order_fit> fit_power_law_of_means(std::span<const double> x, const squared_errors& values,
-                                                std::uint64_t seed);
+/// The power in the growth law of the mean against any abscissa; all levels take part whose mean is positive.
+std::optional<double> power_of_means(std::span<const double> x, const squared_errors& values);
 
 /// The mean square error in powers of dt, weighted least squares over the used levels.
 struct error_model {
