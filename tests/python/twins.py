@@ -5,7 +5,7 @@ import math
 import case
 
 ROUNDING = 1e-12  # of what is of size one, after up to 8192 steps that round otherwise
-OF_COEFFICIENTS = 2e-11  # of dt^1 in the drift (E[h] after a step - h) / dt: rounding of E[h], 1e-15, over dt^2 at the finest, 2^-7
+OF_COEFFICIENTS = .01  # of the half-width of its interval: errors or drifts over powers of dt, extrapolated, which enlarges rounding as the dt are small
 
 
 class Case(case.Case):
@@ -19,7 +19,7 @@ class Case(case.Case):
             if row['scheme'] != theirs or row['quantity'] in ('rounding', 'Poisson defect'): continue  # the latter from differences of their step
             value, twin = row['value'], rows[key(row)]['value']
             if value is None and twin is None: continue
-            rounding = OF_COEFFICIENTS if row['quantity'].startswith('coefficient of dt^') else ROUNDING
+            rounding = max(ROUNDING, OF_COEFFICIENTS * (row['high'] - row['low']) / 2) if row['quantity'].startswith('coefficient of dt^') else ROUNDING
             self.assertTrue(math.isclose(value, twin, rel_tol=1e-9, abs_tol=rounding), (row, twin))
             compared += abs(twin) > 1e3 * ROUNDING
         return compared
