@@ -15,6 +15,8 @@
 
 namespace polhode {
 
+inline constexpr int bootstrap_replicates = 400;
+
 /// `count` indices below `count`; a pure function of (seed, replicate).
 class resample {
  public:
@@ -48,7 +50,9 @@ inline std::pair<double, double> central_interval(std::vector<double> values, do
 /// The interval of what a statistic of `samples` resampled ones gives: the middle of the replicates, taken wider by
 /// what resampling few makes too narrow. It holds 2 Phi(sqrt(n / (n - 1)) t) - 1 of them, t Student's quantile of n - 1
 /// degrees (the expanded percentile interval; Hesterberg 2015, doi 10.1080/00031305.2015.1089789).
+/// All of them where there is but one sample.
 inline std::pair<double, double> bootstrap_interval(std::vector<double> replicates, double share, int samples) {
+  if (samples < 2) return central_interval(std::move(replicates), 1);
   const double n = samples, t = student_t_quantile((1 + share) / 2, n - 1);
   return central_interval(std::move(replicates), std::erf(std::sqrt(n / (n - 1)) * t / std::numbers::sqrt2));
 }

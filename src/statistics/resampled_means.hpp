@@ -16,8 +16,8 @@ inline auto matrix_of(const squared_errors& e) {
   return Eigen::Map<const values_of_paths>(e.values.data(), e.paths, e.levels);
 }
 
-/// [replicate][column] of [path][column], 400 replicates; a pure function of values and seed. A path is drawn with all
-/// its columns, so that they stay coupled.
+/// [replicate][column] of [path][column], bootstrap_replicates of them; a pure function of values and seed. A path is
+/// drawn with all its columns, so that they stay coupled.
 Eigen::MatrixXd resampled_means(const values_of_paths&, std::uint64_t seed);
 
 }  // namespace polhode

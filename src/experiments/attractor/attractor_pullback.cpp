@@ -22,7 +22,6 @@ constexpr double span_time = 2.5;                  // in the time in which the a
 constexpr double least_standard_errors = 3;        // that a level must have above zero to be fitted
 constexpr double most_path_steps = 1e8;            // of one scheme at quick effort
 constexpr int least_paths = 24, most_paths = 288;  // the most where too few levels are resolved for a fit
-constexpr int replicates = 400;
 constexpr int least_looks = 4, most_looks = 7;
 constexpr const char* pullback_claim = "pullback converges";
 
@@ -54,7 +53,7 @@ std::optional<interval_estimate> rate_of(const squared_errors& changes, double s
   const auto rate = rate_at(changes, span);
   if (resolved_levels(changes) < static_cast<int>(least_levels) || !rate) return std::nullopt;
   std::vector<double> rates;
-  for (int r = 0; r < replicates; ++r) {
+  for (int r = 0; r < bootstrap_replicates; ++r) {
     squared_errors drawn{changes.paths, changes.levels, {}};
     for (const int path : resample(seed, r, changes.paths))
       for (int i = 0; i < changes.levels; ++i) drawn.values.push_back(changes.at(path, i));

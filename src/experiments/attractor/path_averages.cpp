@@ -14,7 +14,6 @@ namespace polhode {
 namespace {
 
 constexpr int row = block_lanes;  // noise paths whose averages over 2, 4, … 64 are one sample of the slope
-constexpr int replicates = 400;
 
 /// Columns averaged in neighbouring pairs.
 Eigen::MatrixXd halved(const Eigen::MatrixXd& m) {
@@ -45,7 +44,7 @@ grand_mean mean_of(const Eigen::MatrixXd& means, std::uint64_t seed) {
   for (int n = 1; n < row; n *= 2) rows = halved(rows);
   grand_mean out{rows.rowwise().mean(), 0};
   std::vector<double> off;
-  for (int r = 0; r < replicates; ++r) {
+  for (int r = 0; r < bootstrap_replicates; ++r) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(rows.rows());
     for (const int i : resample(seed, r, static_cast<int>(rows.cols()))) sum += rows.col(i);
     off.push_back((sum / static_cast<double>(rows.cols()) - out.value).norm());

@@ -19,6 +19,10 @@ TEST(BootstrapInterval, OfFewIsWider) {
   EXPECT_EQ(central_interval(replicates, 0.95), std::pair(25.0, 975.0));
 }
 
+TEST(BootstrapInterval, OfOneSampleIsWhatItIs) {
+  EXPECT_EQ(bootstrap_interval(std::vector(10, 3.0), 0.95, 1), std::pair(3.0, 3.0));
+}
+
 TEST(BootstrapInterval, CoversWhatItClaimsOfTwelveNumbers) {
   constexpr int trials = 4000, samples = 12, replicates = 400;
   std::mt19937_64 bits(1);
