@@ -14,12 +14,14 @@
 #include <vector>
 
 #include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 #include "reports/writers/json_values.hpp"
 
 namespace polhode::report {
 
 [[noreturn]] inline void refuse(const std::string& where, std::string_view wanted) {
-  throw input_error(fmt::format("results: {}: expected {}", where.empty() ? "the document" : where, wanted));
+  throw input_error(
+      fmt::format("results: {}: expected {}", where.empty() ? "the document" : one_line(where, 200), wanted));
 }
 
 /// A place in the document that knows its own name.
@@ -43,6 +45,10 @@ struct node {
   std::optional<double> maybe_number() const {
     if (value.is_null()) return std::nullopt;
     if (!value.is_number()) refuse(where, "a number or null");
+    return value.get<double>();
+  }
+  double finite() const {
+    if (!value.is_number()) refuse(where, "a number");
     return value.get<double>();
   }
   double number() const { return maybe_number().value_or(std::numeric_limits<double>::quiet_NaN()); }

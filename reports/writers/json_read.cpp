@@ -34,10 +34,10 @@ provenance provenance_from(const node& n) {
 
 /// Whatever a system calls its parameters: the keys that not every scene has.
 parameter parameter_from(std::string name, const node& n) {
-  const auto numbers_of = [](const node& one) { return one.list([](const node& x) { return x.number(); }); };
+  const auto numbers_of = [](const node& one) { return one.list([](const node& x) { return x.finite(); }); };
   const bool is_strength = name == "theta" || name == "sigma";  // numbers in every system
   if (n.value.is_string() && !is_strength) return {std::move(name), shape::word, {}, n.text()};
-  if (!n.value.is_array()) return {std::move(name), shape::number, {{n.number()}}};
+  if (!n.value.is_array()) return {std::move(name), shape::number, {{n.finite()}}};
   if (!n.value.empty() && !n.value[0].is_array()) return {std::move(name), shape::vector, {numbers_of(n)}};
   return {std::move(name), shape::vectors, n.list(numbers_of)};
 }
@@ -50,8 +50,8 @@ scene scene_from(const node& n) {
   for (const auto& [key, value] : n.value.items())
     if (std::ranges::find(of_every_scene, key) == of_every_scene.end())
       s.parameters.push_back(parameter_from(key, {value, n.where + "." + key}));
-  s.momentum = n["momentum"].list([](const node& one) { return one.number(); });
-  s.horizon = n["horizon"].number();
+  s.momentum = n["momentum"].list([](const node& one) { return one.finite(); });
+  s.horizon = n["horizon"].finite();
   s.steps = n["steps"].list([](const node& one) { return one.integer<std::int64_t>(); });
   return s;
 }

@@ -55,20 +55,20 @@ json to_value(const scene& s) {
 
 json to_value(const scheme& s) {
   json out{{"name", s.name},
-          {"title", s.title},
-          {"source", s.source},
-          {"calculus", s.calculus},
-          {"implicit", s.implicit},
-          {"areas", s.areas},
-          {"claims",
-           {{"strong_commuting", number(s.strong_commuting)},
-            {"strong_general", number(s.strong_general)},
-            {"deterministic_order", s.deterministic_order},
-            {"casimir_exact", s.casimir_exact},
-            {"casimir_order", number(s.casimir_order)},
-            {"weak_one_vector", number(s.weak_one_vector)},
-            {"weak_isotropic", number(s.weak_isotropic)},
-            {"weak_general", number(s.weak_general)}}}};
+           {"title", s.title},
+           {"source", s.source},
+           {"calculus", s.calculus},
+           {"implicit", s.implicit},
+           {"areas", s.areas},
+           {"claims",
+            {{"strong_commuting", number(s.strong_commuting)},
+             {"strong_general", number(s.strong_general)},
+             {"deterministic_order", s.deterministic_order},
+             {"casimir_exact", s.casimir_exact},
+             {"casimir_order", number(s.casimir_order)},
+             {"weak_one_vector", number(s.weak_one_vector)},
+             {"weak_isotropic", number(s.weak_isotropic)},
+             {"weak_general", number(s.weak_general)}}}};
   if (s.from.empty()) return out;
   out["from"] = s.from;
   out["takes"] = s.takes;

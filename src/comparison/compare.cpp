@@ -10,6 +10,7 @@
 #include "comparison/numbers.hpp"
 #include "comparison/timings.hpp"
 #include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 
 namespace polhode {
 namespace {
@@ -51,7 +52,7 @@ void check_same_scene(const report::scene& a, const report::scene& b) {
     throw input_error(
         fmt::format("the two results are of different scenes ({} differs: '{}' and '{}'); accepted: two "
                     "results of one scene",
-                    key, a.name, b.name));
+                    one_line(key, 60), one_line(a.name, 60), one_line(b.name, 60)));
   };
   if (a.system != b.system) differ("system");
   for (const auto& p : a.parameters) {

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/poisson.hpp>
 #include <boost/math/distributions/students_t.hpp>
+#include <cmath>
 
 namespace polhode {
 
@@ -15,6 +17,15 @@ namespace law = boost::math;
 double normal_deviate(double tail) { return law::quantile(law::complement(law::normal(), std::max(tail, 1e-300))); }
 
 double normal_tail(double x) { return law::cdf(law::complement(law::normal(), x)); }
+
+double half_width_with_bias(double error, double bias) {
+  constexpr double far = 8;  // from where the other tail is below rounding
+  if (error == 0) return bias;
+  const double ratio = bias / error;
+  if (!std::isfinite(ratio)) return NAN;
+  if (ratio > far) return bias + law::quantile(law::normal(), 0.95) * error;
+  return error * std::sqrt(law::quantile(law::non_central_chi_squared(1, ratio * ratio), 0.95));
+}
 
 double chi_squared_tail(double x, double degrees) { return law::cdf(law::complement(law::chi_squared(degrees), x)); }
 

@@ -9,6 +9,11 @@ double normal_deviate(double tail);
 /// P(X > x) of the same.
 double normal_tail(double x);
 
+/// Half-width of the symmetric 95 % interval of an estimate with a normal error, this standard error, and a bias of at
+/// most `bias` >= 0: the 95 % quantile of |N(bias, error^2)| (Armstrong, Kolesar, Econometrica 86 (2018) 655-683).
+/// Less than 1.96 error + bias, as the two seldom are at their worst together. NaN of what is not finite.
+double half_width_with_bias(double error, double bias);
+
 /// P(X > x), X chi squared of `degrees` > 0 degrees of freedom.
 double chi_squared_tail(double x, double degrees);
 

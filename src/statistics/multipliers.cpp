@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "algebra/decompositions.hpp"
+#include "statistics/distributions.hpp"
 
 namespace polhode {
 namespace {
@@ -52,6 +53,16 @@ Eigen::VectorXd constant_of_polynomial(std::span<const double> dt, int degree) {
   return (pseudo_inverse(weighted) * weight.asDiagonal()).row(0);
 }
 
+double left_open(std::span<const double> dt, double first, double second, double error) {
+  const Eigen::ArrayXd x =
+      Eigen::Map<const Eigen::ArrayXd>(dt.data(), static_cast<Eigen::Index>(dt.size())) / dt.back();
+  const double line = constant_of_polynomial(dt, 1).dot(x.square().matrix());
+  const double quadratic = constant_of_polynomial(dt, 2).dot(x.cube().matrix());
+  const double seen = std::max(0.0, std::fabs(second) - 1.96 * error);
+  const double further = std::fabs(second / first * quadratic) / (line * line);
+  return further < 1 ? seen * further : seen;
+}
+
 response_data::response_data(int paths, int count, int finest)
     : directions(count),
       levels(finest),
@@ -88,8 +99,8 @@ std::vector<multiplier> effective_multipliers(std::span<const double> dt, const 
   std::vector<multiplier> out(static_cast<std::size_t>(d.directions));
   for (Eigen::Index i = 0; i < count; ++i) {
     const double error = std::sqrt(variance[i]) / paths, cell = std::fabs(step[i]) / cells;
-    const double curved = std::max(0.0, std::fabs(change[i]) - 1.96 * std::sqrt(of_change[i]) / paths);
-    const double half = 1.96 * error + curved + cell;
+    const double half =
+        half_width_with_bias(error, left_open(dt, step[i], change[i], std::sqrt(of_change[i]) / paths) + cell);
     const auto k = kept[static_cast<std::size_t>(i)];
     out[static_cast<std::size_t>(k)] = {true,
                                         {eps[i], eps[i] - half, eps[i] + half},

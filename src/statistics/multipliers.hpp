@@ -40,6 +40,11 @@ inline constexpr double family_z = 5.33;
 /// Weights of the values at these dt in the constant of a weighted least-squares polynomial; errors grow like dt.
 Eigen::VectorXd constant_of_polynomial(std::span<const double> dt, int degree);
 
+/// What a limit by a quadratic leaves open. first: how far the value at the finest dt is from it; second: the limit by
+/// a line, and the standard error of that difference. As much of the second as is seen beyond its error, or what the
+/// next power adds if the corrections go on as they began, like those of a geometric series, where that is less.
+double left_open(std::span<const double> dt, double first, double second, double error);
+
 /// dt: of those levels, each half the one before, at least three; cells: of the truth in the finest step, to one of
 /// which the limit is known. Not finite where a path is not.
 std::vector<multiplier> effective_multipliers(std::span<const double> dt, const response_data&, int paths, int cells);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "statistics/distributions.hpp"
+
 namespace polhode {
 namespace {
 
@@ -45,9 +47,10 @@ multiplier area_strength(std::span<const double> dt, const area_response& r, int
   if (!std::isfinite(eps)) return {};
   const estimate error((product - eps * square) / area.value),
       change((less_product - product - eps * (less_square - square)) / area.value);
+  const Eigen::VectorXd last = Eigen::VectorXd::Unit(n, n - 1) / used.back();
+  const double step = limits(r.product, paths, last).mean() / limits(r.square, paths, last).mean() - eps;
   const double cell = std::fabs(eps) / cells;
-  const double curved = std::max(0.0, std::fabs(change.value) - 1.96 * change.error);
-  const double half = 1.96 * error.error + curved + cell;
+  const double half = half_width_with_bias(error.error, left_open(used, step, change.value, change.error) + cell);
   return {true,
           {eps, eps - half, eps + half},
           family_z * error.error + std::fabs(change.value) + cell,

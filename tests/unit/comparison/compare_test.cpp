@@ -8,6 +8,7 @@
 #include <random>
 
 #include "reports/model/errors.hpp"
+#include "reports/model/text.hpp"
 #include "reports/writers/comparison_text.hpp"
 #include "unit/comparison/results_by_hand.hpp"
 
@@ -165,6 +166,18 @@ TEST(Compare, OtherScenesAreRefusedByTheKeyThatDiffers) {
     FAIL();
   } catch (const input_error& e) {
     EXPECT_NE(std::string(e.what()).find("theta"), std::string::npos);
+  }
+}
+
+TEST(Compare, NamesFromOutsideDoNotReachTheTerminalAsTheyAre) {
+  auto before = with({}), after = with({});
+  before.scene.name = "a\x1b[2Jb\n\x7f";
+  after.scene.system = "spin";
+  try {
+    compare(before, after);
+    FAIL();
+  } catch (const input_error& e) {
+    EXPECT_TRUE(is_plain_text(e.what())) << e.what();
   }
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The distance of Kolmogorov and Smirnov.
+// The distance of Kolmogorov and Smirnov, and intervals of what may be biased.
 #include "statistics/sample.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
+
+#include "statistics/distributions.hpp"
 
 namespace polhode {
 namespace {
@@ -12,6 +15,24 @@ namespace {
 TEST(KolmogorovSmirnov, DistanceOfASmallSampleByHand) {
   const std::vector<double> x{0.1, 0.4, 0.9};
   EXPECT_NEAR(ks_distance(x, [](double t) { return t; }).value, 2.0 / 3 - 0.4, 1e-15);
+}
+
+/// P(|N(bias, 1)| <= half).
+double covered(double half, double bias) { return 1 - normal_tail(half - bias) - normal_tail(half + bias); }
+
+TEST(HalfWidthWithBias, CoversNinetyFiveInAHundredAtTheWorst) {
+  for (const double bias : {0.0, 1e-9, 0.01, 0.1, 0.5, 1.0, 2.0, 7.99, 8.01, 1e3}) {
+    EXPECT_NEAR(covered(half_width_with_bias(1, bias), bias), 0.95, 1e-9) << bias;
+    EXPECT_NEAR(half_width_with_bias(1e-7, 1e-7 * bias), 1e-7 * half_width_with_bias(1, bias), 1e-15 * (1 + bias));
+  }
+}
+
+TEST(HalfWidthWithBias, HasLimits) {
+  EXPECT_NEAR(half_width_with_bias(1, 0), 1.959964, 1e-6);
+  EXPECT_EQ(half_width_with_bias(0, 0.25), 0.25);
+  EXPECT_TRUE(std::isnan(half_width_with_bias(NAN, 1)));
+  EXPECT_TRUE(std::isnan(half_width_with_bias(1, NAN)));
+  EXPECT_TRUE(std::isnan(half_width_with_bias(INFINITY, INFINITY)));
 }
 
 }  // namespace
