@@ -84,8 +84,8 @@ parameter_rule rows_rule() {
   auto rule = number_of("n", "1", "of su(n): the modes k_1 and k_2 go from -(n - 1)/2 to (n - 1)/2");
   rule.accepts = "3 or 5";
   rule.read = [](const number_rows& given, shape s) -> std::optional<number_rows> {
-    const double n = given[0][0];
-    return s == shape::number && (n == 3 || n == 5) ? std::optional(given) : std::nullopt;
+    const auto known = [](double n) { return n == 3 || n == 5; };
+    return s == shape::number && known(given[0][0]) ? std::optional(given) : std::nullopt;
   };
   return rule;
 }

@@ -69,9 +69,8 @@ parameter_rule rows_rule() {
   auto rule = number_of("n", "1", "of so(n)");
   rule.accepts = fmt::format("an integer from 3 to {}", son::most_rows);
   rule.read = [](const number_rows& given, shape s) -> std::optional<number_rows> {
-    const double n = given[0][0];
-    const bool fits = s == shape::number && n >= 3 && n <= son::most_rows && n == std::floor(n);
-    return fits ? std::optional(given) : std::nullopt;
+    const auto fits = [](double n) { return n >= 3 && n <= son::most_rows && n == std::floor(n); };
+    return s == shape::number && fits(given[0][0]) ? std::optional(given) : std::nullopt;
   };
   return rule;
 }

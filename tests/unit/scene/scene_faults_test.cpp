@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "reports/model/text.hpp"
+#include "scene/builtin.hpp"
 #include "scene_files.hpp"
 
 namespace {
@@ -111,6 +114,37 @@ TEST_F(scene_files, unknown_names_get_the_nearest) {
 TEST_F(scene_files, a_path_is_not_a_name) {
   expect_refused("./paper", {"./paper", "No such file"});
   expect_refused("paper.toml", {"paper.toml", "No such file"});
+}
+
+/// The text with each of its lines "key = value" in turn given another value.
+std::vector<std::string> with_each_value(std::string_view text, const std::string& value) {
+  std::vector<std::string> lines, out;
+  std::istringstream in{std::string(text)};
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  for (std::size_t changed = 0; changed < lines.size(); ++changed) {
+    const auto at = lines[changed].find(" = ");
+    if (lines[changed].starts_with('#') || at == std::string::npos) continue;
+    std::string one;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      one += (i == changed ? lines[i].substr(0, at + 3) + value : lines[i]) + '\n';
+    out.push_back(one);
+  }
+  return out;
+}
+
+TEST_F(scene_files, every_key_of_every_system_given_another_shape_is_taken_or_refused) {
+  int refused = 0;
+  for (const auto& entry : polhode::builtin_scene_table()) {
+    for (const char* never : {"[[[1]]]", "[1, [1]]", "[[], 1]", "{}", "1979-05-27"})
+      for (const auto& text : with_each_value(entry.text, never)) EXPECT_FALSE(refusal(write(text)).empty()) << text;
+    for (const char* odd : {"[]", "[[]]", "[[], []]", "[0]", "[[0]]", "0", "-1", "nan", "inf", "''", "false", "[1, 2]"})
+      for (const auto& text : with_each_value(entry.text, odd)) {
+        const auto said = refusal(write(text));
+        EXPECT_TRUE(polhode::is_plain_text(said)) << said;
+        refused += !said.empty();
+      }
+  }
+  EXPECT_GT(refused, 1000);
 }
 
 }  // namespace
