@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an extrapolation leaves open is at least what it leaves of a geometric series, and no more than was corrected.
+// What an extrapolation leaves open is what it leaves of a geometric series, and no more than was corrected; a strength
+// is found beside errors that fall with dt, and its interval covers.
 #include "statistics/multipliers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <polhode/noise/normal.hpp>
 #include <vector>
 
 namespace polhode {
@@ -46,6 +48,37 @@ TEST(LeftOpen, IsNothingThatIsWithinItsError) {
   EXPECT_EQ(left_open(dt, 0.5, 0.019, 0.01), 0);
   EXPECT_GT(left_open(dt, 0.5, 0.021, 0.01), 0);
   EXPECT_EQ(left_open(dt, 0, 0, 0), 0);
+}
+
+/// One direction S = 1 + g / 2, and the error (eps + (dt + 5 dt^2) / 2) S + dt h / 2, g and h normal.
+multiplier strength(double eps, std::uint64_t seed) {
+  constexpr int paths = 320;
+  response_data d(paths, 1, static_cast<int>(dt.size()));
+  for (int p = 0; p < paths; ++p) {
+    const auto g = normals<3>({seed, noise_kind::increment, static_cast<std::uint64_t>(p), 0});
+    const double size = 1 + g[0] / 2;
+    d.gram_of(p)[0] = size * size;
+    for (std::size_t l = 0; l < dt.size(); ++l) {
+      const double own = (dt[l] + 5 * dt[l] * dt[l]) / 2;
+      d.response_of(p, static_cast<int>(l))[0] = size * ((eps + own) * size + g[1] * 0.05 + dt[l] * g[2] / 2);
+    }
+  }
+  return effective_multipliers(dt, d, paths, 32).front();
+}
+
+TEST(EffectiveMultipliers, CoverWhatIsTrueAndNoMoreOftenThanTheySay) {
+  constexpr int seeds = 1000;
+  for (const double eps : {0.0, 0.3}) {
+    int covered = 0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      const auto m = strength(eps, seed);
+      ASSERT_TRUE(m.known);
+      EXPECT_LT(std::fabs(m.error.value - eps), m.sure) << seed;
+      covered += m.error.low <= eps && eps <= m.error.high;
+    }
+    EXPECT_GE(covered, 0.95 * seeds - 4 * std::sqrt(0.05 * 0.95 * seeds)) << eps;
+    EXPECT_LE(covered, 0.97 * seeds + 4 * std::sqrt(0.03 * 0.97 * seeds)) << eps;
+  }
 }
 
 }  // namespace
