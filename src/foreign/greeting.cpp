@@ -121,6 +121,7 @@ description read_greeting(const std::string& line, const std::string& where, con
                                   protocol_version));
   description d;
   d.from = from;
+  d.apart = true;
   all.take("name", d.name);
   all.take("title", d.title);
   all.take("source", d.source);

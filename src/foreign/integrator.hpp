@@ -53,6 +53,7 @@ struct description {
   polhode::calculus calculus = polhode::calculus::stratonovich;
   bool implicit = false, poisson = false;
   bool one_thread = false;  ///< must not be called by two threads at a time
+  bool apart = false;       ///< in a process or an interpreter of its own: the way to it costs more than many a step
   foreign::claims claims = {};
 };
 

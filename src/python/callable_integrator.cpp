@@ -105,6 +105,7 @@ foreign::description described(const py::dict& about) {
   d.implicit = about["implicit"].cast<bool>();
   d.poisson = about["poisson"].cast<bool>();
   d.one_thread = true;  // the interpreter has one lock: threads would only wait elsewhere
+  d.apart = true;
   for (const auto& [name, order] : foreign::named_orders) d.claims.*order = about[name].cast<double>();
   return foreign::checked(d, d.from);
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/foreign_runs.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -35,10 +33,9 @@ subject sampled(subject s) {
   return s;
 }
 
-constexpr double dear = 250;  // ns of a step of one path: a million steps of a block take a quarter of a minute
-
-/// Nothing: asks no more of a dear scheme than it must.
-std::optional<experiment> for_dear(const experiment& e) {
+/// Nothing: it asks as much of whatever comes through any door. By the door and not by the clock, so that another
+/// machine asks the same.
+std::optional<experiment> shortened(const experiment& e) {
   if (e.info.name == "casimir") return dear_casimir_experiment();
   if (e.info.name == "stability") return dear_stability_experiment();
   return {};
@@ -68,7 +65,7 @@ bool is_reported(const report::results& so_far, std::string_view scheme) {
 std::vector<part> parts_for(const experiment& e, const subject& s, const foreign::foreign_schemes& foreign,
                             report::results& out) {
   if (foreign.empty()) return {{s, e}};
-  std::vector<std::string> driven, slow, own;
+  std::vector<std::string> driven, apart, own;
   for (const auto& entry : s.schemes) {
     const std::string name(entry.info.name);
     const auto* of = find_foreign(foreign, name);
@@ -80,22 +77,21 @@ std::vector<part> parts_for(const experiment& e, const subject& s, const foreign
                              "draws random numbers of its own: two runs under one noise, which this compares, need an "
                              "integrator that takes increments"});
     else
-      (draws ? own : of != nullptr && of->cost() > dear ? slow : driven).push_back(name);
+      (draws ? own : of != nullptr && of->about().apart ? apart : driven).push_back(name);
   }
   std::vector<part> parts;
-  const auto shorter = for_dear(e);
-  if (!shorter) std::ranges::copy(slow, std::back_inserter(driven));
+  const auto shorter = shortened(e);
+  if (!shorter) std::ranges::copy(apart, std::back_inserter(driven));
   if (!driven.empty()) parts.push_back({restricted(s, driven), e});
-  if (shorter && !slow.empty()) parts.push_back({restricted(s, slow), *shorter});
+  if (shorter && !apart.empty()) parts.push_back({restricted(s, apart), *shorter});
   if (!own.empty()) parts.push_back(alone(e, restricted(s, own)));
   if (shorter)
-    for (const auto& name : slow)
+    for (const auto& name : apart)
       out.savings.push_back({e.info.name,
                              name,
                              e.info.name == "casimir" ? "all but a tenth of the million steps, the drift taken on"
                                                       : "cases with parameters moved",
-                             fmt::format("a step of one path takes {:.0f} ns, more than {:.0f}",
-                                         find_foreign(foreign, name)->cost(), dear),
+                             "its steps are asked of a process or an interpreter",
                              {}});
   return parts;
 }

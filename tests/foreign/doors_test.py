@@ -40,7 +40,7 @@ class Doors(unittest.TestCase):
                           f'{sorted(" ".join(k) for k in ours.keys() - theirs.keys()) or "none"}')
 
     def asked_less(self, scheme):
-        """Experiments that a step's time shortened."""
+        """Experiments that are shorter for what comes through that door."""
         return {s['experiment'] for s in self.results['savings'] if s['scheme'] == scheme}
 
     def test_both_doors_give_the_same_numbers(self):

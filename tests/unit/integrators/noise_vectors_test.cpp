@@ -134,6 +134,12 @@ TEST(NoiseClass, SeveralVectorsAlongOneLineAreOneToRounding) {
   EXPECT_EQ(class_with(1e-13), noise_class::general);
 }
 
+TEST(NoiseClass, NoVectorsOrOrthogonalOnesOfOneLengthWhateverThat) {
+  EXPECT_EQ(class_of(Eigen::Matrix3d(Eigen::Matrix3d::Zero())), noise_class::none);
+  for (const double length : {1e-3, 1.0, 1e3})
+    EXPECT_EQ(class_of(Eigen::Matrix3d(length * Eigen::Matrix3d::Identity())), noise_class::isotropic) << length;
+}
+
 TEST(PolarRotation, OfAnyScaleAndOfNothing) {
   const Eigen::Matrix3d sigma = columns({0.5, 0, 0, 0, 0, -0.4, 0, 0, 0});
   const Eigen::Matrix3d turn = polar_rotation_of(sigma);
