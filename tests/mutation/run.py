@@ -26,6 +26,7 @@ NOT_OURS = re.compile(r'polhode/(testing|abi|called|flatten|simd)|noise/(aes_por
 WANTED = 0.98     # share of the changes
 ONE_NUMBER = 1e-10  # relative: less is no change of a number
 UNIT, CONFORMANCE, VERIFICATION, COMMAND = 'polhode_unit', 'polhode_conformance', 'polhode_verification', 'polhode'
+LONG = 4000  # milliseconds of a suite: it runs for the changes of what it includes alone, so that some may seem to survive
 QUICK = ['verify', 'paper', '--effort', 'quick', '--schemes', 'heun,lie_heun,magnus,strang', '--no-cache', '--threads', '1', '--quiet', '--format', 'json',
          '--experiments', 'casimir,strong,energy,gibbs,weak,lyapunov']
 
@@ -64,6 +65,7 @@ class Quick:
         return f'verdict {" ".join(unlike[0])}' if unlike else ''
 
     def says_the_same(self, other):
+        """Which says nothing of a line that it does not run."""
         return len(self.said) == len(other.said) and all(
             math.isclose(a, b, rel_tol=ONE_NUMBER, abs_tol=1e-300) if isinstance(a, float) and isinstance(b, float) else a == b
             for a, b in zip(self.said, other.said))
@@ -77,8 +79,10 @@ class Healthy:
             self.quick, again = (Quick(build.build / COMMAND, folder, None) for _ in range(2))
         if not again.says_the_same(self.quick): raise SystemExit('two verifications of the sources as they are differ')
         begin = time.time()
-        if build.run([build.build / 'tests' / UNIT, '--gtest_brief=1'])[0] != 0: raise SystemExit('the tests fail on the sources as they are')
+        code, text = build.run([build.build / 'tests' / UNIT])
+        if code != 0: raise SystemExit('the tests fail on the sources as they are')
         self.limit = 10 * max(10, self.quick.seconds, time.time() - begin)
+        self.long_suites = [suite for suite, ms in re.findall(r'tests? from (\S+) \((\d+) ms total\)', text) if int(ms) > LONG]
 
 
 class Trial:
@@ -100,10 +104,12 @@ class Trial:
             out[name] = at
         return out
 
-    def runs(self, program, suites=()):
+    def runs(self, program, suites=(), without=()):
         """The first test that fails; '' where all pass."""
         words = [program, '--gtest_brief=1', '--gtest_fail_fast']
-        if suites: words.append('--gtest_filter=' + ':'.join(f'{s}.*:*/{s}.*:{s}/*.*' for s in suites))
+        of = lambda names: ':'.join(f'{s}.*:*/{s}.*:{s}/*.*' for s in names)
+        if suites: words.append('--gtest_filter=' + of(suites))
+        elif without: words.append('--gtest_filter=-' + of(without))
         code, text = self.b.run(words, limit=self.healthy.limit)
         if code is None: return 'a time limit'
         failed = re.search(r'\[  FAILED  \] ([\w./]+)', text)
@@ -131,8 +137,8 @@ class Trial:
         if near and (by := self.runs(tests, near)): return by
         quick = Quick(self.linked(COMMAND, replaced), self.folder / 'report', self.healthy.limit)
         if by := quick.verdict_unlike(self.healthy.quick): return by
-        if by := self.runs(tests): return by
-        if quick.says_the_same(self.healthy.quick): return None
+        if by := self.runs(tests, without=self.healthy.long_suites): return by
+        if quick.says_the_same(self.healthy.quick): return ''
         return self.runs(self.linked(VERIFICATION, replaced))  # minutes, so last
 
     def linked(self, target, replaced):
@@ -183,7 +189,7 @@ def main():
 
     with ThreadPoolExecutor(given.jobs) as pool:
         for mutant, by, seconds in pool.map(tried, some):
-            fate = 'changes no number' if by is None else f'seen by {by}' if by else 'SURVIVES'
+            fate = 'changes no number, as listed' if by is None else f'seen by {by}' if by else 'SURVIVES'
             print(f'{fate:<48} {seconds:4.0f} s  {mutant.name()}', flush=True)
             results.append({'mutant': mutant.name(), 'key': mutant.key(), 'kind': mutant.kind, 'by': by, 'seconds': round(seconds, 1)})
     Path(given.out).write_text(json.dumps(results, indent=1) + '\n')
@@ -193,7 +199,7 @@ def main():
     if counted:
         low, high = wilson(seen, len(counted))
         print(f'seen: {seen} of {len(counted)}, {100 * seen / len(counted):.1f} % [{100 * low:.1f}, {100 * high:.1f}]; besides '
-              f'{sum(r["by"] == "the compiler" for r in results)} refused by the compiler, {sum(r["by"] is None for r in results)} that change no number')
+              f'{sum(r["by"] == "the compiler" for r in results)} refused by the compiler, {sum(r["by"] is None for r in results)} that change no number, as listed')
         if high < WANTED: print(f'fewer than {100 * WANTED:.0f} % are seen'); code = 1
         for kind, n in sorted(collections.Counter(r['kind'] for r in counted if not r['by']).items()): print(f'  {n} of kind {kind} survive')
     return code

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Verdicts on what is left of a path's error as dt -> 0, and when it is known well enough.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "experiments/common/path_limit.hpp"
+
+namespace polhode {
+namespace {
+
+using report::verdict_kind;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<direction> two_directions() {
+  std::vector<direction> out(2);
+  out[0].name = "noise";
+  out[0].channel = 0;
+  out[1].name = "time";
+  return out;
+}
+
+multiplier strength(double error, double half, double sure) {
+  return {.known = true, .error = {error, error - half, error + half}, .sure = sure, .size = 1};
+}
+
+/// A distance of 0.01 at most under a bound of 0.02, a noise that is right to 0.002, and a time.
+path_limit healthy(multiplier time = strength(0.001, 0.002, 0.01)) {
+  return {{0.004, 0.001, 0.01}, 0.02, {strength(-0.001, 0.002, 0.01), time}, {0.01, 0.01}};
+}
+
+verdict_kind kind_of(const path_limit& l) { return judge_limit(l, two_directions(), 2).kind; }
+
+TEST(PathLimit, HoldsWhereDistanceAndStrengthsDo) {
+  const auto v = judge_limit(healthy(), two_directions(), 2);
+  EXPECT_EQ(v.kind, verdict_kind::holds);
+  EXPECT_EQ(v.estimate, 0.002);
+  EXPECT_EQ(v.low, 0.0005);
+  EXPECT_EQ(v.high, 0.005);
+  EXPECT_EQ(v.reason,
+            "distance from the solution as dt -> 0, in units of |mu_0|: at most 0.005, bound 0.01; strengths as dt -> "
+            "0: noise 0.99900 [0.99700, 1.00100], time 1.00100 [0.99900, 1.00300]");
+}
+
+TEST(PathLimit, TheWorstOfThemIsTheVerdict) {
+  EXPECT_EQ(kind_of(healthy(strength(0.011, 0.002, 0.01))), verdict_kind::refuted);
+  EXPECT_EQ(kind_of(healthy(strength(-0.011, 0.002, 0.01))), verdict_kind::refuted);
+  EXPECT_EQ(kind_of(healthy(strength(0.009, 0.002, 0.01))), verdict_kind::inconclusive);  // beyond its margin, unsurely
+  EXPECT_EQ(kind_of(healthy(strength(nan, 0, 0))), verdict_kind::inconclusive);
+  auto unsure = healthy();
+  unsure.distance.high = 0.03;
+  EXPECT_EQ(kind_of(unsure), verdict_kind::inconclusive);
+  unsure.strengths[1] = strength(0.011, 0.002, 0.01);
+  EXPECT_EQ(kind_of(unsure), verdict_kind::refuted);
+  auto far = healthy();
+  far.distance = {0.03, 0.025, 0.04};
+  EXPECT_EQ(kind_of(far), verdict_kind::refuted);
+  far.strengths[0] = strength(nan, 0, 0);
+  EXPECT_EQ(kind_of(far), verdict_kind::refuted);
+}
+
+// A scheme that is its twin to rounding scatters by nothing.
+TEST(PathLimit, RoundingRefutesNoStrength) {
+  EXPECT_EQ(kind_of(healthy(strength(0.9e-12, 0, 0))), verdict_kind::holds);
+  EXPECT_EQ(kind_of(healthy(strength(1.1e-12, 0, 0))), verdict_kind::refuted);
+}
+
+TEST(PathLimit, AStrengthThatIsNotKnownSaysNothing) {
+  auto unknown = strength(0.5, 0.002, 0.01);
+  unknown.known = false;
+  const auto v = judge_limit(healthy(unknown), two_directions(), 2);
+  EXPECT_EQ(v.kind, verdict_kind::holds);
+  EXPECT_EQ(v.reason.find("time"), std::string::npos);
+}
+
+TEST(PathLimit, NoUsableLevelsAreNoAnswer) {
+  auto none = healthy();
+  none.distance = {nan, nan, nan};
+  const auto v = judge_limit(none, two_directions(), 2);
+  EXPECT_EQ(v.kind, verdict_kind::inconclusive);
+  EXPECT_EQ(v.reason, "no usable levels");
+  EXPECT_TRUE(tight(none));
+}
+
+// A third of the bound, of either side of the interval; a third of a strength's margin.
+TEST(PathLimit, IsTightByItsWidths) {
+  auto limit = healthy();
+  limit.distance = {0.5, 0.5 - 0.0066, 0.5 + 0.0066};
+  limit.strengths[1] = strength(0.5, 0.0033, 0);
+  EXPECT_TRUE(tight(limit));
+  limit.strengths[1] = strength(0.5, 0.0034, 0);
+  EXPECT_FALSE(tight(limit));
+  limit.strengths[1].known = false;
+  EXPECT_TRUE(tight(limit));
+  limit.distance = {0.5, 0.5 - 0.0067, 0.5 + 0.0067};
+  EXPECT_FALSE(tight(limit));
+}
+
+// Lane l: 2 + 10 l from two channels, component by component; the direction of time has no part.
+TEST(NoiseEffect, IsTheSumOverTheNoise) {
+  auto directions = two_directions();
+  directions.push_back({"noise 2", 1, nullptr});
+  std::vector<std::vector<double>> responses(3, std::vector<double>(2 * block_lanes, 0));
+  for (std::size_t lane = 0; lane < block_lanes; ++lane) {
+    responses[0][lane] = 2;
+    responses[2][lane] = 10 * static_cast<double>(lane);
+    responses[2][block_lanes + lane] = -3;
+    responses[1][lane] = 1e6;
+  }
+  noise_effect effect{std::vector<double>(2 * block_lanes, 0)};
+  keep(responses, directions, block_lanes, effect);
+  double sum = 0;
+  for (std::size_t lane = 0; lane < block_lanes; ++lane) {
+    const double square = std::pow(2 + 10 * static_cast<double>(lane), 2) + 9;
+    EXPECT_EQ(effect.squares[lane], 0);
+    EXPECT_DOUBLE_EQ(effect.squares[block_lanes + lane], square);
+    sum += square;
+  }
+  EXPECT_NEAR(effect.rms(2 * block_lanes), std::sqrt(sum / (2 * block_lanes)), 1e-10);
+  EXPECT_EQ(effect.rms(block_lanes), 0);
+}
+
+}  // namespace
+}  // namespace polhode
