@@ -143,7 +143,7 @@ class Removed(Writing):
             while not (made := glob.glob(os.path.join(self.folder.name, '.out.partial-*/recorded.npy'))) and p.poll() is None: time.sleep(.005)
             time.sleep(.1)
             self.assertIsNone(p.poll(), 'it runs long enough to lose its folder')
-            shutil.rmtree(os.path.dirname(made[0]))
+            os.rename(os.path.dirname(made[0]), os.path.join(self.given, f'gone while recorded as {kind}'))  # at once: it may write meanwhile
             err = p.communicate(timeout=100)[1]
             self.assertEqual(p.returncode, 4); self.assertRegex(err, rb'\Apolhode: cannot write \'out[^\n]+\n\Z')
             self.assertEqual(self.left_behind(), [])
