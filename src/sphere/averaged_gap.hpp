@@ -25,9 +25,9 @@ struct averaged_rates {
 };
 
 /// The limit of the spectral gap in units of the noise, as noise and theta fade in proportion (theta > 0: under
-/// isotropic noise, beta = 2 theta / sigma^2), to about 1e-6 of itself. The gap itself falls short by about sigma times
-/// a logarithm. Nothing for a spherical body, no noise, an h
-/// with products of two components or a field, noise that depends on the state, or where p under- or overflows.
+/// isotropic noise, beta = 2 theta / sigma^2), to about 1e-6 of itself, 3e-6 where two inertias differ by a thousandth.
+/// The gap itself falls short by about sigma times a logarithm. Nothing for a spherical body, no noise, an h with
+/// products of two components or a field, noise that depends on the state, or where p under- or overflows.
 std::optional<averaged_rates> averaged_gap(const sphere_problem& problem);
 
 }  // namespace polhode

@@ -101,14 +101,15 @@ void noise_audit::add_path(const audited_steps& s, int lane) {
   if (channels_ == 0 || s.dw.empty()) return;
   // Steps in place of lanes: what is said of lanes is then said of steps.
   const int whole = s.steps / lanes;
+  const int pairs = s.area.empty() ? 0 : pairs_;
   std::vector<double> dw(static_cast<std::size_t>(whole * channels_ * lanes)),
-      area(s.area.empty() ? 0 : static_cast<std::size_t>(whole * pairs_ * lanes));
+      area(static_cast<std::size_t>(whole * pairs * lanes));
   for (int i = 0; i < whole * lanes; ++i) {
     const int to = i / lanes, at = i % lanes;
     for (int k = 0; k < channels_; ++k)
       dw[static_cast<std::size_t>((to * channels_ + k) * lanes + at)] = s.dw[static_cast<std::size_t>(i * s.rows + k)];
-    for (int p = 0; p < (area.empty() ? 0 : pairs_); ++p)
-      area[static_cast<std::size_t>((to * pairs_ + p) * lanes + at)] =
+    for (int p = 0; p < pairs; ++p)
+      area[static_cast<std::size_t>((to * pairs + p) * lanes + at)] =
           s.area[static_cast<std::size_t>(i * s.pair_rows + p)];
   }
   paths_ = true;
