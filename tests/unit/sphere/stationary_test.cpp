@@ -50,6 +50,24 @@ TEST(Stationary, SaysWhereThereIsNoneOrMany) {
   EXPECT_NE(law.reason.find("not unique"), std::string::npos);
 }
 
+// A law that its last degree changed in one coefficient of pi3, and of which more may be uncertain than that.
+TEST(Stationary, AMeanIsAsUncertainAsItsLaw) {
+  const auto f = observable("pi3");
+  stationary_law law{.density = Eigen::VectorXd::Unit(9, 0), .change = 1e-3 * Eigen::VectorXd::Unit(9, 2), .degree = 2};
+  const double effect =
+      std::fabs(*mean(paper(), {.density = law.change, .change = 0 * law.change, .degree = 2}, f).value);
+  EXPECT_GT(effect, 1e-3);
+  for (const double share : {0.5, 1.0, 3.0}) {
+    law.uncertainty = share * 1e-3;
+    EXPECT_NEAR(mean(paper(), law, f).uncertainty, std::max(1.0, share) * effect, 1e-15) << share;
+  }
+  law.change.setZero();
+  law.uncertainty = 0;
+  const double rounding = mean(paper(), law, f).uncertainty;
+  EXPECT_GT(rounding, 1e-17);
+  EXPECT_LT(rounding, 1e-13);
+}
+
 TEST(StationaryMean, BarsHoldAtEveryDegree) {
   for (const auto& q : {Eigen::Matrix3d(0.04 * Eigen::Matrix3d::Identity()), oblique()}) {
     const auto p = problem(0.5, q);
