@@ -163,6 +163,7 @@ def arguments():
     parser.add_argument('build')
     parser.add_argument('--rooms', default=','.join(ROOMS))
     parser.add_argument('--sample', type=int, default=100)
+    parser.add_argument('--skip', type=int, default=0)
     parser.add_argument('--seed', default='1')
     parser.add_argument('--only', default='')
     parser.add_argument('--out', default='mutation.json')
@@ -178,7 +179,7 @@ def main():
     build = Build(tree, given.build)
     known = dict(line.rsplit(' :: ', 1) for line in (Path(__file__).parent / 'equivalent.txt').read_text().splitlines() if ' :: ' in line)
     everything = [m for file in files_of(tree, given.rooms.split(',')) for m in mutants_of(tree, file) if given.only in m.name()]
-    some = sorted(everything, key=lambda m: order(m, given.seed))[:given.sample or None]
+    some = sorted(everything, key=lambda m: order(m, given.seed))[given.skip:given.sample or None]
     print(f'{len(everything)} changes in {given.rooms}; {len(some)} of them are tried', flush=True)
     healthy, results = Healthy(build), []
 
