@@ -31,18 +31,6 @@ std::vector<double> difference(const std::vector<double>& a, const std::vector<d
   return out;
 }
 
-/// Of X_dt - Y: schemes that are right for commuting noise have order 1 there, whatever the noise. But a scheme of weak
-/// order two without areas adds their covariance to its noise (noise_matrix.hpp): in directions that the vectors do not
-/// span this is noise of its own, and of order 1/2 along a path.
-double gap_order(const subject& s, const scheme_info& info) {
-  const auto& strong = info.strong_order;
-  if (s.model->noise() == noise_class::general && strong.general < 1 && info.weak_order.general > 1) {
-    const auto covariance = covariance_of_noise(s.scene);
-    if (covariance.fullPivLu().rank() < covariance.rows()) return strong.general;
-  }
-  return std::max(strong.commuting, strong.general);
-}
-
 verdict_kind worse(verdict_kind a, verdict_kind b) {
   if (a == verdict_kind::refuted || b == verdict_kind::refuted) return verdict_kind::refuted;
   return a == verdict_kind::holds ? b : a;
@@ -59,6 +47,15 @@ verdict_kind judge_strength(const multiplier& m, double margin) {
 }
 
 }  // namespace
+
+double gap_order(const subject& s, const scheme_info& info) {
+  const auto& strong = info.strong_order;
+  if (s.model->noise() == noise_class::general && strong.general < 1 && info.weak_order.general > 1) {
+    const auto covariance = covariance_of_noise(s.scene);
+    if (covariance.fullPivLu().rank() < covariance.rows()) return strong.general;
+  }
+  return std::max(strong.commuting, strong.general);
+}
 
 path_record::path_record(int paths, int levels, int directions)
     : error(room(paths, levels)),

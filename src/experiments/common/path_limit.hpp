@@ -49,6 +49,11 @@ inline constexpr double distance_share = 0.02;
 /// So far may a strength be from one, or as far as has the effect of noise that is so far from one.
 inline constexpr double strength_margin = 0.01;
 
+/// Of X_dt - Y: schemes that are right for commuting noise have order 1 there, whatever the noise. But a scheme of weak
+/// order two without areas adds their covariance to its noise (noise_matrix.hpp): in directions that the vectors do not
+/// span this is noise of its own, and of order 1/2 along a path.
+double gap_order(const subject&, const scheme_info&);
+
 path_limit limit_of(const context&, const scheme_info&, std::span<const double> dt, const path_record&,
                     const noise_effect&, int cells);
 

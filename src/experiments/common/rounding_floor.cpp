@@ -30,18 +30,6 @@ std::vector<double> energies_of(const model& m, std::span<const double> states) 
   return energies;
 }
 
-/// Root mean square of the condition over the states between steps: each adds its own rounding.
-double condition_on_the_way(const model& m, const kernel& scheme, std::vector<double> states,
-                            const increment_view& noise) {
-  double squares = 0;
-  for (int i = 0; i < noise.steps; ++i) {
-    scheme.advance(states, noise.part(i, 1));
-    const double here = energy_condition(m, states);
-    squares += here * here;
-  }
-  return std::sqrt(squares / noise.steps);
-}
-
 }  // namespace
 
 double energy_condition(const model& m, std::span<const double> states) {
@@ -60,6 +48,17 @@ double energy_condition(const model& m, std::span<const double> states) {
   }
   const double sum = std::accumulate(slopes.begin(), slopes.end(), 0.0);
   return std::sqrt(sum / static_cast<double>(states.size()));
+}
+
+double condition_on_the_way(const model& m, const kernel& scheme, std::vector<double> states,
+                            const increment_view& noise) {
+  double squares = 0;
+  for (int i = 0; i < noise.steps; ++i) {
+    scheme.advance(states, noise.part(i, 1));
+    const double here = energy_condition(m, states);
+    squares += here * here;
+  }
+  return std::sqrt(squares / noise.steps);
 }
 
 rounding_floor rounding_floor_of(const context& c, const subject& s, const scheme_entry& scheme) {

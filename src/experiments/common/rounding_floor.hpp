@@ -15,6 +15,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "experiments/common/experiment.hpp"
 #include "experiments/common/recorder.hpp"
@@ -30,6 +31,9 @@ struct rounding_floor {
 /// |dh/dmu| |mu| / sqrt(d), root mean square over a block of states, [component][lane]. By central differences, right
 /// to some digits; not finite where h is not.
 double energy_condition(const model&, std::span<const double> states);
+/// Its root mean square over the states between the steps of the noise: each adds its own rounding.
+double condition_on_the_way(const model&, const kernel& scheme, std::vector<double> states,
+                            const increment_view& noise);
 
 /// Of the scheme on that subject, with its noise if it has some.
 rounding_floor rounding_floor_of(const context&, const subject&, const scheme_entry&);

@@ -81,8 +81,8 @@ sparse_matrix tall_backward_operator(const sphere_pair& pair, int degree) {
     for (const auto& [first, second] : terms)
       for (sparse_matrix::InnerIterator a(first, k); a; ++a)
         for (sparse_matrix::InnerIterator b(second, n); b; ++b)
-          if (a.value() * b.value() != 0)
-            sum.add(index(static_cast<int>(a.row()), static_cast<int>(b.row())), a.value() * b.value());
+          if (const double product = a.value() * b.value(); product != 0)
+            sum.add(index(static_cast<int>(a.row()), static_cast<int>(b.row())), product);
     sum.write(out, index(k, n));
   };
   for (int both = 0; both <= degree; ++both)

@@ -23,7 +23,7 @@ sphere_function of_site(const sphere_problem& site, const site_observable& f) {
 
 int pair_harmonic_count(int degree) { return (degree + 1) * (degree + 2) * (degree * degree + 3 * degree + 3) / 6; }
 
-pair_index::pair_index(int degree) : degree_(degree), first_(static_cast<std::size_t>((degree + 1) * (degree + 1)), 0) {
+pair_index::pair_index(int degree) : degree_(degree), first_(static_cast<std::size_t>(harmonic_count(degree)), 0) {
   int next = 0;
   for (int both = 0; both <= degree; ++both)
     for (int l1 = 0; l1 <= both; next += size_of_block(l1, both - l1), ++l1)

@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "experiments/common/path_limit.hpp"
+#include "problem/drives.hpp"
+#include "run/bind_scene.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode {
 namespace {
@@ -98,6 +101,22 @@ TEST(PathLimit, IsTightByItsWidths) {
   EXPECT_TRUE(tight(limit));
   limit.distance = {0.5, 0.5 - 0.0067, 0.5 + 0.0067};
   EXPECT_FALSE(tight(limit));
+}
+
+/// Of a scheme with these strong orders and this weak order everywhere, under three vectors on the axes.
+double gap_order_of(double commuting, double general, double weak, double third_vector) {
+  scheme_info info{};
+  info.strong_order = {.commuting = commuting, .general = general};
+  info.weak_order = {.one_vector = weak, .isotropic = weak, .general = weak};
+  return gap_order(
+      bind_scene(with_noise_vectors(load_scene("paper"), {{0.5, 0, 0}, {0, 0.4, 0}, {0, 0, third_vector}})), info);
+}
+
+TEST(GapOrder, IsThatOfTheNoiseThatASchemeOfWeakOrderTwoAddsWhereNoneIs) {
+  EXPECT_EQ(gap_order_of(1, 0.5, 2, 0), 0.5);
+  EXPECT_EQ(gap_order_of(1, 0.5, 2, 0.3), 1);
+  EXPECT_EQ(gap_order_of(1, 0.5, 1, 0), 1);
+  EXPECT_EQ(gap_order_of(1.5, 1, 2, 0), 1.5);
 }
 
 // Lane l: 2 + 10 l from two channels, component by component; the direction of time has no part.

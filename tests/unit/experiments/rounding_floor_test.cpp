@@ -70,6 +70,16 @@ TEST(RoundingFloor, ConditionOfABodyIsItsTurningRate) {
   EXPECT_NEAR(condition_of(*paper.model, {0.6, 0.48, 0.64}), rate / std::sqrt(3.0), 1e-9);
 }
 
+// About an axis it does not move, so that the mean over the way is what it is at the start.
+TEST(RoundingFloor, ConditionOnTheWayIsItsMeanOverTheSteps) {
+  const auto paper = silent("paper");
+  for (const auto& scheme : paper.schemes) {
+    const double found =
+        condition_on_the_way(*paper.model, *scheme.make(0.1), replicated(std::vector{0.0, 0.0, 1.0}), silence(7));
+    EXPECT_NEAR(found, 1 / 3.0 / std::sqrt(3.0), 1e-9) << scheme.info.name;
+  }
+}
+
 // Of two, h = -(Gamma_1 Gamma_2 / 4 pi) log g, |dh/dmu_1| = |Gamma_2| / 4 pi sqrt(2 / g), and so of the other: grows
 // without bound where they meet, as h does not.
 TEST(RoundingFloor, ConditionOfTwoVorticesGrowsWhereTheyMeet) {

@@ -81,5 +81,29 @@ TEST(EffectiveMultipliers, CoverWhatIsTrueAndNoMoreOftenThanTheySay) {
   }
 }
 
+// Directions S, 2 S and another; the error is 0.1 of the first and 0.2 of the last.
+TEST(EffectiveMultipliers, AreTheSameInAnyUnitAndNotKnownOfWhatFollowsFromOthers) {
+  constexpr int paths = 320;
+  for (const double unit : {0x1p-20, 1.0, 0x1p20}) {
+    response_data d(paths, 3, static_cast<int>(dt.size()));
+    for (int p = 0; p < paths; ++p) {
+      const auto g = normals<2>({3, noise_kind::increment, static_cast<std::uint64_t>(p), 0});
+      const double s[] = {unit * (1 + g[0] / 2), unit * (2 + g[0]), unit * g[1]};
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k) d.gram_of(p)[3 * j + k] = s[j] * s[k];
+      for (std::size_t l = 0; l < dt.size(); ++l)
+        for (int k = 0; k < 3; ++k) d.response_of(p, static_cast<int>(l))[k] = s[k] * (0.1 * s[0] + 0.2 * s[2]);
+    }
+    const auto found = effective_multipliers(dt, d, paths, 32);
+    ASSERT_EQ(found.size(), 3u);
+    EXPECT_TRUE(found[0].known) << unit;
+    EXPECT_FALSE(found[1].known) << unit;
+    EXPECT_TRUE(found[2].known) << unit;
+    EXPECT_NEAR(found[0].error.value, 0.1, 1e-12) << unit;
+    EXPECT_NEAR(found[2].error.value, 0.2, 1e-12) << unit;
+    EXPECT_NEAR(found[2].size, unit, 0.2 * unit);
+  }
+}
+
 }  // namespace
 }  // namespace polhode

@@ -86,6 +86,19 @@ TEST(PathSlopes, HoldTheMedianInNineteenOfTwentyIntervals) {
   EXPECT_LT(held, 985);
 }
 
+// Slopes 1 + p / 10^4 for p = 1, 2, …, 10^4: 250 of them lie below the middle 95 %.
+TEST(PathSlopes, SayInWhatRangeTheMiddleOfThemLies) {
+  const auto dt = halvings(4);
+  const auto e = errors_of(dt, 10'000, [](int p, double h) { return std::pow(h, 1 + 1e-4 * (p + 1)); });
+  const order_fit all{1, 1, 1, 1, std::vector<bool>(dt.size(), true), "", true, {}};
+  const auto slopes = fit_path_slopes(dt, e, all, 1.5);
+  ASSERT_TRUE(slopes);
+  EXPECT_NEAR(slopes->low, 1.025, 1.01e-4);
+  EXPECT_NEAR(slopes->high, 1.975, 1.01e-4);
+  EXPECT_NEAR(slopes->median.order, 1.5, 1.01e-4);
+  EXPECT_NEAR(slopes->share_at_least, 0.5, 2e-4);
+}
+
 TEST(PathSlopes, LeaveOutPathsThatHaveNone) {
   const auto dt = halvings(5);
   const order_fit all{1, 1, 1, 1, std::vector<bool>(dt.size(), true), "", true, {}};

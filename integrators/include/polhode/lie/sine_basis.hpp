@@ -68,14 +68,13 @@ struct sine_basis {
     return circles[static_cast<std::size_t>(n / 2 - 1)];
   }
 
-  /// All modes, of k_1 mod n and k_2 mod n, row by row.
+  /// All modes, of k_1 mod n and k_2 mod n, row by row; that of (0, 0) is zero.
   template <int n, class S>
   static std::array<complex_number<S>, static_cast<std::size_t>(n* n)> modes(const element<S>& v) {
     std::array<complex_number<S>, static_cast<std::size_t>(n * n)> out;
     const auto set = [&](int k1, int k2, const complex_number<S>& x) {
       out[static_cast<std::size_t>(n * wrapped(k1, n) + wrapped(k2, n))] = x;
     };
-    set(0, 0, {});
     for_each_mode(n, [&](int place, int k1, int k2) {
       const complex_number<S> x = S(1 / std::numbers::sqrt2) * complex_number<S>{v[place], v[place + 1]};
       set(k1, k2, x);

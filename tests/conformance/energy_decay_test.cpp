@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The energy law of every system with dissipation: dh/dt = -theta |ad*_{grad h} mu|^2 along its drift.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <polhode/systems/double_bracket.hpp>
+#include <polhode/systems/maxwell_bloch.hpp>
+#include <polhode/systems/rigid_body.hpp>
+#include <polhode/systems/so4_body.hpp>
+#include <polhode/systems/son_body.hpp>
+
+#include "support/heavy_top.hpp"
+#include "support/spin.hpp"
+
+namespace polhode::test {
+namespace {
+
+constexpr double theta = 0.4;
+
+/// Energies here are of second degree at most: a central difference is their slope, whatever its step.
+template <class System, int N>
+void expect_energy_law(const System& system, const vec<double, N>& mu) {
+  const auto drift = System::algebra::coad(system.generator(mu), mu);
+  constexpr double step = 0x1p-3;
+  const double slope = (system.energy(mu + step * drift) - system.energy(mu - step * drift)) / (2 * step);
+  const auto turned = System::algebra::coad(system.omega(mu), mu);
+  const double square = dot(turned, turned);
+  EXPECT_NEAR(slope, -theta * square, 1e-14);
+  EXPECT_NEAR(system.dissipation_rate(mu), theta * square, 1e-14);
+  EXPECT_GT(square, 0.001);
+}
+
+TEST(EnergyDecay, IsTheDoubleBracketsOfEverySystem) {
+  const vec<double, 3> three{{0.6, 0.48, 0.64}};
+  const vec<double, 6> six{{0.5, -0.3, 0.7, 0.48, 0.6, 0.64}};
+  expect_energy_law(rigid_body({1, 2, 3}, theta, rigid_body::isotropic(0.3)), three);
+  expect_energy_law(tilted_spin(theta), three);
+  expect_energy_law(maxwell_bloch(theta, maxwell_bloch::isotropic(0.3)), three);
+  expect_energy_law(asymmetric_top(theta), six);
+  expect_energy_law(so4_body({1, 2, 3, 1.5, 2.5, 0.7}, 0.3, theta, so4_body::isotropic(0.3)), six);
+  vec<double, son::dimension> of_four(6);
+  for (int k = 0; k < 6; ++k) of_four[k] = six[k];
+  expect_energy_law(son_body({1, 2, 3, 5}, theta, son_body::isotropic(0.3, 6)), of_four);
+}
+
+}  // namespace
+}  // namespace polhode::test

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// The noise that a run has heard: block by block, one block after another, or path by path.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "ensemble/noise/paths.hpp"
+#include "experiments/common/noise_verdict.hpp"
+#include "run/bind_scene.hpp"
+#include "scene/scene.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr int blocks = 4, steps = 64, pieces = 3;
+constexpr double dt = 0.1;
+
+/// Calls with(block, first step, increments), block by block, piece by piece.
+template <class With>
+void over_blocks(const model& m, With with) {
+  increment_buffer buffer(m, steps, true, {});
+  for (int block = 0; block < blocks; ++block)
+    for (int piece = 0; piece < pieces; ++piece)
+      with(block, piece * steps,
+           buffer.fill(7, static_cast<std::uint64_t>(block * block_lanes), static_cast<std::uint64_t>(piece * steps),
+                       steps, dt));
+}
+
+report::results report_of(const noise_log& log) {
+  report::results out;
+  log.report("test", out);
+  return out;
+}
+
+TEST(NoiseLog, BlocksOneAfterAnotherAreAllBlocks) {
+  const auto paper = bind_scene(load_scene("paper"));
+  noise_log apart(*paper.model, blocks), in_turn(*paper.model, 0);
+  over_blocks(*paper.model, [&](int block, int first_step, const increment_view& v) {
+    apart.add(block, v, dt);
+    in_turn.add_in_turn(first_step, v, dt);
+  });
+  const auto one = report_of(apart), other = report_of(in_turn);
+  ASSERT_EQ(one.verdicts.size(), 1u);
+  ASSERT_EQ(other.verdicts.size(), 1u);
+  EXPECT_EQ(one.verdicts[0].kind, report::verdict_kind::holds);
+  EXPECT_EQ(one.verdicts[0].reason, other.verdicts[0].reason);
+  EXPECT_EQ(one.measurements[0].value, other.measurements[0].value);
+  EXPECT_EQ(one.measurements[0].observable, other.measurements[0].observable);
+}
+
+TEST(NoiseLog, ADefectInOneOfItsPartsIsNamedAndRefuted) {
+  const auto paper = bind_scene(load_scene("paper"));
+  noise_log log(*paper.model, blocks, {{"healthy", 0}, {"loud", 0}});
+  const auto late = log.open({"late", 0}, blocks);
+  std::vector<double> louder;
+  over_blocks(*paper.model, [&](int block, int, const increment_view& v) {
+    log.add(block, v, dt, 0);
+    log.add(block, v, dt, late);
+    louder.assign(v.dw.begin(), v.dw.end());
+    for (double& x : louder) x *= 1.1;
+    auto loud = v;
+    loud.dw = louder;
+    log.add(block, loud, dt, 1);
+  });
+  const auto found = report_of(log);
+  ASSERT_EQ(found.verdicts.size(), 1u);
+  EXPECT_EQ(found.verdicts[0].kind, report::verdict_kind::refuted);
+  EXPECT_NE(found.verdicts[0].reason.find("loud: variance"), std::string::npos) << found.verdicts[0].reason;
+  ASSERT_EQ(found.measurements.size(), 3u);
+  EXPECT_TRUE(found.measurements[1].observable.starts_with("loud: variance"));
+}
+
+TEST(NoiseLog, NothingHeardIsNoVerdict) {
+  const auto paper = bind_scene(load_scene("paper"));
+  const auto found = report_of(noise_log(*paper.model, 2));
+  EXPECT_TRUE(found.verdicts.empty());
+  EXPECT_TRUE(found.measurements.empty());
+}
+
+}  // namespace
+}  // namespace polhode
