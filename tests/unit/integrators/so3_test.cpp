@@ -108,31 +108,6 @@ TEST(So3, DexpInvHasNoSeamBetweenSeriesAndClosedForm) {
   }
 }
 
-TEST(Scalar, SineAndCosineAreGoodToTheLastPlace) {
-  for (int i = -20000; i <= 20000; ++i) {
-    const double x = i * 0.00731 + (i % 7) * 13.0;
-    const auto [sin, cos] = sincos(x);
-    EXPECT_NEAR(sin, std::sin(x), 2.3e-16) << x;
-    EXPECT_NEAR(cos, std::cos(x), 2.3e-16) << x;
-  }
-  for (const double x : {1e5, 1.0001e5, 1e10, 1e300}) {
-    EXPECT_NEAR(sincos(x).sin, std::sin(x), 3e-16);
-    EXPECT_NEAR(sincos(pack(x)).sin[0], std::sin(x), 3e-16);
-  }
-}
-
-TEST(Scalar, ExponentialIsGoodToTheLastPlace) {
-  for (int i = -7070; i <= 7080; ++i) {
-    const double x = i * 0.1 + (i % 11) * 1e-3;
-    EXPECT_NEAR(exponential(x) / std::exp(x), 1.0, 2.3e-16) << x;
-    EXPECT_EQ(exponential(pack(x))[0], exponential(x));
-  }
-  EXPECT_EQ(exponential(0.0), 1.0);
-  EXPECT_EQ(exponential(-1e6), 0.0);
-  EXPECT_EQ(exponential(-1e300), 0.0);
-  EXPECT_EQ(exponential(1e6), INFINITY);
-}
-
 /// What a series leaves out has one sign, and a million steps add it up: 7 / 256 excess^5 would be 3e-11 of them.
 TEST(So3, AProjectionLeavesNothingOut) {
   for (const long double excess : {-9.99e-4L, -5e-4L, 5e-4L, 9.99e-4L, 2e-3L, 0.5L}) {

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small matrices over any scalar, real and complex, their products, exponentials and Cayley transforms, against Eigen.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <complex>
+#include <random>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include <polhode/lie/complex_matrix.hpp>
+#include <polhode/lie/fixed_matrix.hpp>
+#include <polhode/lie/matrix_functions.hpp>
+#include <polhode/lie/skew_projection.hpp>
+#include <polhode/lie/small_matrix.hpp>
+
+namespace polhode {
+namespace {
+
+constexpr int n = 4;
+using complex_dense = Eigen::MatrixXcd;
+
+complex_dense numbers(unsigned seed) {
+  std::mt19937 bits(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  complex_dense out(n, n);
+  for (auto& x : out.reshaped()) x = {uniform(bits), uniform(bits)};
+  return out;
+}
+complex_dense hermitian(unsigned seed) { return numbers(seed) + numbers(seed).adjoint(); }
+complex_dense skew_hermitian(unsigned seed) { return numbers(seed) - numbers(seed).adjoint(); }
+complex_dense real_skew(unsigned seed) {
+  return (numbers(seed).real() - numbers(seed).real().transpose()).cast<std::complex<double>>();
+}
+
+using real_fixed = fixed_matrix<double, n>;
+using complex_fixed = complex_matrix<double, n>;
+using sized = small_matrix<double, 6>;
+
+template <class M>
+M of(const complex_dense& a) {
+  M out = M::identity(n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      if constexpr (std::is_same_v<M, complex_fixed>)
+        out(i, j) = {a(i, j).real(), a(i, j).imag()};
+      else
+        out(i, j) = a(i, j).real();
+  return out;
+}
+template <class M>
+complex_dense dense(const M& a) {
+  complex_dense out(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      if constexpr (std::is_same_v<M, complex_fixed>)
+        out(i, j) = {a(i, j).real, a(i, j).imaginary};
+      else
+        out(i, j) = a(i, j);
+  return out;
+}
+template <class M>
+complex_dense seen_by(const complex_dense& a) {
+  return dense(of<M>(a));
+}
+
+void expect_near(const complex_dense& found, const complex_dense& expected, double within) {
+  EXPECT_LE((found - expected).norm(), within * std::max(1.0, expected.norm()));
+}
+
+template <class M>
+void calculates() {
+  const auto a = of<M>(numbers(1)), b = of<M>(numbers(2));
+  const complex_dense x = seen_by<M>(numbers(1)), y = seen_by<M>(numbers(2));
+  expect_near(dense(a + b), x + y, 0);
+  expect_near(dense(0.3 * a), 0.3 * x, 1e-16);
+  expect_near(dense(a * b), x * y, 1e-15);
+  expect_near(dense(M::identity(n)), complex_dense::Identity(n, n), 0);
+}
+
+TEST(Matrices, OfEveryKindCalculate) {
+  calculates<real_fixed>();
+  calculates<complex_fixed>();
+  calculates<sized>();
+}
+
+TEST(Matrices, RealProductsAndTransposes) {
+  const auto a = of<real_fixed>(numbers(1)), b = of<real_fixed>(numbers(2));
+  const Eigen::MatrixXd x = numbers(1).real(), y = numbers(2).real();
+  EXPECT_NEAR(inner_product(a, b), x.cwiseProduct(y).sum(), 1e-15);
+  expect_near(dense(transposed(a)), x.transpose().cast<std::complex<double>>(), 0);
+  EXPECT_NEAR(of<sized>(numbers(1)).square(), x.squaredNorm(), 1e-14);
+  const auto s = of<real_fixed>(real_skew(3)), t = of<real_fixed>(real_skew(4));
+  const complex_dense u = real_skew(3), v = real_skew(4);
+  expect_near(dense(skew_commutator(s, t)), u * v - v * u, 1e-15);
+  const auto square = s * s, cube = product_of_sign<-1>(square, s);
+  expect_near(dense(product_of_sign<1>(s, s)), u * u, 1e-15);
+  expect_near(dense(cube), u * u * u, 1e-15);
+}
+
+TEST(Matrices, ComplexProductsAndAdjoints) {
+  const auto a = of<complex_fixed>(numbers(1)), b = of<complex_fixed>(numbers(2));
+  const complex_dense x = numbers(1), y = numbers(2);
+  expect_near(dense(a - b), x - y, 0);
+  expect_near(dense(adjoint(a)), x.adjoint(), 0);
+  EXPECT_NEAR(real_product(a, b), (x.adjoint() * y).trace().real(), 1e-14);
+  EXPECT_NEAR(a.square(), x.squaredNorm(), 1e-14);
+  const complex_dense u = skew_hermitian(3);
+  const auto s = of<complex_fixed>(u);
+  expect_near(dense(product_of_sign<1>(s, s)), u * u, 1e-15);
+  expect_near(dense(product_of_sign<-1>(s * s, s)), u * u * u, 1e-15);
+}
+
+using c = complex_number<double>;
+void expect_equal(const c& found, std::complex<double> expected) {
+  EXPECT_NEAR(found.real, expected.real(), 1e-15);
+  EXPECT_NEAR(found.imaginary, expected.imag(), 1e-15);
+}
+
+TEST(ComplexNumber, CalculatesAsStd) {
+  const std::complex<double> x(0.3, -0.7), y(1.1, 0.4), z(-0.2, 0.5);
+  const c a{0.3, -0.7}, b{1.1, 0.4}, d{-0.2, 0.5};
+  expect_equal(a + b, x + y);
+  expect_equal(a - b, x - y);
+  expect_equal(-a, -x);
+  expect_equal(a * b, x * y);
+  expect_equal(2.0 * a, 2.0 * x);
+  expect_equal(plus_product(d, a, b), z + x * y);
+  expect_equal(conjugate(a), std::conj(x));
+  expect_equal(reciprocal(a), 1.0 / x);
+  expect_equal(times_constant(3, a), 3.0 * x);
+  expect_equal(times_constant(b, a), y * x);
+  expect_equal(select(true, a, b), x);
+  expect_equal(select(false, a, b), y);
+}
+
+constexpr double sizes[] = {1e-9, 1e-3, 0.2, 1.0, 30.0};  // of a step
+
+/// exp(x) - 1, by x (1 + x/2 (1 + x/3 (…))) where 1 would take its digits.
+complex_dense dense_exponential_less_one(const complex_dense& x) {
+  const complex_dense one = complex_dense::Identity(n, n);
+  if (x.norm() > 0.1) return x.exp() - one;
+  complex_dense sum = one;
+  for (int k = 12; k > 1; --k) sum = one + x * sum / k;
+  return x * sum;
+}
+
+TEST(MatrixFunctions, Exponentials) {
+  for (const double size : sizes) {
+    const complex_dense x = size / skew_hermitian(5).norm() * skew_hermitian(5);
+    const auto found = dense(exponential_less_one(of<complex_fixed>(x)));
+    EXPECT_LE((found - dense_exponential_less_one(x)).norm(), 2e-15 * size * (1 + size)) << size;
+  }
+}
+
+template <class M>
+void expect_cayley(const complex_dense& skew) {
+  for (const double size : sizes) {
+    const complex_dense x = size / skew.norm() * skew;
+    const complex_dense expected = (complex_dense::Identity(n, n) - x / 2).inverse() * x;
+    EXPECT_LE((dense(cayley_less_one(of<M>(x))) - expected).norm(), 2e-15 * size * (1 + size)) << size;
+  }
+}
+
+TEST(MatrixFunctions, CayleyTransforms) {
+  expect_cayley<real_fixed>(real_skew(5));
+  expect_cayley<complex_fixed>(skew_hermitian(5));
+}
+
+// V is off by 1e-9: what is left of that is its square.
+TEST(MatrixFunctions, AConjugationIsUnitary) {
+  const complex_dense one = complex_dense::Identity(n, n), m = hermitian(6);
+  const complex_dense v = (0.1 * skew_hermitian(7)).exp() - one, off = v + 1e-9 * hermitian(8);
+  const complex_dense u = one + v;
+  const auto found = dense(conjugation(of<complex_fixed>(off), of<complex_fixed>(m)));
+  EXPECT_LE((found - (u.adjoint() * m * u - m)).norm(), 1e-8);  // U itself is another by so much
+  const auto eigenvalues = [](const complex_dense& a) {
+    return Eigen::SelfAdjointEigenSolver<complex_dense>(a, Eigen::EigenvaluesOnly).eigenvalues().eval();
+  };
+  EXPECT_LE((eigenvalues(m + found) - eigenvalues(m)).norm(), 1e-14 * m.norm());
+}
+
+TEST(SkewProjection, HasTheEigenvaluesOfTheOther) {
+  for (const double away : {1e-6, 1e-3, 0.05}) {
+    const Eigen::MatrixXd x = real_skew(9).real(), onto = x + away * real_skew(10).real();
+    const complex_dense given = x.cast<std::complex<double>>(), way = (onto - x).cast<std::complex<double>>();
+    const auto added = dense(skew_projection(of<real_fixed>(given), of<real_fixed>(given + way), of<real_fixed>(way)));
+    const Eigen::MatrixXd found = x + added.real();
+    EXPECT_LE((found + found.transpose()).norm(), 1e-15);
+    const auto square_of = [](const Eigen::MatrixXd& a) {
+      return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(a * a.transpose(), Eigen::EigenvaluesOnly)
+          .eigenvalues()
+          .eval();
+    };
+    EXPECT_LE((square_of(found) - square_of(onto)).norm(), 1e-13 * square_of(onto).norm()) << away;
+    EXPECT_GE((square_of(x) - square_of(onto)).norm(), 0.1 * away);
+    EXPECT_LE(added.norm(), 10 * away);
+    EXPECT_LE((found * x - x * found).norm(), 1e-13 * x.squaredNorm());  // M times a polynomial of M^T M
+  }
+}
+
+}  // namespace
+}  // namespace polhode
