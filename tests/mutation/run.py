@@ -97,8 +97,8 @@ class Trial:
     def compiled(self, objects):
         """{object: where it lies}; None: the compiler refuses one of them."""
         out = {}
-        for i, name in enumerate(objects):
-            at = self.folder / f'{i}.o'
+        for name in objects:
+            at = self.folder / f'{name.replace("/", "-")}.o'
             code, _ = self.b.compile(name, self.m.file, self.folder, at)
             if code != 0: return None
             out[name] = at
@@ -116,14 +116,18 @@ class Trial:
         return failed.group(1) if failed else '' if code == 0 else f'a crash of {Path(program).name}'
 
     def by_header(self):
-        """An installed header: tests compile it themselves, one source at a time: those first that name it and need least."""
-        for name in sorted(self.b.objects_of(self.m.file, 'polhode_conformance.dir') + self.b.objects_of(self.m.file, 'polhode_unit.dir'),
+        """An installed header: tests compile it themselves."""
+        return self.by_tests_alone(('polhode_conformance.dir', 'polhode_unit.dir'), {})
+
+    def by_tests_alone(self, folders, library):
+        """Sources of tests one at a time, those first that name the header and need least."""
+        for name in sorted((o for folder in folders for o in self.b.objects_of(self.m.file, folder)),
                            key=lambda o: (self.m.file.name not in self.b.command[o][1].read_text(), len(self.b.depends[o]))):
             replaced = self.compiled([name])
             if replaced is None: return 'the compiler'
             target = CONFORMANCE if 'conformance' in name else UNIT
             program = self.folder / 'tests_of_one'
-            if self.b.link(target, replaced, program, alone=name)[0] != 0: continue
+            if self.b.link(target, replaced | library, program, alone=name)[0] != 0: continue
             if by := self.runs(program): return by
         return ''
 
@@ -135,6 +139,7 @@ class Trial:
         near = [s for o in self.b.objects_of(self.m.file.with_suffix('.hpp'), 'polhode_unit.dir') for s in suites_in(self.b.tree, self.b.command[o][1])]
         tests = self.linked(UNIT, replaced)
         if near and (by := self.runs(tests, near)): return by
+        if self.m.file.suffix == '.hpp' and (by := self.by_tests_alone(('polhode_unit.dir',), replaced)): return by
         quick = Quick(self.linked(COMMAND, replaced), self.folder / 'report', self.healthy.limit)
         if by := quick.verdict_unlike(self.healthy.quick): return by
         if by := self.runs(tests, without=self.healthy.long_suites): return by
