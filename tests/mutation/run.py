@@ -170,7 +170,7 @@ def arguments():
     parser.add_argument('--sample', type=int, default=100)
     parser.add_argument('--skip', type=int, default=0)
     parser.add_argument('--seed', default='1')
-    parser.add_argument('--only', default='')
+    parser.add_argument('--only', nargs='*', default=[''])
     parser.add_argument('--out', default='mutation.json')
     parser.add_argument('--jobs', type=int, default=2)
     given = parser.parse_args()
@@ -183,7 +183,7 @@ def main():
     given, tree = arguments(), Path(__file__).resolve().parents[2]
     build = Build(tree, given.build)
     known = dict(line.rsplit(' :: ', 1) for line in (Path(__file__).parent / 'equivalent.txt').read_text().splitlines() if ' :: ' in line)
-    everything = [m for file in files_of(tree, given.rooms.split(',')) for m in mutants_of(tree, file) if given.only in m.name()]
+    everything = [m for file in files_of(tree, given.rooms.split(',')) for m in mutants_of(tree, file) if any(text in m.name() for text in given.only)]
     some = sorted(everything, key=lambda m: order(m, given.seed))[given.skip:given.sample or None]
     print(f'{len(everything)} changes in {given.rooms}; {len(some)} of them are tried', flush=True)
     healthy, results = Healthy(build), []
