@@ -42,7 +42,7 @@ TEST(EnergyDecay, IsTheDoubleBracketsOfEverySystem) {
   expect_energy_law(asymmetric_top(theta), six);
   expect_energy_law(so4_body({1, 2, 3, 1.5, 2.5, 0.7}, 0.3, theta, so4_body::isotropic(0.3)), six);
   const auto of_size = [&]<class Vector>(Vector out) {
-    for (int k = 0; k < out.size; ++k) out[k] = six[k % 6] + 0.1 * (k / 6);
+    for (int k = 0; k < out.size; ++k) out[k] = k < 6 ? six[k] : six[k - 6] + 0.1;
     return out;
   };
   expect_energy_law(son_body({1, 2, 3, 5}, theta, son_body::isotropic(0.3, 6)),

@@ -14,6 +14,7 @@
 #include "reports/writers/result_folder.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/own_path.hpp"
 
 namespace polhode::test {
 
@@ -21,8 +22,7 @@ namespace fs = std::filesystem;
 using report::result_folder;
 
 struct cache_of_a_test : testing::Test {
-  cache_of_a_test() : folder(fs::path{testing::TempDir()} / "polhode_cache") {
-    folder += std::string("_") + testing::UnitTest::GetInstance()->current_test_info()->name();
+  cache_of_a_test() : folder(own_path("cache")) {
     fs::remove_all(folder);
     options.experiments = {"energy", "strong"};      // without noise and with it
     options.schemes = {"heun", "magnus", "strang"};  // drifting, exact with areas, exact without

@@ -59,7 +59,7 @@ TEST_F(CacheFaults, FreshReplacesWhatIsThere) {
 TEST_F(CacheFaults, WhereNothingCanBeWrittenTheResultIsTheSame) {
   options.experiments = {"energy"};
   const auto first = run();
-  const auto file = fs::path{testing::TempDir()} / "polhode_cache_file";
+  const auto file = own_path("cache_file");
   std::ofstream{file} << "not a folder";
   result_folder store(file / "below");
   options.store = &store;

@@ -12,6 +12,7 @@
 
 #include "reports/model/errors.hpp"
 #include "scene/scene.hpp"
+#include "support/own_path.hpp"
 
 namespace polhode::testing {
 
@@ -21,8 +22,7 @@ namespace fs = std::filesystem;
 class scene_files : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path{::testing::TempDir()} / (std::string{"polhode_scene_"} + info->name());
+    folder_ = test::own_path("scene");
     fs::create_directories(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }

@@ -100,7 +100,7 @@ POLHODE_CALLED fixed_matrix<S, n> skew_projection(const fixed_matrix<S, n>& x, c
   constexpr double last = 1e-10;
   const auto wanted = detail::skew_powers<m>(onto);
   auto added = S(0.0) * x;
-  auto pending = x(0, 0) == x(0, 0);
+  auto pending = magnitude(x(0, 0)) >= S(0.0);  // not where it is no number
   for (int i = 0; i < most_corrections && any(S(0.0), pending); ++i) {
     const auto now = x + added;
     const auto powers = detail::skew_powers<m>(now);
