@@ -93,6 +93,18 @@ TEST(PairExpectation, WithoutExchangeIsTheProductOfTwoSpheres) {
   holds(square, *expectation(pair.sites[1], f5, 2 * second, time, 1e-13).value, 4e-12);
 }
 
+// What cancels is not there: it would tie blocks together that have nothing to say to each other.
+TEST(PairExpectation, OfItsGeneratorNoEntryIsRounding) {
+  for (const auto& pair : {bound(0.8, 0, 0.7, true), bound(0.8, 0.5, 0.7, false), bodies()}) {
+    const auto generator = tall_backward_operator(pair, 4);
+    double least = 1;
+    for (Eigen::Index column = 0; column < generator.cols(); ++column)
+      for (sparse_matrix::InnerIterator entry(generator, column); entry; ++entry)
+        least = std::min(least, std::fabs(entry.value()));
+    EXPECT_GT(least, 1e-6);
+  }
+}
+
 // d(S_1.S_2) = 0 by exchange alone; noise of its own turns each away: E[S_1.S_2] = exp(-2 s t), E[S_1 + S_2] = exp(-s
 // t), s = sigma^2, times the start. The same noise turns both alike, and their precession about the sum stays.
 TEST(PairExpectation, OfBoundSpinsWithoutDissipation) {

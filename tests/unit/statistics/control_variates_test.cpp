@@ -55,15 +55,17 @@ TEST(ControlVariates, APathThatIsLostIsNotHidden) {
   EXPECT_FALSE(std::isfinite(controlled(d.y, d.controls).mean()));
 }
 
+// Whatever the signs of the others.
 TEST(OrderFit, LevelsThatAreNotClearOfZeroLeaveTheFit) {
   const std::vector<double> dt{1, 0.5, 0.25, 0.125, 0.0625};
   squared_errors e{400, 5, std::vector<double>(2000)};
   for (int path = 0; path < e.paths; ++path)
     for (int l = 0; l < e.levels; ++l)
-      e.at(path, l) = (l < 4 ? -dt[static_cast<std::size_t>(l)] : 0) + 0.05 * (path % 2 ? 1 : -1);
+      e.at(path, l) = (l < 4 ? (l % 2 ? 1 : -1) * dt[static_cast<std::size_t>(l)] : 0) + 0.05 * (path % 2 ? 1 : -1);
   const auto fit = fit_order_of_clear_means(dt, e, 5, 1);
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->order, 1, 1e-9);
+  EXPECT_NEAR(fit->prefactor, 1, 1e-9);
   EXPECT_FALSE(fit->used[4]);
 }
 
