@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include <polhode/noise/normal.hpp>
@@ -53,6 +55,19 @@ TEST(ControlVariates, APathThatIsLostIsNotHidden) {
   drawn d(100, 3);
   d.y[7] = NAN;
   EXPECT_FALSE(std::isfinite(controlled(d.y, d.controls).mean()));
+}
+
+// Student's t of a column as a normal deviate: of 1, 2, 3, 6 it is 3 over the root of 14 / 3 / 4.
+TEST(ControlVariates, MeansAreHeldAgainstTheirErrors) {
+  Eigen::MatrixXd y = Eigen::MatrixXd::Zero(4, 3);
+  y.col(0) << -1, -2, -3, -6;
+  y.col(2) << 1, -1, 2, -1;
+  const double tail = cdf(complement(boost::math::students_t(3), 3 / std::sqrt(14 / 12.0)));
+  const auto found = means_of_controls(y);
+  EXPECT_EQ(found.count, 2);
+  EXPECT_NEAR(found.largest, -quantile(complement(boost::math::normal(), tail)), 1e-12);
+  y(1, 1) = NAN;
+  EXPECT_FALSE(std::isfinite(means_of_controls(y).largest));
 }
 
 // Whatever the signs of the others.
