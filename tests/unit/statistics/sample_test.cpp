@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -33,6 +34,16 @@ TEST(HalfWidthWithBias, HasLimits) {
   EXPECT_TRUE(std::isnan(half_width_with_bias(NAN, 1)));
   EXPECT_TRUE(std::isnan(half_width_with_bias(1, NAN)));
   EXPECT_TRUE(std::isnan(half_width_with_bias(INFINITY, INFINITY)));
+}
+
+// Of four numbers: three degrees of freedom, whose quantile is 3.182446305284263.
+TEST(MeanInterval, OfFewNumbersIsStudents) {
+  const std::array few{1.0, 2.0, 3.0, 6.0};
+  const auto found = mean_interval(few);
+  const double half = 3.182446305284263 * std::sqrt(14 / 3.0 / 4);
+  EXPECT_EQ(found.value, 3);
+  EXPECT_NEAR(found.low, 3 - half, 1e-12);
+  EXPECT_NEAR(found.high, 3 + half, 1e-12);
 }
 
 }  // namespace
