@@ -4,32 +4,18 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/special_functions/ellint_rd.hpp>
-#include <boost/math/special_functions/ellint_rf.hpp>
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "algebra/decompositions.hpp"
+#include "sphere/closed_forms/elliptic_moments.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr int functions = 20;          // of an edge
 constexpr double largest_power = 300;  // of e, in p
-
-/// Integrals over a quarter turn of 1, sin^2 and sin^4 over sqrt(1 - m sin^2); left = 1 - m.
-struct elliptic_moments {
-  double one, sin2, sin4;
-};
-
-elliptic_moments moments(double m, double left) {
-  const double one = boost::math::ellint_rf(0.0, left, 1.0), sin2 = boost::math::ellint_rd(0.0, left, 1.0) / 3;
-  const double series = 3 / 8.0 + m * (5 / 32.0 + m * (105 / 1024.0 + m * 315 / 4096.0));
-  const double sin4 = m > 1e-3 ? (2 * (1 + m) * sin2 - one) / (3 * m) : std::numbers::pi / 2 * series;
-  return {one, sin2, sin4};
-}
 
 /// Circles about one axis: differences of inverse inertia to the middle and the other axis, noise of the three.
 struct edge {
@@ -47,7 +33,7 @@ struct coefficients {
 coefficients averages(const edge& e, double left) {
   const double b2 = e.c * e.c * (1 - left), a2 = b2 * e.middle / e.other, p2 = e.c * e.c - a2;
   const double rest = e.c * e.c * left / p2, m = 1 - rest;
-  const auto [one, sin2, sin4] = moments(m, rest);
+  const auto [one, sin2, sin4] = elliptic_moments_of(m, rest);
   const double time = 4 / std::sqrt(e.middle * e.other * p2);
   const double about = e.across * e.across * a2 * b2 * (sin2 - sin4);
   const double to_other = e.middle * e.middle * b2 * p2 * (sin2 - m * sin4);

@@ -140,19 +140,6 @@ frame_operator operator_on_frames(const sphere_problem& problem, int degree, int
   return out;
 }
 
-/// A bound of |f| over all frames: functions of one l and right index b are at most sqrt(2 l + 1) |f_lb|, as the rows
-/// of a rotation are unit vectors.
-double frame_supremum(const Eigen::VectorXd& f) {
-  double sum = 0;
-  for (int l = 0; wigner_count(l) <= f.size(); ++l)
-    for (int b = -l; b <= l; ++b) {
-      double square = 0;
-      for (int a = -l; a <= l; ++a) square += std::pow(f[wigner_index(l, a, b)], 2);
-      sum += std::sqrt((2 * l + 1) * square);
-    }
-  return sum;
-}
-
 }  // namespace
 
 double kaplan_yorke(double lambda1, double sum) {

@@ -73,9 +73,11 @@ stationary_law stationary(const sphere_problem& problem, double tolerance, int w
 reference_value mean(const sphere_problem& problem, const stationary_law& law, const sphere_function& f) {
   if (!law.density) return {.degree = law.degree, .reason = law.reason};
   const Eigen::VectorXd c = observable_coefficients(problem, f, law.degree);
-  const double changed = law.change.norm(), beyond = law.uncertainty > changed ? law.uncertainty / changed : 1;
+  const double changed = law.change.norm();
+  const double uncertain = changed > 0 ? std::fabs(c.dot(law.change)) * std::max(1.0, law.uncertainty / changed)
+                                       : law.uncertainty * c.norm();  // nothing tells in which functions
   return {.value = c.dot(*law.density),
-          .uncertainty = std::max(std::fabs(c.dot(law.change)) * beyond, rounding_of_sums * c.norm()),
+          .uncertainty = std::max(uncertain, rounding_of_sums * c.norm()),
           .degree = law.degree,
           .reason = law.reason};
 }

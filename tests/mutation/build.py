@@ -8,6 +8,7 @@ import subprocess
 from pathlib import Path
 
 LIMIT = 900  # seconds of a compilation or a link
+ASSERTING = ['-w', '-Wno-error', '-UNDEBUG', '-D_GLIBCXX_ASSERTIONS']  # an index beyond the end is seen, whatever lies there
 
 
 class Build:
@@ -39,18 +40,18 @@ class Build:
     def objects_of(self, file, under):
         return sorted(o for o, sources in self.depends.items() if file in sources and under in o and o in self.command)
 
-    def compile(self, obj, mutant_file, overlay, out):
-        """Under `overlay` lies the changed source at its place in the tree: found before the tree's own."""
+    def compile(self, obj, overlay, out, changed=(), flags=(), first=()):
+        """Under `overlay` lie the sources `changed` at their places in the tree: found before the tree's own."""
         words, source = self.command[obj]
         words = list(words)
         words[words.index('-o') + 1] = str(out)
-        if source.resolve() == (self.tree / mutant_file).resolve(): words[words.index('-c') + 1] = str(overlay / mutant_file)
-        if mutant_file in self.depends.get(self._precompiled_by(obj), ()):  # precompiled from the sources as they are
+        if (own := source.resolve().relative_to(self.tree)) in changed: words[words.index('-c') + 1] = str(overlay / own)
+        if self.depends.get(self._precompiled_by(obj), set()) & set(changed):  # precompiled from the sources as they are
             at = words.index('-include') + 1
             words[at] = str(shutil.copy(words[at], overlay))
         places = [overlay, overlay / 'src', overlay / 'tests', overlay / 'integrators/include']
-        words[1:1] = [f'-I{place}' for place in places] + ['-w', '-Wno-error']
-        return self.run(words, cwd=self.build)
+        words[1:1] = [*first, *(f'-I{place}' for place in places)]
+        return self.run([*words, *ASSERTING, *flags], cwd=self.build)
 
     def link(self, target, replaced, out, alone=None):
         """The program with objects replaced; those of the library stand before it, so that its own are not taken.

@@ -8,6 +8,7 @@ import math
 import re
 import sys
 import tempfile
+import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -26,6 +27,7 @@ NOT_OURS = re.compile(r'polhode/(testing|abi|called|flatten|simd)|noise/(aes_por
 WANTED = 0.98     # share of the changes
 ONE_NUMBER = 1e-10  # relative: less is no change of a number
 UNIT, CONFORMANCE, VERIFICATION, COMMAND = 'polhode_unit', 'polhode_conformance', 'polhode_verification', 'polhode'
+QUICKLY = ['-O0']  # half the time and less; tests of headers run for moments
 LONG = 4000  # milliseconds of a suite: it runs for the changes of what it includes alone, so that some may seem to survive
 QUICK = ['verify', 'paper', '--effort', 'quick', '--schemes', 'heun,lie_heun,magnus,strang', '--no-cache', '--threads', '1', '--quiet', '--format', 'json',
          '--experiments', 'casimir,strong,energy,gibbs,weak,lyapunov']
@@ -71,10 +73,16 @@ class Quick:
             for a, b in zip(self.said, other.said))
 
 
+def program_of(test_object):
+    return CONFORMANCE if 'conformance' in test_object else UNIT
+
+
 class Healthy:
     """What the sources as they are say, and how long they take."""
 
     def __init__(self, build):
+        self.b, self.lock, self.passing = build, threading.Lock(), {}
+        self.saw = collections.defaultdict(collections.Counter)  # {file: {source of tests: changes it saw}}
         with tempfile.TemporaryDirectory() as folder:
             self.quick, again = (Quick(build.build / COMMAND, folder, None) for _ in range(2))
         if not again.says_the_same(self.quick): raise SystemExit('two verifications of the sources as they are differ')
@@ -83,6 +91,17 @@ class Healthy:
         if code != 0: raise SystemExit('the tests fail on the sources as they are')
         self.limit = 10 * max(10, self.quick.seconds, time.time() - begin)
         self.long_suites = [suite for suite, ms in re.findall(r'tests? from (\S+) \((\d+) ms total\)', text) if int(ms) > LONG]
+
+    def passes(self, test_object):
+        """Whether a source of tests passes on the sources as they are, compiled quickly too: else its failure says nothing."""
+        with self.lock:
+            if test_object not in self.passing:
+                with tempfile.TemporaryDirectory() as folder:
+                    at, program = Path(folder) / 'one.o', Path(folder) / 'tests_of_one'
+                    self.passing[test_object] = (self.b.compile(test_object, Path(folder), at, flags=QUICKLY)[0] == 0
+                        and self.b.link(program_of(test_object), {test_object: at}, program, alone=test_object)[0] == 0
+                        and self.b.run([program, '--gtest_brief=1'], limit=self.limit)[0] == 0)
+            return self.passing[test_object]
 
 
 class Trial:
@@ -94,12 +113,12 @@ class Trial:
         changed.parent.mkdir(parents=True)
         changed.write_text(mutant.applied((build.tree / mutant.file).read_text()))
 
-    def compiled(self, objects):
+    def compiled(self, objects, flags=()):
         """{object: where it lies}; None: the compiler refuses one of them."""
         out = {}
         for name in objects:
             at = self.folder / f'{name.replace("/", "-")}.o'
-            code, _ = self.b.compile(name, self.m.file, self.folder, at)
+            code, _ = self.b.compile(name, self.folder, at, [self.m.file], flags)
             if code != 0: return None
             out[name] = at
         return out
@@ -120,15 +139,17 @@ class Trial:
         return self.by_tests_alone(('polhode_conformance.dir', 'polhode_unit.dir'), {})
 
     def by_tests_alone(self, folders, library):
-        """Sources of tests one at a time, those first that name the header and need least."""
+        """Sources of tests one at a time: what saw another change of that header, then what names it, and what needs least."""
+        saw = self.healthy.saw[self.m.file]
         for name in sorted((o for folder in folders for o in self.b.objects_of(self.m.file, folder)),
-                           key=lambda o: (self.m.file.name not in self.b.command[o][1].read_text(), len(self.b.depends[o]))):
-            replaced = self.compiled([name])
+                           key=lambda o: (-saw[o], self.m.file.name not in self.b.command[o][1].read_text(), len(self.b.depends[o]))):
+            replaced = self.compiled([name], QUICKLY)
             if replaced is None: return 'the compiler'
-            target = CONFORMANCE if 'conformance' in name else UNIT
             program = self.folder / 'tests_of_one'
-            if self.b.link(target, replaced | library, program, alone=name)[0] != 0: continue
-            if by := self.runs(program): return by
+            if self.b.link(program_of(name), replaced | library, program, alone=name)[0] != 0: continue
+            if (by := self.runs(program)) and self.healthy.passes(name):
+                saw[name] += 1
+                return by
         return ''
 
     def by_library(self):

@@ -40,8 +40,7 @@ vector second_opinion(const sphere_problem& p, const vector& start, double time)
 }  // namespace
 
 reference_value on_the_path(const sphere_problem& p, const sphere_function& f, const vector& start, double time) {
-  const double c = p.radius, turning = c * p.quadratic.diagonal().cwiseAbs().maxCoeff() + p.field.norm();
-  const double turns = time * turning * (1 + p.damping * c);
+  const double turns = time * greatest_rate_on(p) * (1 + p.damping * p.radius);
   if (turns > most_turns)
     return {.reason =
                 fmt::format("no noise, and {:.2g} turns are too many to follow; at most {:g}", turns, most_turns)};

@@ -70,4 +70,15 @@ std::array<sparse_matrix, 3> wigner_coordinates(int degree, const group_generato
   return x;
 }
 
+double frame_supremum(const Eigen::VectorXd& f) {
+  double sum = 0;
+  for (int l = 0; wigner_count(l) <= f.size(); ++l)
+    for (int b = -l; b <= l; ++b) {
+      double square = 0;
+      for (int a = -l; a <= l; ++a) square += std::pow(f[wigner_index(l, a, b)], 2);
+      sum += std::sqrt((2 * l + 1) * square);
+    }
+  return sum;
+}
+
 }  // namespace polhode

@@ -24,4 +24,8 @@ group_generators wigner_generators(int degree);
 /// [right_j, .], which turns the columns: right_1 x = -w, right_2 x = v, right_2 w = 0, right_1 v = 0.
 std::array<sparse_matrix, 3> wigner_coordinates(int degree, const group_generators& turn);
 
+/// A bound of |f| over all frames, from the coefficients of whole degrees: functions of one l and right index b are at
+/// most sqrt(2 l + 1) |f_lb|, as the rows of a rotation are unit vectors.
+double frame_supremum(const Eigen::VectorXd& f);
+
 }  // namespace polhode

@@ -23,6 +23,74 @@ TEST(Judge, IntervalsDecide) {
   EXPECT_EQ(judge(1, 0.4, 0.6, 0.1), refuted);
   EXPECT_EQ(judge(1, 1.2, 1.3, 0.1), refuted);
   EXPECT_EQ(judge(1, NAN, 1, 0.1), inconclusive);
+  EXPECT_EQ(judge(1, 1, HUGE_VAL, 0.1), inconclusive);
+}
+
+// An end on the margin is inside; an interval that touches it there alone is not disjoint.
+TEST(Judge, MarginsBelongToTheClaim) {
+  using enum report::verdict_kind;
+  EXPECT_EQ(judge(1, 0.75, 1.25, 0.25), holds);
+  EXPECT_EQ(judge(1, 1.25, 1.5, 0.25), inconclusive);
+  EXPECT_EQ(judge(1, 0.5, 0.75, 0.25), inconclusive);
+  EXPECT_EQ(judge_distance({0.5, 0.25, 0.75}, 0.75, "").kind, holds);
+  EXPECT_EQ(*judge_distance({0.5, 0.25, 0.75}, 0.75, "").expected, 0);
+  EXPECT_EQ(judge_distance({0.5, 0.25, 0.75}, 0.7, "").kind, inconclusive);
+  EXPECT_EQ(judge_distance({0.5, 0.25, 0.75}, 0.25, "").kind, inconclusive);
+  EXPECT_EQ(judge_distance({0.5, 0.25, 0.75}, 0.24, "").kind, refuted);
+  EXPECT_EQ(judge_distance({NAN, 0.25, 0.75}, 1, "none").kind, inconclusive);
+}
+
+/// With a slope of [low, high] over all levels and another one between the two finest.
+order_fit bent(double low, double high, double finest_low, double finest_high) {
+  order_fit fit;
+  fit.order = (low + high) / 2;
+  fit.low = low;
+  fit.high = high;
+  fit.finest = {(finest_low + finest_high) / 2, finest_low, finest_high};
+  fit.asymptotic = true;
+  return fit;
+}
+
+// Of claims of order one, margins from 0.9 to 1.1.
+TEST(Judge, ASlopeThatNearsTheClaimRefutesNothing) {
+  using enum report::verdict_kind;
+  const auto kind = [](const order_fit& fit) { return judge_order(1, fit, false).kind; };
+  EXPECT_EQ(kind(bent(1.4, 1.5, 1.3, 1.35)), refuted);        // nears it, and both refute it
+  EXPECT_EQ(kind(bent(1.4, 1.5, 1.05, 1.35)), inconclusive);  // the finest reach it
+  EXPECT_EQ(kind(bent(0.5, 0.6, 0.7, 0.95)), inconclusive);
+  EXPECT_EQ(kind(bent(0.5, 0.6, 0.4, 0.85)), refuted);
+  auto open = bent(1.4, 1.5, 1.3, 1.35);
+  open.asymptotic = false;
+  EXPECT_EQ(kind(open), inconclusive);
+  open.finest = {1.45, 1.4, 1.5};
+  EXPECT_EQ(kind(open), refuted);  // no nearer
+  open.finest = {1.6, 1.5, 1.7};
+  EXPECT_EQ(kind(open), refuted);
+  open = bent(0.5, 0.6, 0.55, 0.65);
+  open.asymptotic = false;
+  EXPECT_EQ(kind(open), inconclusive);
+  open.finest = {0.5, 0.45, 0.55};
+  EXPECT_EQ(kind(open), refuted);
+  open = bent(1.2, 1.4, 0.9, 1.0);  // inside: no distance at all
+  open.asymptotic = false;
+  EXPECT_EQ(kind(open), inconclusive);
+}
+
+TEST(Judge, OfABoundThatIsKeptFromAboveTheWholeIntervalCounts) {
+  using enum report::verdict_kind;
+  EXPECT_EQ(judge_order(1, bent(1 - order_margin, 1.5, 0.9, 1.5), true).kind, holds);
+  EXPECT_EQ(judge_order(1, bent(0.85, 1.5, 0.9, 1.5), true).kind, inconclusive);
+  auto touching = bent(1 + order_margin, 1.5, 0.9, 1.0);
+  touching.asymptotic = false;
+  EXPECT_EQ(judge_order(1, touching, true).reason.find("not settled"), std::string::npos);
+  auto fast = bent(1.2, 1.5, 1.2, 1.5);
+  fast.asymptotic = false;
+  EXPECT_EQ(judge_order(1, fast, true).kind, inconclusive);
+  EXPECT_NE(judge_order(1, fast, true).reason.find("faster than claimed, and not settled"), std::string::npos);
+  EXPECT_EQ(judge_order(1, bent(0.5, 0.6, 0.5, 0.6), true).kind, refuted);
+  const auto open = judge_order(NAN, bent(0.5, 0.6, 0.5, 0.6), true);
+  EXPECT_EQ(open.kind, skipped);
+  EXPECT_FALSE(open.expected);
 }
 
 TEST(Judge, FasterThanClaimedHoldsOnlyWhereTheClaimIsABound) {

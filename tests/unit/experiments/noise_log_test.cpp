@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The noise that a run has heard: block by block, one block after another, or path by path.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/noise_verdict.hpp"
+#include "problem/drives.hpp"
 #include "run/bind_scene.hpp"
 #include "scene/scene.hpp"
 
@@ -47,6 +51,57 @@ TEST(NoiseLog, BlocksOneAfterAnotherAreAllBlocks) {
   EXPECT_EQ(one.verdicts[0].reason, other.verdicts[0].reason);
   EXPECT_EQ(one.measurements[0].value, other.measurements[0].value);
   EXPECT_EQ(one.measurements[0].observable, other.measurements[0].observable);
+}
+
+// Every path starts alike, so that what is said of first steps is far from its law: a block's are those of its step 0.
+TEST(NoiseLog, OneAfterAnotherAreBegunByTheirFirstStep) {
+  const auto paper = bind_scene(load_scene("paper"));
+  constexpr int many = 24;
+  noise_log apart(*paper.model, many), in_turn(*paper.model, 0);
+  increment_buffer buffer(*paper.model, steps, true, {});
+  for (int block = 0; block < many; ++block)
+    for (int piece = 0; piece < pieces; ++piece) {
+      const auto v = buffer.fill(7, 0, static_cast<std::uint64_t>(piece * steps), steps, dt);
+      apart.add(block, v, dt);
+      in_turn.add_in_turn(piece * steps, v, dt);
+    }
+  const auto one = report_of(apart), other = report_of(in_turn);
+  ASSERT_EQ(one.measurements.size(), 1u);
+  EXPECT_EQ(one.measurements[0].observable, "one block times another");
+  EXPECT_EQ(one.verdicts[0].reason, other.verdicts[0].reason);
+  EXPECT_EQ(one.measurements[0].value, other.measurements[0].value);
+}
+
+TEST(NoiseLog, TheVerdictNamesTheLargestOfAllDeviationsAndWhatWouldBeSeen) {
+  const auto paper = bind_scene(load_scene("paper"));
+  const auto layout = paper.model->layout();
+  noise_log log(*paper.model, blocks, {{"", 0}, {"less", 0}});
+  std::vector<noise_audit> audits(blocks, noise_audit(layout.active, layout.active_pairs()));
+  over_blocks(*paper.model, [&](int block, int, const increment_view& v) {
+    log.add(block, v, dt);
+    if (block == 0) log.add(block, v, dt, 1);
+    audits[static_cast<std::size_t>(block)].add(
+        {v.steps, layout.channels, layout.pairs(), v.dw, v.singles, v.area, dt});
+  });
+  auto sum = audits[0];
+  for (std::size_t b = 1; b < blocks; ++b) sum.merge(audits[b]);
+  const auto all = sum.deviations(), less = audits[0].deviations();
+  EXPECT_TRUE(std::ranges::any_of(all, [](const auto& d) { return d.what == "variance of area 12"; }));
+  noise_deviation most = all.front();
+  for (const auto& d : all)
+    if (std::fabs(d.z) > std::fabs(most.z)) most = d;
+  for (const auto& d : less)
+    if (std::fabs(d.z) > std::fabs(most.z)) most = {"less: " + d.what, d.z};
+  const double limit = audit_threshold(all.size() + less.size());
+  const auto v = report_of(log).verdicts.at(0);
+  EXPECT_EQ(v.expected, 0.0);
+  EXPECT_DOUBLE_EQ(*v.estimate, most.z);
+  EXPECT_EQ(
+      v.reason,
+      fmt::format("{} moments and correlations, {:.1e} increments a channel: the largest is the {}, {:.1f} standard "
+                  "errors from its law, at most {:.1f}; increments off by a factor of {:.5f} would be seen",
+                  all.size() + less.size(), sum.increments(), most.what, most.z, limit,
+                  1 + limit / std::sqrt(2 * sum.increments())));
 }
 
 TEST(NoiseLog, ADefectInOneOfItsPartsIsNamedAndRefuted) {

@@ -53,6 +53,7 @@ TEST(PathLimit, TheWorstOfThemIsTheVerdict) {
   EXPECT_EQ(kind_of(healthy(strength(0.011, 0.002, 0.01))), verdict_kind::refuted);
   EXPECT_EQ(kind_of(healthy(strength(-0.011, 0.002, 0.01))), verdict_kind::refuted);
   EXPECT_EQ(kind_of(healthy(strength(0.009, 0.002, 0.01))), verdict_kind::inconclusive);  // beyond its margin, unsurely
+  EXPECT_EQ(kind_of(healthy(strength(0.0078125, 0.002, 0.0078125))), verdict_kind::holds);  // no more than is sure
   EXPECT_EQ(kind_of(healthy(strength(nan, 0, 0))), verdict_kind::inconclusive);
   auto unsure = healthy();
   unsure.distance.high = 0.03;
@@ -141,6 +142,104 @@ TEST(NoiseEffect, IsTheSumOverTheNoise) {
   }
   EXPECT_NEAR(effect.rms(2 * block_lanes), std::sqrt(sum / (2 * block_lanes)), 1e-10);
   EXPECT_EQ(effect.rms(block_lanes), 0);
+  EXPECT_EQ((noise_effect{{16, 0, 0, 0}}.rms(4)), 2);
+}
+
+/// The end points of a block on five levels, and what is asked of them.
+struct kept : testing::Test {
+  static constexpr int levels = 5, directions = 5, first = block_lanes;
+  const subject s = bind_scene(load_scene("paper"));
+  const level_grid grid{0.25, {1, 2, 4, 8, 16}};
+  const driven_kernels kernels = driven_kernels_of(s, grid, 2);
+  const context c{.subject = s, .seed = 4};
+  driven_block block{c, grid, 2, {}, kernels};
+  std::vector<std::vector<double>> states, responses;
+
+  void SetUp() override {
+    block.start(0);
+    block.advance(0);
+    const auto numbers = [](std::size_t n) {
+      std::vector<double> out;
+      for (std::size_t i = 0; i < 3 * block_lanes; ++i) out.push_back(std::sin(static_cast<double>(7 * n + i)));
+      return out;
+    };
+    for (std::size_t l = 0; l < levels; ++l) states.push_back(numbers(l));
+    for (std::size_t k = 0; k < directions; ++k) responses.push_back(numbers(100 + k));
+  }
+
+  static double at(const std::vector<double>& block, int lane, std::size_t i) {
+    return block[i * block_lanes + static_cast<std::size_t>(lane)];
+  }
+};
+
+TEST_F(kept, AreTheProductsOfErrorsGapsAndResponses) {
+  for (const bool with_areas : {false, true}) {
+    path_record record(2 * block_lanes, levels, directions);
+    ASSERT_EQ(record.response.levels, response_levels);
+    keep(states, block, responses, with_areas, first, record);
+    for (const int lane : {0, 1, 63})
+      for (int l = 0; l < levels; ++l) {
+        double error = 0, gap = 0, product = 0, square = 0;
+        std::vector<double> answer(directions);
+        for (std::size_t i = 0; i < 3; ++i) {
+          const auto level = static_cast<std::size_t>(l);
+          const double x = at(states[level], lane, i), truth = at(block.truth(), lane, i),
+                       twin = at(block.twin(level), lane, i), apart = x - (with_areas ? truth : twin);
+          error += (x - truth) * (x - truth);
+          gap += apart * apart;
+          product += (x - truth) * (truth - twin);
+          square += (truth - twin) * (truth - twin);
+          for (std::size_t k = 0; k < directions; ++k) answer[k] += apart * at(responses[k], lane, i);
+        }
+        const int path = first + lane;
+        EXPECT_NEAR(record.error.at(path, l), error, 1e-14);
+        EXPECT_NEAR(record.gap.at(path, l), gap, 1e-14);
+        EXPECT_NEAR(record.areas.product.at(path, l), product, 1e-14);
+        EXPECT_NEAR(record.areas.square.at(path, l), square, 1e-14);
+        EXPECT_NE(record.areas.square.at(path, l), 0);
+        for (int k = 0; l > 0 && k < directions; ++k)  // of the finest four
+          EXPECT_NEAR(record.response.response_of(path, l - 1)[k], answer[static_cast<std::size_t>(k)], 1e-14);
+      }
+    for (const int lane : {0, 1, 63})
+      for (std::size_t j = 0; j < directions; ++j)
+        for (std::size_t k = 0; k < directions; ++k) {
+          double product = 0;
+          for (std::size_t i = 0; i < 3; ++i) product += at(responses[j], lane, i) * at(responses[k], lane, i);
+          EXPECT_NEAR(record.response.gram_of(first + lane)[j * directions + k], product, 1e-14);
+        }
+  }
+}
+
+// Of few levels, all.
+TEST_F(kept, OfThreeLevelsAllHaveTheirResponse) {
+  EXPECT_EQ(path_record(4, 3, 2).response.levels, 3);
+  EXPECT_EQ(path_record(4, 3, 2).response.response.size(), 4u * 3 * 2);
+}
+
+// The distance by the error model of the gap's order, its bound by the noise's effect, margins by what a direction
+// does.
+TEST_F(kept, LimitIsThatOfItsGapAndItsResponses) {
+  path_record record(block_lanes, levels, directions);
+  keep(states, block, responses, false, 0, record);
+  for (int path = 0; path < block_lanes; ++path)
+    for (int l = 0; l < levels; ++l)
+      record.gap.at(path, l) = (0.04 + std::pow(grid.dt()[std::size_t(l)], 2)) * (1 + path % 3);
+  for (double& x : record.response.gram) x *= 0.01;
+  const noise_effect effect{std::vector<double>(block_lanes, 0.25)};
+  ASSERT_DOUBLE_EQ(effect.rms(block_lanes), 0.5);
+  const auto dt = grid.dt();
+  for (const double order : {0.5, 1.0}) {
+    scheme_info info{};
+    info.strong_order = {.commuting = order, .general = order};
+    const auto limit = limit_of(c, info, dt, record, effect, 2);
+    EXPECT_DOUBLE_EQ(limit.bound, (order < 1 ? 0.02 : 0.002) * 0.5);
+    const auto fit = fit_order(dt, record.gap, 0, 4);
+    EXPECT_DOUBLE_EQ(limit.distance.value, fit_error_model(dt, record.gap, fit->used, order, 4).limit.value);
+    ASSERT_EQ(limit.strengths.size(), 5u);
+    for (std::size_t k = 0; k < 5; ++k)
+      EXPECT_DOUBLE_EQ(limit.margins[k], 0.01 * std::max(1.0, 0.5 / limit.strengths[k].size));
+    EXPECT_GT(limit.margins[0], 0.011);
+  }
 }
 
 }  // namespace

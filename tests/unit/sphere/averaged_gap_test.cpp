@@ -128,5 +128,31 @@ TEST(AveragedGap, IsThatOfIntegralsAlongTheCirclesUnderDissipation) {
     expect_alike({{1, 0.5, 1 / 3.0}, {0.5, 0.5, 0.5}, 1.2, 2 * theta / 0.5}, theta, 2, 1, 0);
 }
 
+// Noise about every principal axis, no dissipation but under isotropic noise, a body that is no sphere, and a law that
+// is not narrower than exp(300).
+TEST(AveragedGap, OfWhatItIsNotMadeForIsNone) {
+  const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
+  const auto body = [&](double theta, const Vector3d& q, double c = 1) {
+    return body_on_sphere({1, 2, 3}, theta, c, Eigen::Matrix3d(q.asDiagonal()));
+  };
+  EXPECT_TRUE(averaged_gap(body(0, {1, 2, 3})));
+  EXPECT_FALSE(averaged_gap(body(0, {1, 2, 0})));
+  EXPECT_TRUE(averaged_gap(body(0.1, {1, 1, 1})));
+  EXPECT_FALSE(averaged_gap(body(0.1, {1, 2, 3})));
+  EXPECT_FALSE(averaged_gap(body_on_sphere({2, 2, 2}, 0, 1, one)));
+  auto bent = body(0, {1, 1, 1});
+  bent.quadratic(0, 1) = bent.quadratic(1, 0) = 0.01;
+  EXPECT_FALSE(averaged_gap(bent));
+  auto in_field = body(0, {1, 1, 1});
+  in_field.field = {0.1, 0, 0};
+  EXPECT_FALSE(averaged_gap(in_field));
+  auto crossed = body(0, {1, 1, 1});
+  crossed.covariance(0, 1) = crossed.covariance(1, 0) = 0.1;
+  EXPECT_TRUE(averaged_gap(crossed));
+  // From the middle axis to the one of greatest energy h rises by c^2 / 4: of beta = 2 theta / sigma^2, c = 3.
+  EXPECT_TRUE(averaged_gap(body(0.5 * 295 / 2.25, {1, 1, 1}, 3)));
+  EXPECT_FALSE(averaged_gap(body(0.5 * 305 / 2.25, {1, 1, 1}, 3)));
+}
+
 }  // namespace
 }  // namespace polhode

@@ -112,6 +112,37 @@ TEST(ChainGibbs, OfAUniformRingIsThatOfOneWithUnequalBondsThatAreEqual) {
   EXPECT_NEAR(mean(law, "energy"), uniform, 1e-12);
 }
 
+TEST(ChainGibbs, NoSiteMayHaveMoreThanTwoBonds) {
+  const auto solvable = [](const Eigen::MatrixXd& exchange) {
+    return chain_gibbs{std::vector<chain_site>(static_cast<std::size_t>(exchange.rows()), free_spin()), exchange, 1}
+        .solvable();
+  };
+  for (Eigen::Index centre = 0; centre < 4; ++centre) {
+    Eigen::MatrixXd star = Eigen::MatrixXd::Zero(4, 4);
+    for (Eigen::Index i = 0; i < 4; ++i)
+      if (i != centre) star(i, centre) = star(centre, i) = 0.5;
+    EXPECT_FALSE(solvable(star)) << centre;
+  }
+  auto ring = chain(4, 1);
+  EXPECT_TRUE(solvable(ring));
+  ring(0, 3) = ring(3, 0) = 1;
+  EXPECT_TRUE(solvable(ring));
+}
+
+// Where doubling the points changes nothing, the uncertainty is rounding of the observable's size. All points are
+// alike.
+TEST(ChainGibbs, IsAsUncertainAsRounding) {
+  Eigen::Matrix3d tilted, exchange;
+  tilted << 0.5, 0.2, 0, 0.2, -0.4, 0.1, 0, 0.1, 0.3;
+  exchange << 0, 0.3, 0, 0.3, 0, -0.5, 0, -0.5, 0;
+  const chain_gibbs law{{{tilted, {0.2, 0, 0.4}, 1.5}, {2 * tilted, {0, 0.3, 0}, 1.2}, free_spin(0.9)}, exchange, 0};
+  const double own = 0.5 * tilted.norm() * 1.5 * 1.5 + std::sqrt(0.2) * 1.5 + tilted.norm() * 1.2 * 1.2 + 0.3 * 1.2,
+               bonds = 0.3 * 1.5 * 1.2 + 0.5 * 1.2 * 0.9;
+  EXPECT_DOUBLE_EQ(law.mean("energy")->uncertainty, 1e-14 * (own + bonds));
+  EXPECT_DOUBLE_EQ(law.mean("s2_1^2")->uncertainty, 1e-14 * 1.44);
+  EXPECT_DOUBLE_EQ(law.mean("s3_2")->uncertainty, 1e-14 * 0.9);
+}
+
 TEST(ChainGibbs, KnowsWhatItCannotSolve) {
   const chain_gibbs law{std::vector<chain_site>(4, free_spin()), Eigen::MatrixXd::Ones(4, 4), 1};
   EXPECT_FALSE(law.solvable());

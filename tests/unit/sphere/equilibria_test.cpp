@@ -2,6 +2,7 @@
 // Where h is stationary on the sphere: closed forms, and topology on problems drawn at random.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -45,6 +46,48 @@ TEST(Equilibria, AreAllThereAre) {
       EXPECT_TRUE(std::ranges::is_sorted(all, {}, &equilibrium::energy));
       EXPECT_TRUE(all.front().is_least());
     }
+}
+
+// Eigenvectors of h, right-handed.
+TEST(PrincipalAxes, AreARotation) {
+  std::mt19937 bits(3);
+  for (int i = 0; i < 50; ++i) {
+    const auto p = drawn(bits, 0);
+    const matrix axes = principal_axes(p), diagonal = axes.transpose() * p.quadratic * axes;
+    EXPECT_NEAR(axes.determinant(), 1, 1e-13);
+    EXPECT_LT((axes.transpose() * axes - matrix::Identity()).norm(), 1e-13);
+    EXPECT_LT((diagonal - matrix(diagonal.diagonal().asDiagonal())).norm(), 1e-13 * p.quadratic.norm());
+  }
+  EXPECT_EQ(principal_axes({vector(3, 1, 2).asDiagonal(), 0, 1, matrix::Identity()}), matrix(matrix::Identity()));
+}
+
+TEST(TangentFrame, IsRightHandedAndBeginsWithTheNextAxis) {
+  for (Eigen::Index k = 0; k < 3; ++k)
+    for (const double sign : {1.0, -1.0}) {
+      const auto frame = tangent_frame(sign * vector::Unit(k));
+      EXPECT_EQ(vector(frame.col(0)), vector(vector::Unit((k + 1) % 3)));
+      EXPECT_EQ(vector(frame.col(1)), vector(sign * vector::Unit((k + 2) % 3)));
+    }
+  const vector n = vector(0.6, 0.64, 0.48).normalized();
+  const auto frame = tangent_frame(n);
+  EXPECT_NEAR(frame.col(0).cross(frame.col(1)).dot(n), 1, 1e-15);
+}
+
+// A curvature that is rounding of the others, or of the field over |Pi|, is none; h and |Pi| in any unit.
+TEST(Equilibria, ARingHasNoCurvatureAlongItself) {
+  for (const double unit : {1e-6, 1.0, 1e6})
+    for (const double radius : {1e-3, 1.0, 1e3})
+      for (const double tilt : {0.0, 0.3, 1.2}) {
+        const matrix r = Eigen::AngleAxisd(tilt, vector(1, 2, 2) / 3).toRotationMatrix();
+        const sphere_problem p{unit * (r * vector(0, 0, -2).asDiagonal() * r.transpose()), 0.5, radius,
+                               matrix::Identity(), unit * radius * 1.2 * (r * vector::UnitZ())};
+        int rings = 0;
+        for (const auto& e : equilibria(p))
+          if (e.curvature.cwiseAbs().minCoeff() == 0) ++rings;
+        EXPECT_GT(rings, 0) << unit << ' ' << radius << ' ' << tilt;
+      }
+  const sphere_problem faint{vector(1, 1 + 1e-9, 2).asDiagonal(), 0.5, 1, matrix::Identity()};
+  for (const auto& e : equilibria(faint)) EXPECT_GT(e.curvature.cwiseAbs().minCoeff(), 1e-10);
 }
 
 TEST(Equilibria, OfABodyAreItsAxes) {

@@ -50,6 +50,20 @@ TEST(Wigner, ActionsHaveTheirBracketsAndCommute) {
   }
 }
 
+// sqrt(2 l + 1) times the root of the squares of one right index, and the sum over those.
+TEST(Wigner, SupremumIsTheSumOverDegreesAndRightIndices) {
+  Eigen::VectorXd f = Eigen::VectorXd::Zero(wigner_count(2));
+  EXPECT_EQ(frame_supremum(f), 0);
+  f[wigner_index(0, 0, 0)] = -0.5;
+  EXPECT_DOUBLE_EQ(frame_supremum(f), 0.5);
+  f[wigner_index(2, 2, -2)] = 3;
+  f[wigner_index(2, -2, -2)] = -4;
+  EXPECT_DOUBLE_EQ(frame_supremum(f), 0.5 + std::sqrt(5.0) * 5);
+  f[wigner_index(2, 0, 2)] = 2;
+  f[wigner_index(1, 1, 0)] = 1;
+  EXPECT_DOUBLE_EQ(frame_supremum(f), 0.5 + std::sqrt(5.0) * 7 + std::sqrt(3.0));
+}
+
 TEST(Lyapunov, KnownExponents) {
   struct known {
     double theta, sigma, lambda1, within, sum;

@@ -218,5 +218,26 @@ TEST(PairExpectation, SaysWhereNoDegreeWillDo) {
   EXPECT_TRUE(!found.value || found.uncertainty > 1e-4);
 }
 
+// Both at rest on the axis of their exchange and field: two ways of following agree, and rounding is left.
+TEST(PairExpectation, OfAPathIsNeverMoreCertainThanRounding) {
+  for (const double radius : {1.0, 100.0}) {
+    const sphere_problem site{none, 0.2, radius, none, {0, 0, 0.5}};
+    pair_expectations at_rest({{site, site}, 0.3}, radius * both({0, 0, 1}, {0, 0, 1}), 2, 8);
+    const auto found = at_rest.of({.site = 0, .axis = 2, .power = 1}, 1e-9);
+    EXPECT_EQ(found.value, radius);
+    EXPECT_EQ(found.uncertainty, 1e-14 * radius);
+  }
+}
+
+// Both turn at |A| |Pi| + |b| + |J| |mu|, times 1 + theta |Pi|.
+TEST(PairExpectation, OfAPathRefusesMoreTurnsThanCanBeFollowed) {
+  const sphere_problem site{Eigen::Vector3d(0, 0, 2).asDiagonal(), 0.5, 3, none, {0, 0, 0.5}};
+  const double turning = 2 * (2 * 3 + 0.5 + 0.3 * std::sqrt(18.0)) * (1 + 0.5 * 3);
+  pair_expectations long_({{site, site}, 0.3}, 3 * both(first, second), 1.01e7 / turning, 8);
+  const auto found = long_.of({.site = 0, .axis = 2, .power = 1}, 1e-9);
+  EXPECT_FALSE(found.value);
+  EXPECT_EQ(found.reason, "no noise, and too many turns to follow");
+}
+
 }  // namespace
 }  // namespace polhode::test

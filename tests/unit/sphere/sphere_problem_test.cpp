@@ -32,6 +32,62 @@ sphere_problem turned(const sphere_problem& p, const matrix& r) {
   return {r * p.quadratic * r.transpose(), p.damping, p.radius, r * p.covariance * r.transpose(), r * p.field};
 }
 
+// Eigenvalues 4, -2 and 1, of which the diagonal shows one: reached by h and Omega where no field is, bounds elsewhere.
+TEST(SphereProblem, SpreadAndBoundsAreThoseOfItsEigenvalues) {
+  matrix quadratic;
+  quadratic << 1, 3, 0, 3, 1, 0, 0, 0, 1;
+  for (const auto& p :
+       {sphere_problem{quadratic, 0.4, 1.5, one}, sphere_problem{quadratic, 0.4, 1.5, one, {2, 2, 1}}}) {
+    const double field = p.field.norm();
+    EXPECT_NEAR(p.spread(), 6, 1e-14);
+    EXPECT_NEAR(greatest_energy_on(p), 1.5 * (1.5 * 4 / 2 + field), 1e-13);
+    EXPECT_NEAR(greatest_rate_on(p), 1.5 * 4 + field, 1e-13);
+  }
+  EXPECT_EQ((sphere_problem{vector(-3, 1, 2).asDiagonal(), 0, 1, one}.spread()), 5);
+  EXPECT_EQ((greatest_rate_on({vector(-3, 1, 2).asDiagonal(), 0, 2, one})), 6);
+}
+
+TEST(SphereProblem, NoiseGrowsByAShareOfItselfAndItsCovarianceByTheSquare) {
+  auto p = spin();
+  p.varying = {{vector(0.1, 0.2, 0.3), 2 * one}};
+  const auto more = with_more_noise(p, 0.5);
+  EXPECT_TRUE(more.covariance.isApprox(2.25 * p.covariance));
+  EXPECT_TRUE(more.varying[0].constant.isApprox(1.5 * p.varying[0].constant));
+  EXPECT_TRUE(more.varying[0].slope.isApprox(3 * one));
+  EXPECT_EQ(more.damping, p.damping);
+  EXPECT_DOUBLE_EQ(with_more_dissipation(p, 0.5).damping, 0.6);
+}
+
+// Of a field that depends on the state the greatest on the sphere, squared.
+TEST(NoiseRate, IsTheTraceAndTheSquareOfWhatVaries) {
+  auto p = spin();
+  p.radius = 2;
+  const double trace = p.covariance.trace();
+  EXPECT_DOUBLE_EQ(noise_rate(p), trace);
+  p.varying = {{vector(0, 0.3, 0.4), 0.1 * one}};
+  EXPECT_NEAR(noise_rate(p), trace + std::pow(0.5 + 2 * 0.1 * std::sqrt(3.0), 2), 1e-14);
+}
+
+// Its rule, written out: the shear of turning and damping over the noise, or what damping draws out over the noise
+// across the noise's own axis. Spreads 4, of |Pi| = 2: turning 8.
+TEST(NeededDegree, IsTenOverTheWidthOfTheNoise) {
+  const auto needed = [](double damping, const vector& noise, const vector& field = vector::Zero()) {
+    return needed_degree({vector(1, 5, 3).asDiagonal(), damping, 2, noise.asDiagonal(), field});
+  };
+  const vector all(0.1, 0.2, 0.3), axis(0, 0, 0.5);
+  EXPECT_NEAR(needed(0, all), 10 * std::sqrt(3 * 8 / 0.6), 1e-12);
+  const double damping = 0.25 * 2 * (8 + 0.5), shear = std::hypot(8, damping);
+  EXPECT_NEAR(needed(0.25, all, {0.3, 0, 0.4}), 10 * std::sqrt(3 * shear / 0.6), 1e-12);
+  const double fast = 4 * 2 * 8.0, sheared = std::hypot(8, fast);  // damping that draws out more than noise crosses
+  EXPECT_NEAR(needed(4, {30, 40, 50}),
+              10 * std::sqrt(3 * std::max(sheared / 120, fast / (70 + sheared * sheared / 120))), 1e-12);
+  EXPECT_GT(fast / (70 + sheared * sheared / 120), sheared / 120);
+  const double faint = 0.01 * 2 * 8;  // noise about one axis: turning crosses it
+  EXPECT_NEAR(needed(0.01, axis),
+              10 * std::sqrt(3 * std::max(std::hypot(8, faint) / 0.5, faint / (64 + faint * faint) * 0.5)), 1e-12);
+  EXPECT_EQ(needed(0.25, vector::Zero()), HUGE_VAL);
+}
+
 TEST(SphereProblem, NoAxesArePreferred) {
   const matrix r = Eigen::AngleAxisd(0.8, vector(1, 2, -1).normalized()).toRotationMatrix();
   const auto p = spin(), other = turned(p, r);
@@ -121,6 +177,21 @@ TEST(SphereProblem, WhereNoLawIsUnique) {
   EXPECT_NE(no_unique_law({one + 2 * figure, 0.1, 1, figure, 0.3 * n}).find("equilibrium"), std::string::npos);
   EXPECT_EQ(no_unique_law({one + 2 * figure, 0.1, 1, figure, {0.1, 0, 0}}), "");
   EXPECT_EQ(no_unique_law(spin()), "");
+}
+
+// sigma(Pi) = e_1 - (n.Pi / c) e_1 vanishes at c n, on an axis of the body.
+TEST(SphereProblem, NoiseThatVanishesAtAnEquilibriumHasNoUniqueLaw) {
+  const vector n = vector::UnitZ(), e = vector::UnitX();
+  for (const double c : {1.0, 3.0}) {
+    sphere_problem p{vector(1, 2, 3).asDiagonal(), 0.2, c, matrix::Zero()};
+    p.varying = {{e, -(1 / c) * e * n.transpose()}};
+    EXPECT_NE(no_unique_law(p).find("all noise vanishes"), std::string::npos) << c;
+    p.covariance = 0.5 * one;
+    EXPECT_EQ(no_unique_law(p), "") << c;
+    p.covariance.setZero();
+    p.varying.push_back({vector::UnitY(), matrix::Zero()});
+    EXPECT_EQ(no_unique_law(p), "") << c;
+  }
 }
 
 }  // namespace

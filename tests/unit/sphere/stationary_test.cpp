@@ -2,7 +2,9 @@
 // The stationary law on the sphere: Gibbs, uniform, what a long time gives, and none.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "sphere/closed_forms/gibbs.hpp"
 #include "sphere/stationary.hpp"
@@ -134,6 +136,42 @@ TEST(StationaryMean, SeesWeakDampingNextToStrongNoise) {
       EXPECT_NEAR(*found.value, expected, found.uncertainty + 1e-6 * uniform) << degree;
     }
   }
+}
+
+TEST(Stationary, IsUniformToTheDegreeThatIsAskedFor) {
+  const auto p = problem(0, oblique());
+  EXPECT_EQ(stationary(p, 1e-12, 1).degree, 1);
+  EXPECT_EQ(stationary(p, 1e-12, 5).degree, 5);
+  EXPECT_EQ(stationary(p, 1e-12, 5).density->size(), 36);
+  EXPECT_GT(stationary(p, 1e-12).degree, 1);
+}
+
+// |pi_3^2|_2 over the sphere is root 4 pi / 5, and means are counted in root 4 pi.
+TEST(StationaryMean, OfAUniformLawIsAsUncertainAsRounding) {
+  const auto found = stationary_mean(problem(0, oblique()), observable("pi3^2"), 1e-6);
+  EXPECT_NEAR(*found.value, 1.0 / 3, 1e-15);
+  EXPECT_NEAR(found.uncertainty, 1e-14 * std::sqrt(1 / 5.0), 1e-20);
+}
+
+// By how much the last degree changed it, in proportion to how uncertain the law is; never more certain than rounding.
+TEST(Stationary, AMeanIsUncertainInProportionToItsLaw) {
+  const double unit = std::sqrt(4 * std::numbers::pi);
+  stationary_law law{.density = Eigen::VectorXd::Unit(9, 0) / unit, .change = Eigen::VectorXd::Zero(9), .degree = 2};
+  law.change[2] = 0.003;
+  law.change[6] = 0.004;
+  const auto p = paper();
+  const double of_pi3 = std::sqrt(4 * std::numbers::pi / 3);  // its one coefficient
+  for (const auto& [uncertainty, beyond] : {std::pair{0.015, 3.0}, {0.001, 1.0}}) {
+    law.uncertainty = uncertainty;
+    double greatest = 0;
+    for (const auto* name : {"pi1", "pi2", "pi3"})
+      greatest = std::max(greatest, mean(p, law, observable(name)).uncertainty);
+    EXPECT_NEAR(greatest, beyond * 0.003 * of_pi3, 1e-15);
+  }
+  law.change.setZero();
+  EXPECT_NEAR(mean(p, law, observable("pi3")).uncertainty, 0.001 * of_pi3, 1e-15);
+  law.uncertainty = 0;
+  EXPECT_NEAR(mean(p, law, observable("pi3")).uncertainty, 1e-14 * of_pi3, 1e-20);
 }
 
 }  // namespace

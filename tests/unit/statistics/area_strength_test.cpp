@@ -2,10 +2,12 @@
 // How strongly areas are felt is found beside a scheme's own larger error, and is not made up where there are none.
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <cmath>
 #include <polhode/noise/normal.hpp>
 #include <vector>
 
+#include "statistics/distributions.hpp"
 #include "statistics/noise/area_strength.hpp"
 
 namespace polhode {
@@ -74,6 +76,39 @@ TEST(AreaStrength, IsNotKnownWhereTheNoiseCommutes) {
     EXPECT_FALSE(strength({0, 1, 1, 0}, 320, seed).known) << seed;
     EXPECT_FALSE(strength({0, 0, 1, 0}, 320, seed).known) << seed;
   }
+}
+
+// Of six levels, over dt, each sum written out; of fewer than four nothing.
+TEST(AreaStrength, IsTheSumsOverPaths) {
+  constexpr int paths = 60;
+  const auto r = response_of({1, 0.5, 0.5, 0.2}, paths, 3);
+  const auto all = steps();
+  const std::vector<double> dt(all.end() - 6, all.end());
+  const auto quadratic = constant_of_polynomial(dt, 2), linear = constant_of_polynomial(dt, 1);
+  const auto sum = [&](const squared_errors& e, const Eigen::VectorXd& weights) {
+    Eigen::ArrayXd out = Eigen::ArrayXd::Zero(paths);
+    for (int p = 0; p < paths; ++p)
+      for (int l = 0; l < 6; ++l) out[p] += weights[l] * e.values[std::size_t(p * levels + l + 2)] / dt[std::size_t(l)];
+    return out;
+  };
+  const Eigen::ArrayXd square = sum(r.square, quadratic), product = sum(r.product, quadratic),
+                       less_square = sum(r.square, linear), less_product = sum(r.product, linear);
+  const double area = square.mean(), eps = product.mean() / area;
+  const auto error_of = [&](const Eigen::ArrayXd& x) { return std::sqrt((x - x.mean()).square().sum()) / paths; };
+  const Eigen::ArrayXd of_change = (less_product - product - eps * (less_square - square)) / area;
+  const double error = error_of((product - eps * square) / area), change = of_change.mean();
+  const Eigen::VectorXd last = Eigen::VectorXd::Unit(6, 5);
+  const double step = sum(r.product, last).mean() / sum(r.square, last).mean() - eps, cell = std::fabs(eps) / cells,
+               half = half_width_with_bias(error, left_open(dt, step, change, error_of(of_change)) + cell);
+  const auto m = area_strength(all, r, paths, cells);
+  ASSERT_TRUE(m.known);
+  EXPECT_NEAR(m.error.value, eps, 1e-13);
+  EXPECT_NEAR(m.error.low, eps - half, 1e-12);
+  EXPECT_NEAR(m.error.high, eps + half, 1e-12);
+  EXPECT_NEAR(m.sure, family_z * error + std::fabs(change) + cell, 1e-12);
+  EXPECT_NEAR(m.size, std::sqrt(area * dt.back()), 1e-13);
+  const area_response three{{1, 3, {1, 1, 1}}, {1, 3, {1, 1, 1}}};
+  EXPECT_FALSE(area_strength(std::vector{0.4, 0.2, 0.1}, three, 1, cells).known);
 }
 
 }  // namespace

@@ -121,5 +121,24 @@ TEST(BoxDimension, CountsByHand) {
   EXPECT_EQ(levels[0].boxes[0], 3);
 }
 
+// boxes = C side^d exactly, of two clouds: their mean slope, and the mean line at one box a side.
+TEST(BoxDimension, IsTheSlopeOfTheLineAndItsValueAtOne) {
+  std::vector<std::vector<box_level>> clouds;
+  for (const auto& [prefactor, slope] : {std::pair{2.0, 1.4}, {8.0, 1.6}}) {
+    auto& cloud = clouds.emplace_back();
+    for (const int side : {16, 32, 64, 128}) {
+      const double boxes = prefactor * std::pow(side, slope);
+      cloud.push_back({side, 16, {boxes, 2 * boxes, 3 * boxes}});
+    }
+  }
+  clouds[1][3].fill = 15.9;  // both together hold too few
+  const auto usable = usable_levels(clouds);
+  EXPECT_EQ(usable, (std::vector{true, true, true, false}));
+  const auto fit = fit_dimension(clouds, box_kind::information, usable);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->value.value, 1.5, 1e-13);
+  EXPECT_NEAR(fit->boxes_at_one, 8, 1e-11);
+}
+
 }  // namespace
 }  // namespace polhode

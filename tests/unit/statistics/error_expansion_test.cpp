@@ -125,5 +125,50 @@ TEST(FinestOrder, NeedsFourClearLevels) {
   EXPECT_FALSE(finest_order(levels_of(8, 0.1, [](double h) { return h; })));
 }
 
+// Slopes 1, 1.1 and 1.5 from the finest pair on: the interval reaches 1.5 times half the change before the last.
+TEST(FinestOrder, ReachesAsFarAsItsSlopesChanged) {
+  const std::vector<double> dt{0.5, 0.25, 0.125, 0.0625, 0.03125};
+  const auto with_slopes = [&](double last, double before, double first) {
+    std::vector<double> error(5, 9.0);
+    error[4] = -0.25;
+    error[3] = error[4] * std::exp2(last);
+    error[2] = error[3] * std::exp2(before);
+    error[1] = error[2] * std::exp2(first);
+    return error;
+  };
+  const std::vector<double> sure(5, 0.0), unsure{0, 0, 0, 0.002, 0.001};
+  const auto fit = *fit_finest_order(dt, with_slopes(1, 1.1, 1.5), sure, 50);
+  EXPECT_NEAR(fit.order, 1, 1e-14);
+  EXPECT_NEAR(fit.low, 0.7, 1e-14);
+  EXPECT_NEAR(fit.high, 1.3, 1e-14);
+  EXPECT_NEAR(fit.prefactor, 0.25 / 0.03125, 1e-13);
+  EXPECT_FALSE(fit.asymptotic);
+  EXPECT_EQ(fit.used, (std::vector{false, true, true, true, true}));
+  EXPECT_EQ(fit.finest.low, fit.low);
+  const auto steady = *fit_finest_order(dt, with_slopes(2, 2.02, 2.02), unsure, 50);
+  const double half = 1.5 * 0.02 + (0.001 / 0.25 + 0.002 / 1) / std::log(2);
+  EXPECT_NEAR(steady.low, 2 - half, 1e-14);
+  EXPECT_NEAR(steady.high, 2 + half, 1e-14);
+  EXPECT_NEAR(steady.prefactor, 0.25 * 32 * 32, 1e-11);
+  EXPECT_TRUE(steady.asymptotic);
+  EXPECT_FALSE(fit_finest_order(dt, with_slopes(2, 2.034, 2.034), sure, 50)->asymptotic);
+}
+
+TEST(FinestOrder, OfLevelsThatAreClear) {
+  const std::vector<double> dt{0.5, 0.25, 0.125, 0.0625, 0.03125};
+  std::vector<double> error{0.5, 0.25, 0.125, 0.0625, 0.03125}, uncertainty(5, 1e-4);
+  uncertainty[3] = 0.0625 / 49;
+  const auto fit = *fit_finest_order(dt, error, uncertainty, 50);
+  EXPECT_EQ(fit.used, (std::vector{true, true, true, false, true}));
+  EXPECT_NEAR(fit.order, 1, 1e-14);
+  uncertainty[3] = 0.0625 / 50;
+  EXPECT_TRUE(fit_finest_order(dt, error, uncertainty, 50)->used[3]);
+  uncertainty[3] = 0.0625 / 49;
+  for (const double unclear : {0.0, HUGE_VAL, double{NAN}}) {
+    error[0] = unclear;
+    EXPECT_FALSE(fit_finest_order(dt, error, uncertainty, 50)) << unclear;
+  }
+}
+
 }  // namespace
 }  // namespace polhode

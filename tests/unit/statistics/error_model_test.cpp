@@ -2,11 +2,13 @@
 // Sampled errors as powers of the step: a wrong limit, and a leading term below a larger one.
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 
 #include <polhode/noise/normal.hpp>
 
 #include "statistics/orders/order_fit.hpp"
+#include "statistics/resample.hpp"
 #include "support/halvings.hpp"
 
 namespace polhode {
@@ -62,6 +64,37 @@ TEST(ErrorModel, ThreePowersFindATermFarBelowTheSlope) {
   EXPECT_GT(fit_error_model(dt, with, used, 1, 1, 3).leading.low, 1.5e-5);
   EXPECT_LE(fit_error_model(dt, alone, used, 1, 1, 3).leading.low, 1e-12);
   EXPECT_LT(fit_error_model(dt, with, used, 1, 1, 2).leading.high, 0);
+}
+
+// The normal equations of squares over their standard errors, written out.
+TEST(ErrorModel, IsTheWeightedLeastSquares) {
+  const auto dt = halvings(6);
+  const std::vector<bool> used{true, true, false, true, true, true};
+  const double order = 0.5;
+  const auto e = noisy_errors(dt, 0.7, 0.1, 5, 300);
+  for (const int powers : {2, 3}) {
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(1 + powers, 1 + powers);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(1 + powers);
+    for (int l = 0; l < 6; ++l) {
+      if (!used[static_cast<std::size_t>(l)]) continue;
+      double mean = 0, square = 0;
+      for (int path = 0; path < e.paths; ++path) mean += e.at(path, l) / e.paths;
+      for (int path = 0; path < e.paths; ++path) square += std::pow(e.at(path, l) - mean, 2);
+      const double variance = square / (e.paths - 1) / e.paths, h = dt[static_cast<std::size_t>(l)];
+      Eigen::VectorXd row(1 + powers);
+      row[0] = 1;
+      for (int i = 0; i < powers; ++i) row[1 + i] = std::pow(h, 2 * order + i);
+      normal += row * row.transpose() / variance;
+      right += row * mean / variance;
+    }
+    const auto found = fit_error_model(dt, e, used, order, 1, powers);
+    const Eigen::VectorXd limited = normal.topLeftCorner(3, 3).ldlt().solve(right.head(3)),
+                          free = normal.bottomRightCorner(powers, powers).ldlt().solve(right.tail(powers));
+    EXPECT_NEAR(found.limit.value, std::sqrt(std::max(0.0, limited[0])), 1e-9);
+    EXPECT_NEAR(found.leading.value, free[0], 1e-9 * std::fabs(free[0]));
+    EXPECT_LT(found.leading.low, found.leading.value);
+    EXPECT_GT(found.leading.high, found.leading.value);
+  }
 }
 
 }  // namespace

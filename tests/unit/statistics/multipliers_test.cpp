@@ -5,9 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 #include <polhode/noise/normal.hpp>
 #include <vector>
+
+#include "statistics/distributions.hpp"
 
 namespace polhode {
 namespace {
@@ -103,6 +106,76 @@ TEST(EffectiveMultipliers, AreTheSameInAnyUnitAndNotKnownOfWhatFollowsFromOthers
     EXPECT_NEAR(found[2].error.value, 0.2, 1e-12) << unit;
     EXPECT_NEAR(found[2].size, unit, 0.2 * unit);
   }
+}
+
+// Weights 1 / dt on the levels: the normal equations, written out.
+TEST(ConstantOfPolynomial, IsTheWeightedLeastSquares) {
+  for (const int degree : {1, 2}) {
+    Eigen::MatrixXd design(4, degree + 1);
+    Eigen::VectorXd weight(4);
+    for (Eigen::Index l = 0; l < 4; ++l) {
+      const double x = dt[static_cast<std::size_t>(l)] / 0.01;
+      weight[l] = 1 / (x * x);
+      for (int k = 0; k <= degree; ++k) design(l, k) = std::pow(x, k);
+    }
+    const Eigen::MatrixXd left = design.transpose() * weight.asDiagonal();
+    const Eigen::VectorXd expected = (left * design).ldlt().solve(left).row(0).transpose();
+    EXPECT_LT((constant_of_polynomial(dt, degree) - expected).norm(), 1e-12) << degree;
+  }
+}
+
+// Corrections that do not fall leave all that is seen of the last one, beyond its error.
+TEST(LeftOpen, IsAllThatIsSeenWhereTheNextWouldBeLarger) {
+  EXPECT_DOUBLE_EQ(left_open(dt, 0, 0.25, 0.05), 0.25 - 1.96 * 0.05);
+  const Eigen::Vector4d x(8, 4, 2, 1);
+  const double line = constant_of_polynomial(dt, 1).dot(x.cwiseProduct(x)),
+               quadratic = constant_of_polynomial(dt, 2).dot(x.cwiseProduct(x).cwiseProduct(x));
+  const auto open = [&](double further) {
+    return left_open(dt, 0.25 * quadratic / (line * line) / further, 0.25, 0.05);
+  };
+  EXPECT_NEAR(open(0.5), 0.5 * (0.25 - 0.098), 1e-13);
+  EXPECT_NEAR(open(1.5), 0.25 - 0.098, 1e-13);
+}
+
+// Of one direction, each sum written out.
+TEST(EffectiveMultipliers, AreTheSumsOverPaths) {
+  constexpr int paths = 50, cells = 4;
+  response_data d(paths, 1, 4);
+  double gram = 0;
+  std::vector<double> g(paths), limit(paths), line(paths), finest(paths);
+  const auto quadratic = constant_of_polynomial(dt, 2), linear = constant_of_polynomial(dt, 1);
+  for (int p = 0; p < paths; ++p) {
+    const auto z = normals<6>({9, noise_kind::increment, static_cast<std::uint64_t>(p), 0});
+    const auto at = static_cast<std::size_t>(p);
+    g[at] = d.gram_of(p)[0] = 1 + z[0] * z[0];
+    gram += g[at] / paths;
+    for (int l = 0; l < 4; ++l) {
+      const double r = d.response_of(p, l)[0] = 0.3 * g[at] + 0.02 * z[static_cast<std::size_t>(l + 1)];
+      limit[at] += quadratic[l] * r;
+      line[at] += linear[l] * r;
+      finest[at] = r;
+    }
+  }
+  const auto mean = [&](const std::vector<double>& x) {
+    double sum = 0;
+    for (const double value : x) sum += value / paths;
+    return sum / gram;
+  };
+  const double eps = mean(limit), change = mean(line) - eps, step = mean(finest) - eps;
+  double variance = 0, of_change = 0;
+  for (std::size_t p = 0; p < paths; ++p) {
+    variance += std::pow((limit[p] - g[p] * eps) / gram, 2);
+    of_change += std::pow((line[p] - limit[p]) / gram - change, 2);
+  }
+  const double error = std::sqrt(variance) / paths, cell = std::fabs(step) / cells,
+               half = half_width_with_bias(error, left_open(dt, step, change, std::sqrt(of_change) / paths) + cell);
+  const auto m = effective_multipliers(dt, d, paths, cells).front();
+  ASSERT_TRUE(m.known);
+  EXPECT_NEAR(m.error.value, eps, 1e-13);
+  EXPECT_NEAR(m.error.low, eps - half, 1e-12);
+  EXPECT_NEAR(m.error.high, eps + half, 1e-12);
+  EXPECT_NEAR(m.sure, family_z * error + std::fabs(change) + cell, 1e-12);
+  EXPECT_NEAR(m.size, std::sqrt(gram), 1e-13);
 }
 
 }  // namespace

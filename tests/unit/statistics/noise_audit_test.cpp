@@ -263,6 +263,14 @@ TEST(NoiseAudit, OfOnePathIsOfItsSteps) {
   EXPECT_EQ(found.back().what, "product of two steps within 64");
 }
 
+TEST(NoiseAudit, OfNothingKnowsThatNoPathsAreAlikeAndNoMore) {
+  const auto found = noise_audit(3, 3).deviations();
+  ASSERT_EQ(found.size(), 2u) << found.front().what;
+  EXPECT_EQ(found[0].what, "number of paths that start alike");
+  EXPECT_EQ(found[1].what, "product of two lanes");
+  for (const auto& d : found) EXPECT_EQ(d.z, 0);
+}
+
 TEST(NoiseAudit, OfNoChannelSaysNothingOfNumbers) {
   noise_audit audit(0, 0);
   audit.add({4, 0, 0, {}, {}, {}, dt});
