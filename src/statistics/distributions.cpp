@@ -42,7 +42,9 @@ double poisson_upper(double count, double mean) {
 }
 
 double binomial_quantile(double probability, double n, double share) {
-  return law::quantile(law::binomial(n, share), probability);
+  using namespace law::policies;
+  using rounding_up = policy<discrete_quantile<integer_round_up>>;  // Boost's own rounds the lower half down
+  return law::quantile(law::binomial_distribution<double, rounding_up>(n, share), probability);
 }
 
 share_bounds binomial_bounds(double n, double count, double tail) {

@@ -27,7 +27,7 @@ double student_t_tail(double x, double degrees);
 double poisson_lower(double count, double mean);
 double poisson_upper(double count, double mean);
 
-/// The count at which P(X <= count) reaches probability < 1/2, rounded down; X binomial, n trials of this share.
+/// The least count with P(X <= count) >= probability; X binomial, n trials of this share.
 double binomial_quantile(double probability, double n, double share);
 
 struct share_bounds {

@@ -14,12 +14,13 @@ namespace {
 
 constexpr std::size_t least_paths = 32;
 
-/// Median with the interval between order statistics of binomial rank.
+/// Median with the interval between order statistics of binomial rank: of both sides fewer than so many lie outside the
+/// median with probability 0.025 at most. At least six values.
 interval_estimate median_of(std::vector<double> values) {
   std::ranges::sort(values);
   const auto n = values.size();
   const auto below = static_cast<std::size_t>(binomial_quantile(0.025, static_cast<double>(n), 0.5));
-  return {(values[(n - 1) / 2] + values[n / 2]) / 2, values[below == 0 ? 0 : below - 1], values[n - below]};
+  return {(values[(n - 1) / 2] + values[n / 2]) / 2, values[below - 1], values[n - below]};
 }
 
 /// Weights of the values at these abscissae in the slope of the least-squares line.

@@ -7,8 +7,11 @@
 #include <cmath>
 #include <numbers>
 
+#include <polhode/noise/normal.hpp>
+
 #include "ensemble/noise/paths.hpp"
 #include "experiments/common/levels.hpp"
+#include "problem/vectors.hpp"
 #include "run/bind_scene.hpp"
 #include "scene/scene.hpp"
 #include "support/kernel_decorator.hpp"
@@ -119,6 +122,40 @@ TEST_P(RoundingFloorOf, ToldFromSinglePrecision) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, RoundingFloorOf, testing::Values("paper", "vortices"),
                          [](const auto& scene) { return std::string(scene.param); });
+
+/// Adds independent normal numbers of one size to every state.
+struct noisy_kernel : test::kernel_decorator {
+  using kernel_decorator::advance;
+  noisy_kernel(std::unique_ptr<kernel> of, double size, std::uint64_t& calls)
+      : kernel_decorator(std::move(of)), size_(size), calls_(calls) {}
+  void advance(std::span<double> states, const increment_view& noise, piece p) const override {
+    kernel_decorator::advance(states, noise, p);
+    ++calls_;
+    for (std::size_t i = 0; i < states.size(); ++i)
+      states[i] += size_ * normals<1>({calls_, noise_kind::increment, i, 0})[0];
+  }
+  double size_;
+  std::uint64_t& calls_;
+};
+
+// Of three components, over 2^-52 sqrt(16) and |mu|; of the energy |Omega| times as much, over what energies of blocks
+// are known to.
+TEST(RoundingFloor, IsTheSizeOfWhatScatters) {
+  auto s = silent("paper");
+  const context c{.subject = s};
+  auto noisy = s.schemes.front();
+  std::uint64_t calls = 0;
+  const double size = 1e-9, unit = 0x1p-52 * 4;
+  noisy.make = [&, healthy = noisy.make](double dt) {
+    return std::make_unique<noisy_kernel>(healthy(dt), size, calls);
+  };
+  const auto found = rounding_floor_of(c, s, noisy);
+  const auto& mu = s.scene.momentum;
+  const double turning = std::hypot(mu[0], mu[1] / 2, mu[2] / 3),
+               condition = std::max(energy_size(s), turning / std::sqrt(3.0));
+  EXPECT_NEAR(found.state / (std::sqrt(3.0) * size / (unit * length(mu))), 1, 0.2);
+  EXPECT_NEAR(found.energy / (turning * size / (unit * condition)), 1, 0.25);
+}
 
 }  // namespace
 }  // namespace polhode

@@ -108,5 +108,31 @@ TEST(PathSlopes, LeaveOutPathsThatHaveNone) {
   EXPECT_FALSE(fit_path_slopes(dt, few, all, 1));
 }
 
+// Of three levels of five, at steps 1/4, 1/8, 1/16: the slope of a path is that between their ends, and the 14th of
+// forty slopes from either end are the interval of their median.
+TEST(PathSlopes, AreSlopesBetweenTheEndsOfThreeLevels) {
+  const auto dt = halvings(5);
+  const order_fit chosen{1, 1, 1, 1, {true, true, true, false, false}, "", true, {}};
+  for (const int paths : {40, 41}) {
+    const auto e = errors_of(dt, paths, [&](int p, double h) {
+      const int place = (p * 17) % paths;  // in no order
+      const double slope = 1 + place / 64.0;
+      return 4 * std::pow(h, slope) * (h == 0.125 ? std::exp2(-0.25) : 1);  // less at the middle one
+    });
+    const auto found = fit_path_slopes(dt, e, chosen, 1 + 10 / 64.0);
+    ASSERT_TRUE(found) << paths;
+    const double median = 1 + (paths - 1) / 128.0;
+    EXPECT_NEAR(found->median.order, median, 1e-13);
+    EXPECT_NEAR(found->median.low, 1 + 13 / 64.0, 1e-13);
+    EXPECT_NEAR(found->median.high, 1 + (paths - 14) / 64.0, 1e-13);
+    EXPECT_NEAR(found->median.finest.value, median - 0.25, 1e-13);
+    EXPECT_NEAR(found->median.prefactor, 4 * std::exp2(-0.25 / 3), 1e-12);
+    EXPECT_NEAR(found->share_at_least, (paths - 10.0) / paths, 1.01 / paths);
+  }
+  const auto thirty_two = errors_of(dt, 32, [](int, double h) { return h; });
+  EXPECT_TRUE(fit_path_slopes(dt, thirty_two, chosen, 1));
+  EXPECT_EQ(fit_path_slopes(dt, thirty_two, chosen, 1)->share_at_least, 1);
+}
+
 }  // namespace
 }  // namespace polhode

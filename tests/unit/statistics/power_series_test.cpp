@@ -47,6 +47,7 @@ TEST(PowerSeries, UncertainValuesWidenIntervals) {
 TEST(PowerSeries, RefusesTooFewLevels) {
   const std::vector<double> three{0.5, 0.25, 0.125};
   EXPECT_THROW(series_by_all_levels(three, three, three, 2), std::invalid_argument);
+  EXPECT_EQ(series_by_all_levels(three, three, three, 1).size(), 1u);
 }
 
 /// How two rules fare on the same random series c_k = N(0, 1) growth^k, for c_0 and c_1.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Intervals from replicates.
 #include "statistics/resample.hpp"
+#include "statistics/resampled_means.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include <numeric>
 #include <random>
@@ -41,6 +44,19 @@ TEST(BootstrapInterval, CoversWhatItClaimsOfTwelveNumbers) {
   // 0.95, its standard error 0.0034; without the correction 0.915 or so.
   EXPECT_NEAR(wide / double{trials}, 0.95, 0.015);
   EXPECT_LT(narrow / double{trials}, 0.93);
+}
+
+// A constant stays what it is, columns stay coupled, and the mean of all is that of the sample.
+TEST(ResampledMeans, AreMeansOfWholePaths) {
+  values_of_paths values(8, 3);
+  for (Eigen::Index p = 0; p < 8; ++p) values.row(p) << 3, static_cast<double>(p), 2.0 * static_cast<double>(p) + 1;
+  const auto means = resampled_means(values, 5);
+  ASSERT_EQ(means.rows(), bootstrap_replicates);
+  EXPECT_LT((means.col(0).array() - 3).abs().maxCoeff(), 1e-14);
+  EXPECT_LT((means.col(2) - 2 * means.col(1)).array().abs().maxCoeff() - 1, 1e-13);
+  EXPECT_NEAR(means.col(1).mean(), 3.5, 5 * std::sqrt(21 / 4.0 / 8 / bootstrap_replicates));
+  const double variance = (means.col(1).array() - means.col(1).mean()).square().mean();
+  EXPECT_NEAR(variance, 21 / 4.0 / 8, 0.25 * 21 / 4.0 / 8);
 }
 
 }  // namespace

@@ -46,5 +46,22 @@ TEST(MeanInterval, OfFewNumbersIsStudents) {
   EXPECT_NEAR(found.high, 3 + half, 1e-12);
 }
 
+// In any order; beside the law by more below a number than above it, or the other way. The half-width is that of
+// Dvoretzky, Kiefer and Wolfowitz, of as many numbers as they are worth.
+TEST(KolmogorovSmirnov, DistanceAndIntervalOfNumbersInAnyOrder) {
+  const auto uniform = [](double t) { return t; };
+  const std::vector<double> x{0.9, 0.35, 0.6, 0.5, 0.95};
+  const auto found = ks_distance(x, uniform);
+  const double half = std::sqrt(std::log(40) / 10);
+  EXPECT_NEAR(found.value, 0.35, 1e-15);  // none below 0.35
+  EXPECT_EQ(found.low, 0);
+  EXPECT_NEAR(found.high, 0.35 + half, 1e-15);
+  const auto worth_more = ks_distance(x, uniform, 50);
+  EXPECT_NEAR(worth_more.low, 0.35 - half / std::sqrt(10), 1e-15);
+  EXPECT_NEAR(worth_more.high, 0.35 + half / std::sqrt(10), 1e-15);
+  EXPECT_NEAR(ks_distance(x, uniform, 0.5).high, 0.35 + half * std::sqrt(10), 1e-15);
+  EXPECT_NEAR(ks_distance(std::vector{0.3, 0.1, 0.2}, uniform).value, 0.7, 1e-15);  // all below 0.3
+}
+
 }  // namespace
 }  // namespace polhode
