@@ -15,7 +15,7 @@
 namespace polhode_mutant {
 
 inline int active = -1;
-inline unsigned char reached[POLHODE_MUTANTS];
+inline unsigned char reached[POLHODE_MUTANTS];  // 1: come by; 2: come by only where the change does not compile
 
 inline struct session {
   session() {
@@ -36,6 +36,11 @@ constexpr bool on() {
   if (std::is_constant_evaluated()) return false;
   reached[id] = 1;
   return active == id;
+}
+
+template <int id>
+constexpr void refused() {
+  if (!std::is_constant_evaluated() && reached[id] == 0) reached[id] = 2;
 }
 
 /// No expression that refers to what is gone at the end of the line.
@@ -63,8 +68,11 @@ struct half {
   requires requires(A && a, B && b) { std::forward<A>(a) op std::forward<B>(b); }                   \
   constexpr auto operator carrier(half<id, name<id>, A> h, B&& b) {                                 \
     using result = decltype(plain(std::forward<A>(h.a) op std::forward<B>(b)));                     \
-    if constexpr (requires { static_cast<result>(std::forward<A>(h.a) other std::forward<B>(b)); }) \
-      if (on<id>()) return static_cast<result>(std::forward<A>(h.a) other std::forward<B>(b));      \
+    if constexpr (requires { static_cast<result>(std::forward<A>(h.a) other std::forward<B>(b)); }) { \
+      if (on<id>()) return static_cast<result>(std::forward<A>(h.a) other std::forward<B>(b)); \
+    } else { \
+      refused<id>(); \
+    } \
     return plain(std::forward<A>(h.a) op std::forward<B>(b));                                       \
   }
 POLHODE_MUTANT_OPERATOR(plus, -, +, -)
@@ -88,11 +96,14 @@ POLHODE_MUTANT_OPERATOR(unequal, !=, !=, ==)
   }                                                                            \
   template <int id, class A, class B>                                          \
   constexpr void operator|=(A&& a, half<id, name<id>, B> h) {                  \
-    if constexpr (requires { std::forward<A>(a) other std::forward<B>(h.a); }) \
-      if (on<id>()) {                                                          \
-        std::forward<A>(a) other std::forward<B>(h.a);                         \
-        return;                                                                \
-      }                                                                        \
+    if constexpr (requires { std::forward<A>(a) other std::forward<B>(h.a); }) { \
+      if (on<id>()) { \
+        std::forward<A>(a) other std::forward<B>(h.a); \
+        return; \
+      } \
+    } else { \
+      refused<id>(); \
+    } \
     std::forward<A>(a) op std::forward<B>(h.a);                                \
   }
 POLHODE_MUTANT_ASSIGNMENT(add, +=, -=)

@@ -55,7 +55,7 @@ class Build:
 
     def link(self, target, replaced, out, alone=None):
         """The program with objects replaced; those of the library stand before it, so that its own are not taken.
-        alone: of the program's objects only that."""
+        alone: of the program's objects only these."""
         line = subprocess.run(['ninja', '-C', self.build, '-t', 'commands', target], capture_output=True, text=True, check=True).stdout.splitlines()[-1]
         line = next(part for part in line.split('&&') if ' -o ' in part)
         words = shlex.split(line)
@@ -63,7 +63,7 @@ class Build:
         extra = [str(o) for name, o in replaced.items() if name not in own]
         kept = []
         for w in words:
-            if w in own and (alone is None or w == alone):
+            if w in own and (alone is None or w in alone):
                 kept += [str(replaced.get(w, w))] + extra
                 extra = []
             elif w not in own:

@@ -14,6 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
+from all_in_one import AllInOne, Tests
 from build import Build
 from mutate import mutants_of, order
 
@@ -25,6 +26,7 @@ ROOMS = {
 }
 NOT_OURS = re.compile(r'polhode/(testing|abi|called|flatten|simd)|noise/(aes_portable|ars)')  # tried by tests of their own, or no numbers
 WANTED = 0.98     # share of the changes
+COMPILER = 'the compiler'
 ONE_NUMBER = 1e-10  # relative: less is no change of a number
 UNIT, CONFORMANCE, VERIFICATION, COMMAND = 'polhode_unit', 'polhode_conformance', 'polhode_verification', 'polhode'
 QUICKLY = ['-O0']  # half the time and less; tests of headers run for moments
@@ -99,7 +101,7 @@ class Healthy:
                 with tempfile.TemporaryDirectory() as folder:
                     at, program = Path(folder) / 'one.o', Path(folder) / 'tests_of_one'
                     self.passing[test_object] = (self.b.compile(test_object, Path(folder), at, flags=QUICKLY)[0] == 0
-                        and self.b.link(program_of(test_object), {test_object: at}, program, alone=test_object)[0] == 0
+                        and self.b.link(program_of(test_object), {test_object: at}, program, alone={test_object})[0] == 0
                         and self.b.run([program, '--gtest_brief=1'], limit=self.limit)[0] == 0)
             return self.passing[test_object]
 
@@ -144,9 +146,9 @@ class Trial:
         for name in sorted((o for folder in folders for o in self.b.objects_of(self.m.file, folder)),
                            key=lambda o: (-saw[o], self.m.file.name not in self.b.command[o][1].read_text(), len(self.b.depends[o]))):
             replaced = self.compiled([name], QUICKLY)
-            if replaced is None: return 'the compiler'
+            if replaced is None: return COMPILER
             program = self.folder / 'tests_of_one'
-            if self.b.link(program_of(name), replaced | library, program, alone=name)[0] != 0: continue
+            if self.b.link(program_of(name), replaced | library, program, alone={name})[0] != 0: continue
             if (by := self.runs(program)) and self.healthy.passes(name):
                 saw[name] += 1
                 return by
@@ -156,7 +158,7 @@ class Trial:
         """A source of the laboratory: its objects are compiled anew and stand before those of the library."""
         objects = self.b.objects_of(self.m.file, 'polhode_laboratory.dir')
         replaced = self.compiled(objects)
-        if replaced is None: return 'the compiler'
+        if replaced is None: return COMPILER
         near = [s for o in self.b.objects_of(self.m.file.with_suffix('.hpp'), 'polhode_unit.dir') for s in suites_in(self.b.tree, self.b.command[o][1])]
         tests = self.linked(UNIT, replaced)
         if near and (by := self.runs(tests, near)): return by
@@ -177,6 +179,45 @@ class Trial:
         return self.by_header() if self.m.file.parts[0] == 'integrators' else self.by_library()
 
 
+HEADER_TESTS = {CONFORMANCE: ('conformance/',), UNIT: ('unit/integrators/', 'unit/systems/')}
+
+
+class Together:
+    """All at once where that can be: in the laboratory's sources, and in what tests of the installed headers compile."""
+
+    def __init__(self, build, jobs, longest):
+        self.b, self.jobs, self.longest, self.fate = build, jobs, longest, {}  # {mutant: who saw it, or ''}
+
+    def tried(self, mutants):
+        self.of_sources([m for m in mutants if m.file.parts[0] == 'src' and m.file.suffix == '.cpp'])
+        self.of_headers([m for m in mutants if m.file.parts[0] == 'integrators'])
+        return self.fate
+
+    def of_sources(self, mutants):
+        own = lambda m: next(o for o in self.b.objects_of(m.file, 'polhode_laboratory.dir') if self.b.command[o][1].resolve() == (self.b.tree / m.file).resolve())
+        self.over(mutants, UNIT, sorted({own(m) for m in mutants}), alone=False)
+
+    def of_headers(self, mutants):
+        for target, places in HEADER_TESTS.items():
+            unseen = [m for m in mutants if not self.fate.get(m)]
+            self.over(unseen, target, sorted(o for o in self.b.command if f'/{target}.dir/' in o and any(place in o for place in places)), alone=True)
+
+    def over(self, mutants, target, objects, alone):
+        if not mutants: return
+        with tempfile.TemporaryDirectory() as folder:
+            all_ = AllInOne(self.b, mutants, folder)
+            tests = Tests(all_.program(target, objects, self.jobs, alone), mutants, self.jobs)
+            print(f'{len(mutants)} in {target} at once: {len(tests.come_by)} are come by, {len(tests.refused)} refused by the compiler', flush=True)
+            for n in tests.refused: self.fate[mutants[n]] = COMPILER
+
+            def tried(n):
+                by = tests.first_to_see(n, self.longest)
+                if by: print(f'{"seen by " + by:<60}  {mutants[n].name()}', flush=True)
+                return n, by
+            with ThreadPoolExecutor(self.jobs) as pool:
+                for n, by in pool.map(tried, sorted(tests.come_by)): self.fate[mutants[n]] = by
+
+
 def wilson(k, n, z=1.96):
     """The 95 % interval of a share."""
     p, d = k / n, 1 + z * z / n
@@ -194,6 +235,8 @@ def arguments():
     parser.add_argument('--only', nargs='*', default=[''])
     parser.add_argument('--out', default='mutation.json')
     parser.add_argument('--jobs', type=int, default=2)
+    parser.add_argument('--longest', type=float, default=10)
+    parser.add_argument('--quick', action='store_true')
     given = parser.parse_args()
     unknown = [r for r in given.rooms.split(',') if r not in ROOMS]
     if unknown: parser.error(f"no room '{unknown[0]}'; there are: {', '.join(ROOMS)}")
@@ -207,26 +250,35 @@ def main():
     everything = [m for file in files_of(tree, given.rooms.split(',')) for m in mutants_of(tree, file) if any(text in m.name() for text in given.only)]
     some = sorted(everything, key=lambda m: order(m, given.seed))[given.skip:given.sample or None]
     print(f'{len(everything)} changes in {given.rooms}; {len(some)} of them are tried', flush=True)
-    healthy, results = Healthy(build), []
+    listed = {m for m in some if m.key() in known}
+    fate = Together(build, given.jobs, given.longest).tried([m for m in some if m not in listed])
+    left, results = [m for m in some if m not in listed and not fate.get(m)], []
+    print(f'{len(left)} that no test saw so are {"not tried alone" if given.quick else "tried alone"}', flush=True)
+    healthy = None if given.quick or not left else Healthy(build)
 
     def tried(mutant):
         begin = time.time()
-        if mutant.key() in known: return mutant, None, 0
+        if healthy is None: return mutant, '', 0
         with tempfile.TemporaryDirectory() as folder: return mutant, Trial(build, healthy, mutant, folder).killed_by(), time.time() - begin
 
+    def told(mutant, by, seconds):
+        words = 'changes no number, as listed' if by is None else f'seen by {by}' if by else 'SURVIVES'
+        if by is None or mutant in left: print(f'{words:<48} {seconds:4.0f} s  {mutant.name()}', flush=True)
+        results.append({'mutant': mutant.name(), 'key': mutant.key(), 'kind': mutant.kind, 'by': by, 'seconds': round(seconds, 1)})
+
+    for mutant in some:
+        if mutant in listed: told(mutant, None, 0)
+        elif fate.get(mutant): told(mutant, fate[mutant], 0)
     with ThreadPoolExecutor(given.jobs) as pool:
-        for mutant, by, seconds in pool.map(tried, some):
-            fate = 'changes no number, as listed' if by is None else f'seen by {by}' if by else 'SURVIVES'
-            print(f'{fate:<48} {seconds:4.0f} s  {mutant.name()}', flush=True)
-            results.append({'mutant': mutant.name(), 'key': mutant.key(), 'kind': mutant.kind, 'by': by, 'seconds': round(seconds, 1)})
+        for found in pool.map(tried, left): told(*found)
     Path(given.out).write_text(json.dumps(results, indent=1) + '\n')
-    counted = [r for r in results if r['by'] is not None and r['by'] != 'the compiler']
+    counted = [r for r in results if r['by'] is not None and r['by'] != COMPILER]
     seen = sum(bool(r['by']) for r in counted)
     code = 0
     if counted:
         low, high = wilson(seen, len(counted))
         print(f'seen: {seen} of {len(counted)}, {100 * seen / len(counted):.1f} % [{100 * low:.1f}, {100 * high:.1f}]; besides '
-              f'{sum(r["by"] == "the compiler" for r in results)} refused by the compiler, {sum(r["by"] is None for r in results)} that change no number, as listed')
+              f'{sum(r["by"] == COMPILER for r in results)} refused by the compiler, {sum(r["by"] is None for r in results)} that change no number, as listed')
         if high < WANTED: print(f'fewer than {100 * WANTED:.0f} % are seen'); code = 1
         for kind, n in sorted(collections.Counter(r['kind'] for r in counted if not r['by']).items()): print(f'  {n} of kind {kind} survive')
     return code

@@ -177,5 +177,34 @@ TEST(WeakOrderTwoOnSo4, DefectFallsLikeTheThirdPower) {
               2, 0.1);
 }
 
+// As many as dimensions as they are, however short, without those that vanish; more by their covariance.
+TEST(ConstantNoise, OfAnyListHasItsCovariance) {
+  using noise = constant_noise<so3>;
+  using column = noise::column;
+  const std::vector<column> few{{{1e-5, 2e-5, 0}}, {{0, 0, 0}}, {{0.3, 0, 1e-9}}};
+  const auto some = noise::from_vectors(few).sigma();
+  EXPECT_EQ(some, columns({1e-5, 0.3, 0, 2e-5, 0, 0, 0, 1e-9, 0}));
+  const std::vector<column> many{{{0.3, 0, 0}}, {{0.1, 0.4, 0}}, {{0, -0.2, 0.5}}, {{0.2, 0.2, 0.2}}};
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const auto& v : many)
+    covariance += Eigen::Vector3d(v[0], v[1], v[2]) * Eigen::Vector3d(v[0], v[1], v[2]).transpose();
+  const Eigen::Matrix3d root = noise::from_vectors(many).sigma();
+  EXPECT_LT((root * root.transpose() - covariance).norm(), 1e-15);
+  EXPECT_LT((root - root.transpose()).norm(), 1e-15);
+}
+
+// One vector in the first place is one channel; along one line from several places, all are drawn.
+TEST(ConstantNoise, DrawsNoneOneOrAllOfItsChannels) {
+  const auto active = [](std::initializer_list<double> by_rows) {
+    return constant_noise<so3>(columns(by_rows)).active_channels();
+  };
+  EXPECT_EQ(active({0, 0, 0, 0, 0, 0, 0, 0, 0}), 0);
+  EXPECT_EQ(active({1e-5, 0, 0, 0, 0, 0, 2e-5, 0, 0}), 1);
+  EXPECT_EQ(active({1, 1e-4, 0, 0, 0, 0, 2, 2e-4, 0}), 3);
+  EXPECT_EQ(active({1, 0, 1e-4, 0, 0, 0, 2, 0, 2e-4}), 3);
+  EXPECT_EQ(active({0, 1, 0, 0, 0, 0, 0, 2, 0}), 3);
+  EXPECT_EQ(active({1, 0, 0, 0, 1, 0, 0, 0, 0}), 3);
+}
+
 }  // namespace
 }  // namespace polhode
