@@ -9,6 +9,8 @@
 #include <polhode/schemes/strang_weak2.hpp>
 #include <polhode/systems/rigid_body.hpp>
 
+#include <array>
+#include <cmath>
 #include <vector>
 
 namespace polhode {
@@ -70,6 +72,42 @@ TEST(Integrate, IsOnePathWithNoiseByItsAddress) {
   advance<strang>(body, std::span(path), dt, 20, [](std::uint64_t i, std::size_t) { return increment(7 + i, 3); });
   const auto mu = integrate<strang>(body, starts()[0], dt, 20, {.seed = 5, .path = 3, .step = 7});
   EXPECT_LT(apart(mu, path[0]), 1e-14);
+}
+
+// A right angle encloses half a square; however a path is cut, it encloses the same.
+TEST(Chen, JoinsStepsOneAfterAnother) {
+  const auto along = [](int axis) {
+    wiener_levy<double, 3> w;
+    w.dt = 0.25;
+    w.dw[axis] = 2;
+    return w;
+  };
+  const auto corner = chen(along(0), along(1)), back = chen(along(1), along(0)), other = chen(along(1), along(2));
+  EXPECT_EQ(corner.dt, 0.5);
+  EXPECT_EQ(corner.dw.c, (std::array<double, 3>{2, 2, 0}));
+  EXPECT_EQ(corner.area.c, (std::array<double, 3>{2, 0, 0}));  // of the pairs 12, 13, 23
+  EXPECT_EQ(back.area.c, (std::array<double, 3>{-2, 0, 0}));
+  EXPECT_EQ(other.area.c, (std::array<double, 3>{0, 0, 2}));
+  const auto a = with_areas(1, 1), b = with_areas(2, 2), c = with_areas(3, 0);
+  const auto left = chen(chen(a, b), c), right = chen(a, chen(b, c));
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(left.dw[k], a.dw[k] + b.dw[k] + c.dw[k], 1e-16);
+    EXPECT_NEAR(left.area[k], right.area[k], 1e-16);
+  }
+  const double between = a.dw[0] * b.dw[2] - a.dw[2] * b.dw[0];
+  EXPECT_NEAR(chen(a, b).area[1], a.area[1] + b.area[1] + between / 2, 1e-17);
+}
+
+// The numbers of an address, of which those that are not active stay zero.
+TEST(WienerAt, IsTheNormalsOfItsAddress) {
+  const noise_address address{.seed = 5, .path = 7, .step = 11};
+  const auto z = normals<5>({.seed = 5, .kind = noise_kind::increment, .path = 7, .step = 11});
+  for (const int active : {0, 1, 2, 4, 5}) {
+    const auto w = wiener_at<5>(address, 0.04, active);
+    EXPECT_EQ(w.dt, 0.04);
+    for (int k = 0; k < 5; ++k)
+      EXPECT_DOUBLE_EQ(w.dw[k], k < active ? 0.2 * z[static_cast<std::size_t>(k)] : 0) << active << ' ' << k;
+  }
 }
 
 }  // namespace

@@ -8,10 +8,14 @@
 
 #include <cmath>
 #include <ostream>
+#include <span>
+#include <vector>
 
 #include <polhode/lie/so3.hpp>
 #include <polhode/lie/so4.hpp>
+#include <polhode/lie/son.hpp>
 #include <polhode/systems/constant_noise.hpp>
+#include <polhode/systems/constant_noise_sized.hpp>
 
 #include "algebra/decompositions.hpp"
 #include "unit/integrators/representations.hpp"
@@ -204,6 +208,42 @@ TEST(ConstantNoise, DrawsNoneOneOrAllOfItsChannels) {
   EXPECT_EQ(active({1, 0, 1e-4, 0, 0, 0, 2, 0, 2e-4}), 3);
   EXPECT_EQ(active({0, 1, 0, 0, 0, 0, 0, 2, 0}), 3);
   EXPECT_EQ(active({1, 0, 0, 0, 1, 0, 0, 0, 0}), 3);
+}
+
+// As many vectors as components as they are; what they do is their sum, and that of their brackets.
+TEST(ConstantNoise, OfOpenSizeAddsUpItsVectors) {
+  using noise = constant_noise<son>;
+  std::vector<std::vector<double>> list;
+  for (int i = 0; i < 6; ++i)
+    for (auto& v = list.emplace_back(); v.size() < 6;)
+      v.push_back(i == 5 && v.size() == 3 ? 1 : std::sin(static_cast<double>(6 * i) + static_cast<double>(v.size())));
+  for (const std::size_t count : {std::size_t{2}, std::size_t{6}}) {
+    const auto some = noise::from_vectors(std::span(list).first(count), 6);
+    noise::column dw(6), expected(6), of_areas(6);
+    vec<double, pairs_of<noise::channels>> area(15);
+    int pair = 0;
+    for (int i = 0; i < 6; ++i) {
+      dw[i] = 0.1 * (i + 1);
+      noise::column v(6);
+      for (int k = 0; k < 6; ++k) {
+        v[k] = i < static_cast<int>(count) ? list[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] : 0;
+        EXPECT_EQ(some.sigma()(k, i), v[k]);
+      }
+      expected = expected + dw[i] * v;
+      for (int j = i + 1; j < 6; ++j, ++pair) {
+        area[pair] = 0.01 * (pair + 1);
+        if (j >= static_cast<int>(count)) continue;
+        noise::column w(6);
+        for (int k = 0; k < 6; ++k) w[k] = list[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)];
+        of_areas = of_areas + area[pair] * son::bracket(v, w);
+      }
+    }
+    const auto sum = some.noise(dw), areas = some.area_noise(area);
+    for (int k = 0; k < 6; ++k) {
+      EXPECT_NEAR(sum[k], expected[k], 1e-15);
+      EXPECT_NEAR(areas[k], of_areas[k], 1e-15);
+    }
+  }
 }
 
 }  // namespace
