@@ -42,6 +42,7 @@ SWAPS = [
     ('call', r'\bstd::max\b(?=\()', 'std::min'), ('call', r'\bstd::min\b(?=\()', 'std::max'),
     ('call', r'\bstd::sin\b(?=\()', 'std::cos'), ('call', r'\bstd::cos\b(?=\()', 'std::sin'),
 ]
+BEGINS = re.compile(r'(?:[;{}):]|\belse)\s*\Z')  # what stands before a statement, and not within one
 OMITTED = re.compile(r'(?<=\n)( +)(?:[\w.\->:]+(?:<[\w, ]+>)?)\([^;{}\n]*\);(?=\n)')  # a call for what it does
 NUMBER = re.compile(r'(?<![\w.>\[])(\d+\.\d*(?:[eE][+-]?\d+)?|\d+[eE][+-]?\d+|\d+)(?![\w.\'])')
 
@@ -64,7 +65,8 @@ def mutants_of(tree, file):
     for kind, pattern, new in SWAPS:
         for m in re.finditer(pattern, blank): add(m.start(), m.end(), new, kind)
     for m in NUMBER.finditer(blank): add(m.start(), m.end(), changed_number(m.group()), 'constant')
-    for m in OMITTED.finditer(blank): add(m.start() + len(m.group(1)), m.end(), ';', 'omitted')
+    for m in OMITTED.finditer(blank):
+        if BEGINS.search(blank[:m.start()].replace('\0', '')): add(m.start() + len(m.group(1)), m.end(), ';', 'omitted')
     return sorted(found, key=lambda m: (m.start, m.new))
 
 
