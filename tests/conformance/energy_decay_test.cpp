@@ -26,7 +26,10 @@ void over_systems(double theta, With with) {
   const vec<double, 3> three{{0.6, 0.48, 0.64}};
   const vec<double, 6> six{{0.5, -0.3, 0.7, 0.48, 0.6, 0.64}};
   const auto of_size = [&]<class Vector>(Vector out) {
-    for (int k = 0; k < out.size; ++k) out[k] = six[k % 6] + 0.1 * (k / 6);
+    for (int k = 0; k < out.size; ++k) {
+      const int round = k / 6;
+      out[k] = six[k % 6] + 0.1 * round;
+    }
     return out;
   };
   const auto nine = of_size(vec<double, spins::group::dimension>(9));

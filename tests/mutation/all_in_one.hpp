@@ -57,23 +57,23 @@ struct half {
   A&& a;
 };
 
-#define POLHODE_MUTANT_OPERATOR(name, carrier, op, other)                                           \
-  template <int id>                                                                                 \
-  struct name {};                                                                                   \
-  template <int id, class A>                                                                        \
-  constexpr half<id, name<id>, A> operator carrier(A&& a, name<id>) {                               \
-    return {std::forward<A>(a)};                                                                    \
-  }                                                                                                 \
-  template <int id, class A, class B>                                                               \
-  requires requires(A && a, B && b) { std::forward<A>(a) op std::forward<B>(b); }                   \
-  constexpr auto operator carrier(half<id, name<id>, A> h, B&& b) {                                 \
-    using result = decltype(plain(std::forward<A>(h.a) op std::forward<B>(b)));                     \
+#define POLHODE_MUTANT_OPERATOR(name, carrier, op, other)                                             \
+  template <int id>                                                                                   \
+  struct name {};                                                                                     \
+  template <int id, class A>                                                                          \
+  constexpr half<id, name<id>, A> operator carrier(A&& a, name<id>) {                                 \
+    return {std::forward<A>(a)};                                                                      \
+  }                                                                                                   \
+  template <int id, class A, class B>                                                                 \
+  requires requires(A && a, B && b) { std::forward<A>(a) op std::forward<B>(b); }                     \
+  constexpr auto operator carrier(half<id, name<id>, A> h, B&& b) {                                   \
+    using result = decltype(plain(std::forward<A>(h.a) op std::forward<B>(b)));                       \
     if constexpr (requires { static_cast<result>(std::forward<A>(h.a) other std::forward<B>(b)); }) { \
-      if (on<id>()) return static_cast<result>(std::forward<A>(h.a) other std::forward<B>(b)); \
-    } else { \
-      refused<id>(); \
-    } \
-    return plain(std::forward<A>(h.a) op std::forward<B>(b));                                       \
+      if (on<id>()) return static_cast<result>(std::forward<A>(h.a) other std::forward<B>(b));        \
+    } else {                                                                                          \
+      refused<id>();                                                                                  \
+    }                                                                                                 \
+    return plain(std::forward<A>(h.a) op std::forward<B>(b));                                         \
   }
 POLHODE_MUTANT_OPERATOR(plus, -, +, -)
 POLHODE_MUTANT_OPERATOR(minus, -, -, +)
@@ -87,24 +87,24 @@ POLHODE_MUTANT_OPERATOR(equal, !=, ==, !=)
 POLHODE_MUTANT_OPERATOR(unequal, !=, !=, ==)
 #undef POLHODE_MUTANT_OPERATOR
 
-#define POLHODE_MUTANT_ASSIGNMENT(name, op, other)                             \
-  template <int id>                                                            \
-  struct name {};                                                              \
-  template <int id, class B>                                                   \
-  constexpr half<id, name<id>, B> operator|=(name<id>, B&& b) {                \
-    return {std::forward<B>(b)};                                               \
-  }                                                                            \
-  template <int id, class A, class B>                                          \
-  constexpr void operator|=(A&& a, half<id, name<id>, B> h) {                  \
+#define POLHODE_MUTANT_ASSIGNMENT(name, op, other)                               \
+  template <int id>                                                              \
+  struct name {};                                                                \
+  template <int id, class B>                                                     \
+  constexpr half<id, name<id>, B> operator|=(name<id>, B&& b) {                  \
+    return {std::forward<B>(b)};                                                 \
+  }                                                                              \
+  template <int id, class A, class B>                                            \
+  constexpr void operator|=(A&& a, half<id, name<id>, B> h) {                    \
     if constexpr (requires { std::forward<A>(a) other std::forward<B>(h.a); }) { \
-      if (on<id>()) { \
-        std::forward<A>(a) other std::forward<B>(h.a); \
-        return; \
-      } \
-    } else { \
-      refused<id>(); \
-    } \
-    std::forward<A>(a) op std::forward<B>(h.a);                                \
+      if (on<id>()) {                                                            \
+        std::forward<A>(a) other std::forward<B>(h.a);                           \
+        return;                                                                  \
+      }                                                                          \
+    } else {                                                                     \
+      refused<id>();                                                             \
+    }                                                                            \
+    std::forward<A>(a) op std::forward<B>(h.a);                                  \
   }
 POLHODE_MUTANT_ASSIGNMENT(add, +=, -=)
 POLHODE_MUTANT_ASSIGNMENT(subtract, -=, +=)
