@@ -151,7 +151,8 @@ complex eulers_slope(std::pair<int, int> k, complex a, std::pair<int, int> l, co
   const complex i(0, 1);
   complex sum = 0;
   for (int p = 0; p < grid * grid; ++p) {
-    const double x = 2 * M_PI * (p % grid) / grid, y = 2 * M_PI * (p / grid) / grid;
+    const int column = p % grid, row = p / grid;
+    const double x = 2 * M_PI * column / grid, y = 2 * M_PI * row / grid;
     double w_x = 0, w_y = 0, psi_x = 0, psi_y = 0;
     for (const auto& [mode, size] : {std::pair{k, a}, std::pair{l, b}}) {
       const auto [p1, p2] = mode;
