@@ -262,7 +262,7 @@ def main():
         with tempfile.TemporaryDirectory() as folder: return mutant, Trial(build, healthy, mutant, folder).killed_by(), time.time() - begin
 
     def told(mutant, by, seconds):
-        words = 'changes no number, as listed' if by is None else f'seen by {by}' if by else 'SURVIVES'
+        words = 'changes no number, as listed' if by is None else f'seen by {by}' if by else 'NOT SEEN AT ONCE' if given.quick else 'SURVIVES'
         if by is None or mutant in left: print(f'{words:<48} {seconds:4.0f} s  {mutant.name()}', flush=True)
         results.append({'mutant': mutant.name(), 'key': mutant.key(), 'kind': mutant.kind, 'by': by, 'seconds': round(seconds, 1)})
 
@@ -279,8 +279,9 @@ def main():
         low, high = wilson(seen, len(counted))
         print(f'seen: {seen} of {len(counted)}, {100 * seen / len(counted):.1f} % [{100 * low:.1f}, {100 * high:.1f}]; besides '
               f'{sum(r["by"] == COMPILER for r in results)} refused by the compiler, {sum(r["by"] is None for r in results)} that change no number, as listed')
-        if high < WANTED: print(f'fewer than {100 * WANTED:.0f} % are seen'); code = 1
-        for kind, n in sorted(collections.Counter(r['kind'] for r in counted if not r['by']).items()): print(f'  {n} of kind {kind} survive')
+        if given.quick: print('of the others nothing is known: they were not tried alone')
+        elif high < WANTED: print(f'fewer than {100 * WANTED:.0f} % are seen'); code = 1
+        for kind, n in sorted(collections.Counter(r['kind'] for r in counted if not r['by']).items()): print(f'  {n} of kind {kind} {"left" if given.quick else "survive"}')
     return code
 
 
