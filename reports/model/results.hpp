@@ -122,6 +122,19 @@ struct density {
   std::vector<double> values;
 };
 
+/// What processes that share an experiment tell each other of its noise: how far its sums lie from their law. In no
+/// report.
+struct audited_noise {
+  struct deviation {
+    std::string what;
+    double z = 0;  ///< in standard errors
+  };
+  std::string experiment, part;
+  std::string scheme = {};           ///< whose it is; empty: all draw the same, one further than another
+  double increments = 0, areas = 0;  ///< heard, a channel or pair
+  std::vector<deviation> of_increments = {}, of_areas = {};
+};
+
 /// What an experiment asks, in one sentence, and what it states about its own method.
 struct experiment {
   std::string name, question;
@@ -142,6 +155,7 @@ struct results {
   std::vector<density> densities;
   work_done done;
   std::vector<std::string> to_come;  ///< experiments that a run has before it; of a finished one: none
+  std::vector<audited_noise> audits;
   std::vector<profile_row> profile;  ///< of this run, if it was taken: not of what came from the cache
 };
 

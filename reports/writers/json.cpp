@@ -59,6 +59,19 @@ json to_value(const profile_row& p) {
   return {{"experiment", p.experiment}, {"scheme", p.scheme}, {"cpu_seconds", number(p.cpu_seconds)}};
 }
 
+json to_value(const audited_noise& n) {
+  const auto deviation = [](const audited_noise::deviation& d) {
+    return json{{"what", d.what}, {"standard_errors", number(d.z)}};
+  };
+  return {{"experiment", n.experiment},
+          {"part", n.part},
+          {"scheme", n.scheme},
+          {"increments", number(n.increments)},
+          {"areas", number(n.areas)},
+          {"of_increments", list_of(n.of_increments, deviation)},
+          {"of_areas", list_of(n.of_areas, deviation)}};
+}
+
 json to_value(const density& d) {
   json values = json::array();
   for (const double x : d.values) values.push_back(number(x));
@@ -101,6 +114,7 @@ std::string to_json(const results& r) {
   document["savings"] = list_of(r.savings, row);
   document["reused"] = list_of(r.reused, row);
   if (!r.densities.empty()) document["densities"] = list_of(r.densities, row);
+  if (!r.audits.empty()) document["audits"] = list_of(r.audits, row);
   document["plots"] = list_of(plots_of(r), row);
   document["counters"] = to_value(r.done);
   if (!r.profile.empty()) document["profile"] = list_of(r.profile, row);

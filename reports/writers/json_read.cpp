@@ -129,6 +129,18 @@ density density_from(const node& n) {
   return d;
 }
 
+audited_noise::deviation deviation_from(const node& n) { return {n["what"].text(), n["standard_errors"].number()}; }
+
+audited_noise audited_noise_from(const node& n) {
+  return {n["experiment"].text(),
+          n["part"].text(),
+          n["scheme"].text(),
+          n["increments"].number(),
+          n["areas"].number(),
+          n["of_increments"].list(deviation_from),
+          n["of_areas"].list(deviation_from)};
+}
+
 profile_row profile_row_from(const node& n) {
   return {n["experiment"].text(), n["scheme"].text(), n["cpu_seconds"].number()};
 }
@@ -171,6 +183,7 @@ results from_json(std::string_view text) {
   if (const auto savings = root.maybe("savings")) r.savings = savings->list(saving_from);
   if (const auto reused = root.maybe("reused")) r.reused = reused->list(reuse_from);
   if (const auto densities = root.maybe("densities")) r.densities = densities->list(density_from);
+  if (const auto audits = root.maybe("audits")) r.audits = audits->list(audited_noise_from);
   if (const auto counted = root.maybe("counters")) r.done = work_from(*counted);
   if (const auto profile = root.maybe("profile")) r.profile = profile->list(profile_row_from);
   if (const auto rest = root.maybe("to_come")) r.to_come = rest->list([](const node& n) { return n.text(); });

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "experiments/common/noise_verdict.hpp"
 #include "platform/work_counters.hpp"
 #include "run/cache_key.hpp"
 #include "run/provenance.hpp"
@@ -94,25 +95,10 @@ struct joint_run {
   report::results found;
 };
 
-/// Only what it says of its own schemes and of the scene: of its noise, which is addressed and so the same for all, the
-/// first rank tells.
-void keep_own_rows(const experiment& e, joint_run& run) {
-  report::results own;
-  own.provenance = run.found.provenance;
-  own.done = run.found.done;
-  append_rows(
-      run.found,
-      [&](const std::string& scheme) { return scheme.empty() || contains(run.schemes, owner_of(e, scheme)); }, own);
-  run.found = std::move(own);
-}
-
-/// Every so many of the schemes to each rank. The first rank's draws areas if any does.
-dealt_schemes dealt_in_turn(const subject& s, int ranks, names schemes) {
-  std::ranges::stable_partition(schemes, [&](const std::string& name) {
-    return std::ranges::find(s.schemes, name, [](const scheme_entry& e) { return e.info.name; })->needs_areas;
-  });
+/// Every so many of the schemes to each rank.
+dealt_schemes dealt_in_turn(int ranks, const names& schemes) {
   dealt_schemes out(static_cast<std::size_t>(ranks));
-  for (std::size_t i = 0; i < schemes.size(); ++i) out[i % out.size()].push_back(std::move(schemes[i]));
+  for (std::size_t i = 0; i < schemes.size(); ++i) out[i % out.size()].push_back(schemes[i]);
   return out;
 }
 
@@ -125,25 +111,25 @@ const dealt_schemes* dealt_before(const experiment& e, const shared_work* shared
   return all == std::set<std::string>(missing.begin(), missing.end()) ? &dealt : nullptr;
 }
 
-/// One run of all, or one of each rank that has some of them; first that which draws areas if any does.
+/// One run of all, or one of each rank that has some of them, which say the same of the noise.
 std::vector<joint_run> compute_all(const experiment& e, const context& c, const kept_results& kept,
                                    const names& schemes) {
   const auto* among = kept.among;
   if (among == nullptr || among->size() == 1) return {{schemes, computed(e, c, schemes)}};
   const auto* before = dealt_before(e, kept.shared, schemes);
-  const auto dealt = before != nullptr ? *before : dealt_in_turn(c.subject, among->size(), schemes);
+  const auto dealt = before != nullptr ? *before : dealt_in_turn(among->size(), schemes);
   const auto& mine = dealt[static_cast<std::size_t>(among->rank())];
   auto found = among->of_all(mine.empty()        ? report::results{}
                              : before != nullptr ? kept.shared->found.at(e.info.name)
                                                  : computed(e, c, mine));
+  const auto audits = as_of_one_run(found, c.subject.schemes);
   std::vector<joint_run> runs;
-  for (std::size_t i = 0; i < dealt.size(); ++i)
-    if (!dealt[i].empty()) runs.push_back({dealt[i], std::move(found[i])});
-  const auto draws_areas = [&](const joint_run& run) {
-    return any_needs_areas(restricted(c.subject, run.schemes).schemes);
-  };
-  std::ranges::stable_partition(runs, draws_areas);
-  for (std::size_t i = 1; i < runs.size(); ++i) keep_own_rows(e, runs[i]);
+  for (std::size_t i = 0; i < dealt.size(); ++i) {
+    if (dealt[i].empty()) continue;
+    found[i].audits = audits;
+    report_noise(e.info.name, found[i]);
+    runs.push_back({dealt[i], std::move(found[i])});
+  }
   return runs;
 }
 

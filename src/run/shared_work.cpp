@@ -35,16 +35,9 @@ double total_of(std::span<const scheme_cost> costs) {
   return total;
 }
 
-bool needs_areas(const subject& s, const std::string& scheme) {
-  return std::ranges::any_of(s.schemes, [&](const scheme_entry& e) { return e.info.name == scheme && e.needs_areas; });
-}
-
 /// Of one experiment, over these ranks.
-dealt_schemes deal_among(std::vector<scheme_cost> costs, const subject& s, const std::vector<std::size_t>& these,
-                         std::size_t ranks) {
-  const auto rest =
-      std::ranges::stable_partition(costs, [&](const scheme_cost& one) { return needs_areas(s, one.scheme); });
-  std::ranges::stable_sort(rest, std::greater{}, &scheme_cost::cpu_seconds);
+dealt_schemes deal_among(std::vector<scheme_cost> costs, const std::vector<std::size_t>& these, std::size_t ranks) {
+  std::ranges::stable_sort(costs, std::greater{}, &scheme_cost::cpu_seconds);
   std::vector<double> loads(these.size());
   dealt_schemes out(ranks);
   for (const auto& one : costs) {
@@ -57,7 +50,7 @@ dealt_schemes deal_among(std::vector<scheme_cost> costs, const subject& s, const
 
 }  // namespace
 
-std::map<std::string, dealt_schemes> deal(std::span<const scheme_cost> costs, const subject& s, int ranks) {
+std::map<std::string, dealt_schemes> deal(std::span<const scheme_cost> costs, int ranks) {
   std::map<std::string, std::vector<scheme_cost>> of;
   for (const auto& one : costs) of[one.experiment].push_back(one);
   std::vector<std::string> experiments;
@@ -73,7 +66,7 @@ std::map<std::string, dealt_schemes> deal(std::span<const scheme_cost> costs, co
     const auto wanted = static_cast<std::size_t>(std::clamp(std::round(cost / share), 1.0, 1.0 * ranks));
     const auto these = least_loaded(loads, std::min(wanted, of[name].size()));
     for (const auto rank : these) loads[rank] += cost / static_cast<double>(these.size());
-    out[name] = deal_among(of[name], s, these, most);
+    out[name] = deal_among(of[name], these, most);
   }
   return out;
 }
@@ -105,7 +98,7 @@ shared_work sharing::computed_now(std::span<const experiment> these, const conte
   for (const auto& one : costs_)
     if (std::ranges::any_of(these, [&](const experiment& e) { return e.info.name == one.experiment; }))
       costs.push_back(one);
-  shared_work out{deal(costs, c.subject, among_->size()), {}};
+  shared_work out{deal(costs, among_->size()), {}};
   double own = 1e-300, before = 0;
   for (const auto& [name, dealt] : out.dealt)
     own += cost_of(costs, name, dealt[static_cast<std::size_t>(among_->rank())]);

@@ -25,9 +25,8 @@ struct scheme_cost {
 using dealt_schemes = std::vector<std::vector<std::string>>;
 
 /// The dearest experiments first, each to the ranks with least to do so far: to one, or to as many as its share of the
-/// whole. Among these first the schemes that need areas, in their order, so that the first rank draws them, then
-/// the dearest first in the same way.
-std::map<std::string, dealt_schemes> deal(std::span<const scheme_cost>, const subject&, int ranks);
+/// whole. Among these its schemes in the same way.
+std::map<std::string, dealt_schemes> deal(std::span<const scheme_cost>, int ranks);
 
 /// What was dealt, and what this process has found of its part.
 struct shared_work {

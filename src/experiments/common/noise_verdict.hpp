@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ensemble/kernel.hpp"
@@ -40,9 +42,8 @@ class noise_log {
   noise_audit alone(int path, const increment_view&, double dt, std::size_t which) const;
   void join(int path, const noise_audit& alone, std::size_t which) { at(path / noise_audit::lanes, which).join(alone); }
 
-  /// A measurement a deviation that is the largest of its part, and the verdict: none lies beyond what
-  /// `audit_false_alarm` allows. Nothing where no noise was drawn.
-  void report(const std::string& experiment, report::results&) const;
+  /// What is heard, and report_noise(). scheme: whose it is, where each draws its own.
+  void report(const std::string& experiment, report::results&, std::string_view scheme = {}) const;
 
  private:
   noise_audit nothing(const part&) const;
@@ -54,8 +55,17 @@ class noise_log {
   std::vector<std::vector<noise_audit>> audits_;  ///< [part][block]
 };
 
-/// Where every scheme draws the same numbers for itself, the one whose are heard: the first that draws areas as well,
-/// or the first.
+/// Of the audits in the results: a measurement a deviation that is the largest of its part, and the verdict: none lies
+/// beyond what `audit_false_alarm` allows. Nothing where no noise was drawn. In the place of what was said before.
+void report_noise(const std::string& experiment, report::results&);
+
+/// What one run of all these schemes would have heard, from runs of some of them each: of every part the increments of
+/// that which went furthest, and the areas.
+std::vector<report::audited_noise> as_of_one_run(std::span<const report::results> runs,
+                                                 const std::vector<scheme_entry>&);
+
+/// Where schemes draw numbers of their own, the one whose are heard: of those that keep the orbit the first that draws
+/// areas as well, or the first; of all where none does.
 const scheme_entry& heard_among(const std::vector<scheme_entry>&);
 
 }  // namespace polhode

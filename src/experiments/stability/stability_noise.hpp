@@ -24,7 +24,7 @@ class heard_noise {
   /// The same for the scheme that is heard; for others nobody listens.
   block_listener listener(part, const scheme_entry&);
 
-  void report(report::results& out) const { log_.report("stability", out); }
+  void report(report::results& out) const { log_.report("stability", out, scheme_); }
 
  private:
   noise_log log_;

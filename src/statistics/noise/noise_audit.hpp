@@ -37,6 +37,7 @@ struct audited_steps {
 struct noise_deviation {
   std::string what;
   double z = 0;
+  bool of_area = false;
 };
 
 class noise_audit {
@@ -58,6 +59,7 @@ class noise_audit {
 
   std::vector<noise_deviation> deviations() const;
   double increments() const { return all_; }
+  double areas() const { return area_all_; }
 
  private:
   using row = path_audit::row;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 
 #include "statistics/distributions.hpp"
 #include "statistics/noise/noise_audit.hpp"
@@ -137,7 +138,9 @@ std::vector<noise_deviation> noise_audit::deviations() const {
       add(fmt::format("channel {} times channel {}", k + 1, j + 1),
           {sums_.channels[pair++], close_, 1, least_of_products});
   }
+  const auto areas = static_cast<std::ptrdiff_t>(out.size());
   add_area_deviations(add);
+  for (auto& d : out | std::views::drop(areas)) d.of_area = true;
   compare_heads(out);
   compare_paths(out);
   return out;

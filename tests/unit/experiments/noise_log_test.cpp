@@ -133,5 +133,96 @@ TEST(NoiseLog, NothingHeardIsNoVerdict) {
   EXPECT_TRUE(found.measurements.empty());
 }
 
+/// The first blocks, with areas up to some of them.
+void hear(noise_log& log, const model& m, std::size_t part, int until, int with_areas_until) {
+  over_blocks(m, [&](int block, int, const increment_view& v) {
+    auto heard = v;
+    if (block >= with_areas_until) heard.area = {};
+    if (block < until) log.add(block, heard, dt, part);
+  });
+}
+
+struct as_said {
+  std::vector<std::pair<std::string, double>> measured;
+  std::vector<std::string> reasons;
+  explicit as_said(const report::results& r) {
+    for (const auto& m : r.measurements) measured.emplace_back(m.observable, *m.value);
+    for (const auto& v : r.verdicts) reasons.push_back(v.reason);
+  }
+  bool operator==(const as_said&) const = default;
+};
+
+// One process whose schemes need areas for two blocks, one whose schemes need increments for four, and none the
+// other's.
+TEST(NoiseLog, RunsOfSomeSchemesEachSayTogetherWhatARunOfAllSays) {
+  const auto paper = bind_scene(load_scene("paper"));
+  const std::vector<noise_log::part> parts{{"", 0}, {"finest", 0}};
+  noise_log all(*paper.model, blocks, parts), with_areas(*paper.model, blocks, parts), far(*paper.model, blocks, parts);
+  hear(all, *paper.model, 0, 4, 2);
+  hear(all, *paper.model, 1, 1, 1);
+  hear(with_areas, *paper.model, 0, 2, 2);
+  hear(far, *paper.model, 0, 4, 0);
+  hear(far, *paper.model, 1, 1, 1);
+  for (const bool swapped : {false, true}) {
+    std::vector runs{report_of(with_areas), report_of(far)};
+    if (swapped) std::swap(runs[0], runs[1]);
+    EXPECT_FALSE(as_said(runs[0]) == as_said(report_of(all)));
+    const auto audits = as_of_one_run(runs, paper.schemes);
+    for (auto& run : runs) {
+      run.audits = audits;
+      report_noise("test", run);
+      EXPECT_TRUE(as_said(run) == as_said(report_of(all)));
+    }
+  }
+}
+
+TEST(NoiseLog, WhereSchemesDrawTheirOwnTheSameOneIsHeardWhoeverRunsIt) {
+  const auto paper = bind_scene(load_scene("paper"));
+  const auto told_of = [&](const std::vector<scheme_entry>& schemes, int until) {
+    noise_log log(*paper.model, blocks);
+    hear(log, *paper.model, 0, until, until);
+    report::results out;
+    log.report("test", out, heard_among(schemes).info.name);
+    return out;
+  };
+  const auto of_all = told_of(paper.schemes, 2);
+  const auto& heard = heard_among(paper.schemes);
+  EXPECT_TRUE(heard.info.casimir.exact && heard.needs_areas) << heard.info.name;
+  std::vector<scheme_entry> others;
+  for (const auto& scheme : paper.schemes)
+    if (scheme.info.name != heard.info.name) others.push_back(scheme);
+  for (const bool swapped : {false, true}) {
+    std::vector runs{told_of({heard}, 2), told_of(others, 4)};  // which hears more, of its own
+    if (swapped) std::swap(runs[0], runs[1]);
+    runs[0].audits = as_of_one_run(runs, paper.schemes);
+    report_noise("test", runs[0]);
+    EXPECT_TRUE(as_said(runs[0]) == as_said(of_all));
+  }
+}
+
+TEST(NoiseLog, WhatIsSaidAnewStandsWhereItStood) {
+  const auto paper = bind_scene(load_scene("paper"));
+  noise_log log(*paper.model, blocks);
+  hear(log, *paper.model, 0, 4, 4);
+  report::results out;
+  const auto other = [&](const char* scheme) {
+    out.measurements.push_back({.experiment = "test", .scheme = scheme, .quantity = "largest deviation"});
+    out.verdicts.push_back({.experiment = "test", .scheme = scheme, .claim = noise_claim});
+  };
+  other("heun");
+  log.report("test", out);
+  other("strang");
+  const auto schemes = [&] {
+    std::vector<std::string> names;
+    for (const auto& m : out.measurements) names.push_back(m.scheme);
+    for (const auto& v : out.verdicts) names.push_back(v.scheme);
+    return names;
+  };
+  const auto before = schemes();
+  report_noise("test", out);
+  EXPECT_EQ(schemes(), before);
+  EXPECT_EQ(before, (std::vector<std::string>{"heun", "noise", "strang", "heun", "noise", "strang"}));
+}
+
 }  // namespace
 }  // namespace polhode

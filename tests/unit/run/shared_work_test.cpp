@@ -11,17 +11,6 @@ namespace {
 
 using namespace polhode;
 
-subject with_schemes(const std::vector<std::pair<const char*, bool>>& schemes) {
-  subject s;
-  for (const auto& [name, areas] : schemes) {
-    scheme_entry e{};
-    e.info.name = name;
-    e.needs_areas = areas;
-    s.schemes.push_back(e);
-  }
-  return s;
-}
-
 double load_of(const std::map<std::string, dealt_schemes>& dealt, std::span<const scheme_cost> costs,
                std::size_t rank) {
   double load = 0;
@@ -35,13 +24,11 @@ std::size_t sharers(const dealt_schemes& dealt) {
   return static_cast<std::size_t>(std::ranges::count_if(dealt, [](const auto& some) { return !some.empty(); }));
 }
 
-const subject three = with_schemes({{"heun", false}, {"milstein", true}, {"strang", false}});
-
 TEST(SharedWork, EachSchemeIsDealtOnce) {
   const std::vector<scheme_cost> costs{{"weak", "heun", 3},    {"weak", "milstein", 2},   {"weak", "strang", 9},
                                        {"gibbs", "strang", 5}, {"strong", "milstein", 1}, {"strong", "heun", 0}};
   for (int ranks = 1; ranks <= 9; ++ranks) {
-    const auto dealt = deal(costs, three, ranks);
+    const auto dealt = deal(costs, ranks);
     ASSERT_EQ(dealt.size(), 3U);
     std::multiset<std::pair<std::string, std::string>> given, wanted;
     for (const auto& [experiment, by_rank] : dealt) {
@@ -57,7 +44,7 @@ TEST(SharedWork, EachSchemeIsDealtOnce) {
 TEST(SharedWork, AnExperimentStaysWholeWhereOthersFillTheRest) {
   const std::vector<scheme_cost> costs{
       {"weak", "heun", 4}, {"weak", "strang", 4}, {"gibbs", "heun", 5}, {"energy", "heun", 3}};
-  const auto dealt = deal(costs, three, 2);
+  const auto dealt = deal(costs, 2);
   for (const auto& [experiment, by_rank] : dealt) EXPECT_EQ(sharers(by_rank), 1U) << experiment;
   EXPECT_EQ(load_of(dealt, costs, 0), 8);
   EXPECT_EQ(load_of(dealt, costs, 1), 8);
@@ -66,7 +53,7 @@ TEST(SharedWork, AnExperimentStaysWholeWhereOthersFillTheRest) {
 TEST(SharedWork, AnExperimentThatIsMoreThanAShareIsSplit) {
   const std::vector<scheme_cost> costs{
       {"weak", "heun", 40}, {"weak", "strang", 30}, {"weak", "milstein", 9}, {"gibbs", "heun", 2}};
-  const auto dealt = deal(costs, three, 2);
+  const auto dealt = deal(costs, 2);
   EXPECT_EQ(sharers(dealt.at("weak")), 2U);
   EXPECT_EQ(sharers(dealt.at("gibbs")), 1U);
   EXPECT_EQ(load_of(dealt, costs, 0) + load_of(dealt, costs, 1), 81);
@@ -75,20 +62,9 @@ TEST(SharedWork, AnExperimentThatIsMoreThanAShareIsSplit) {
 
 TEST(SharedWork, ThereAreNoMoreSharersThanSchemes) {
   const std::vector<scheme_cost> costs{{"weak", "heun", 40}, {"weak", "strang", 30}};
-  EXPECT_EQ(sharers(deal(costs, three, 5).at("weak")), 2U);
+  EXPECT_EQ(sharers(deal(costs, 5).at("weak")), 2U);
 }
 
-TEST(SharedWork, AreasAreDrawnByOneWhereThatIsAllThatNeedsThem) {
-  const std::vector<scheme_cost> costs{{"weak", "heun", 40}, {"weak", "strang", 30}, {"weak", "milstein", 1}};
-  const auto dealt = deal(costs, three, 2);
-  const auto with = [&](const std::string& scheme) {
-    return std::ranges::find_if(dealt.at("weak"),
-                                [&](const auto& some) { return std::ranges::find(some, scheme) != some.end(); });
-  };
-  EXPECT_EQ(with("milstein")->front(), "milstein");
-  EXPECT_EQ(with("milstein"), dealt.at("weak").begin());
-}
-
-TEST(SharedWork, NothingToDoIsDealtToNobody) { EXPECT_TRUE(deal({}, three, 3).empty()); }
+TEST(SharedWork, NothingToDoIsDealtToNobody) { EXPECT_TRUE(deal({}, 3).empty()); }
 
 }  // namespace
