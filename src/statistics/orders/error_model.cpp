@@ -9,6 +9,25 @@
 #include "statistics/resampled_means.hpp"
 
 namespace polhode {
+namespace {
+
+constexpr double certain = 1e-12;  // of a mean: no error is known better
+
+/// One over the standard error of each level's mean; of a level that is zero on every path, as of the best of the
+/// others.
+Eigen::VectorXd weights_of(const squared_errors& e, const std::vector<std::size_t>& levels) {
+  std::vector<double> errors;
+  double least = INFINITY;
+  for (const std::size_t level : levels) {
+    const auto [mean, error] = level_mean(e, static_cast<int>(level));
+    errors.push_back(std::max(certain * mean, error));
+    if (errors.back() > 0) least = std::min(least, errors.back());
+  }
+  Eigen::VectorXd out = Eigen::Map<Eigen::VectorXd>(errors.data(), static_cast<Eigen::Index>(errors.size()));
+  return (out.array() > 0).select(out, std::isfinite(least) ? least : 1).cwiseInverse();
+}
+
+}  // namespace
 
 error_model fit_error_model(std::span<const double> dt, const squared_errors& e, const std::vector<bool>& used,
                             double order, std::uint64_t seed, int powers) {
@@ -17,12 +36,11 @@ error_model fit_error_model(std::span<const double> dt, const squared_errors& e,
     if (used[i]) kept.push_back(i);
   const auto n = static_cast<Eigen::Index>(kept.size());
   Eigen::MatrixXd design(n, 1 + powers);
-  Eigen::VectorXd weight(n);
+  const Eigen::VectorXd weight = weights_of(e, kept);
   for (Eigen::Index k = 0; k < n; ++k) {
     const std::size_t level = kept[static_cast<std::size_t>(k)];
     design(k, 0) = 1;
     for (int i = 0; i < powers; ++i) design(k, 1 + i) = std::pow(dt[level], 2 * order + i);
-    weight[k] = 1 / std::max(1e-300, level_mean(e, static_cast<int>(level)).error);
   }
   const Eigen::RowVectorXd with_limit = pseudo_inverse(weight.asDiagonal() * design.leftCols(3)).row(0),
                            without = pseudo_inverse(weight.asDiagonal() * design.rightCols(powers)).row(0);
@@ -44,7 +62,7 @@ error_model fit_error_model(std::span<const double> dt, const squared_errors& e,
   const auto [square, coefficient] = coefficients(values.colwise().mean());
   const auto [low, high] = bootstrap_interval(limits, 0.95, e.paths);
   const auto [least, most] = bootstrap_interval(leading, 0.95, e.paths);
-  const auto distance = [](double x) { return std::sqrt(std::max(0.0, x)); };
+  const auto distance = [](double x) { return x < 0 ? 0 : std::sqrt(x); };
   return {{distance(square), distance(low), distance(high)}, {coefficient, least, most}};
 }
 

@@ -9,6 +9,7 @@
 
 #include "statistics/orders/order_fit.hpp"
 #include "statistics/resample.hpp"
+#include "statistics/resampled_means.hpp"
 #include "support/halvings.hpp"
 
 namespace polhode {
@@ -95,6 +96,52 @@ TEST(ErrorModel, IsTheWeightedLeastSquares) {
     EXPECT_LT(found.leading.low, found.leading.value);
     EXPECT_GT(found.leading.high, found.leading.value);
   }
+}
+
+// Of 164 paths the interval ends at a replicate next to which a wider or a shorter one would begin.
+TEST(ErrorModel, IntervalsAreThoseOfTheReplicatesLeastSquares) {
+  const std::vector<double> dt{0.31, 0.17, 0.08, 0.045, 0.02, 0.011};
+  constexpr int paths = 164;
+  auto e = noisy_errors(dt, 0.7, 0.3, 5, paths);
+  for (std::size_t i = 0; i < e.values.size(); ++i)
+    e.values[i] += 0.01 * std::exp(normals<1>({6, noise_kind::increment, i, 0})[0]);
+  const auto means = resampled_means(matrix_of(e), 4);
+  std::vector<double> limits, leading;
+  for (Eigen::Index r = 0; r < means.rows(); ++r) {
+    Eigen::MatrixXd design(6, 3);
+    Eigen::VectorXd right(6);
+    for (int l = 0; l < 6; ++l) {
+      const double h = dt[static_cast<std::size_t>(l)], error = level_mean(e, l).error;
+      design.row(l) << 1 / error, std::pow(h, 1.4) / error, std::pow(h, 2.4) / error;
+      right[l] = means(r, l) / error;
+    }
+    limits.push_back(design.colPivHouseholderQr().solve(right)[0]);
+    leading.push_back(design.rightCols(2).colPivHouseholderQr().solve(right)[0]);
+  }
+  const auto [low, high] = bootstrap_interval(limits, 0.95, paths);
+  const auto [least, most] = bootstrap_interval(leading, 0.95, paths);
+  const auto found = fit_error_model(dt, e, std::vector<bool>(6, true), 0.7, 4);
+  ASSERT_GT(low, 0);
+  EXPECT_NEAR(found.limit.low, std::sqrt(low), 1e-11);
+  EXPECT_NEAR(found.limit.high, std::sqrt(high), 1e-11);
+  EXPECT_NEAR(found.leading.low, least, 1e-10);
+  EXPECT_NEAR(found.leading.high, most, 1e-10);
+}
+
+// Three paths that are one: 1/4 + 3 dt^2 + 2 dt^3, and nothing but 3 dt^2 + 2 dt^3, or nothing at all at a level.
+TEST(ErrorModel, LevelsWithoutScatterAreKnownWellAndNotWithoutEnd) {
+  const std::vector<double> dt{0.125, 0.0625, 0.03125, 0.015625, 0.0078125};
+  const std::vector<bool> used(5, true);
+  squared_errors e{3, 5, {}};
+  for (int path = 0; path < 3; ++path)
+    for (const double h : dt) e.values.push_back(0.25 + h * h * (3 + 2 * h));
+  EXPECT_NEAR(fit_error_model(dt, e, used, 1, 1).limit.value, 0.5, 1e-9);
+  for (double& x : e.values) x -= 0.25;
+  EXPECT_NEAR(fit_error_model(dt, e, used, 1, 1).leading.value, 3, 1e-9);
+  for (int path = 0; path < 3; ++path) e.at(path, 4) = 0;
+  EXPECT_TRUE(std::isfinite(fit_error_model(dt, e, used, 1, 1).limit.value));
+  for (double& x : e.values) x = 0;
+  EXPECT_EQ(fit_error_model(dt, e, used, 1, 1).limit.high, 0);
 }
 
 }  // namespace
