@@ -13,12 +13,12 @@ namespace polhode {
 /// beta = 2 theta / sigma^2 >= 0. Moments: a Bingham law (sphere/closed_forms/gibbs_moments.hpp), each as certain as it
 /// says. Distribution of h: density exp(-beta h) tau(h), tau the period of the free motion at that energy (the area
 /// between two energies on the sphere is c times the integral of the period), a complete elliptic integral; accurate to
-/// about 1e-6. Not all moments of inertia may be equal (then h is constant).
+/// about 1e-6, of a cold law to 1e-4. Not all moments of inertia may be equal (then h is constant).
 class gibbs_law {
  public:
   gibbs_law(const std::array<double, 3>& inertia, double c, double beta);
   /// Of any h, under isotropic noise: sums over some 10^5 points of the sphere. Moments are uncertain by what half as
-  /// many in a direction change, the distribution by about 1e-4.
+  /// many in a direction change, the distribution by about 1e-4, or by the mass of a ring of points at an extreme of h.
   static gibbs_law by_quadrature(const sphere_problem&);
   ~gibbs_law();
   gibbs_law(gibbs_law&&) noexcept;

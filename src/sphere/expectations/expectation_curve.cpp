@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "algebra/exponential_action.hpp"
 #include "sphere/expectations/expectation.hpp"
@@ -23,22 +24,39 @@ constexpr double affordable = 1e10;  // multiplications
 constexpr double rounding = 1e-14;   // of a function's size
 
 /// cos(pi j / n), j = 0..n, as times from 0 on.
-double node_time(int j, int n, double time) { return time * (1 - std::cos(std::numbers::pi * j / n)) / 2; }
+double node_time(double j, int n, double time) { return time * (1 - std::cos(std::numbers::pi * j / n)) / 2; }
 
-/// Values at the nodes [node][function], on harmonics up to a degree; nothing where that is not affordable.
-std::optional<Eigen::MatrixXd> values_at_nodes(const sphere_problem& problem, const sparse_matrix& forward,
-                                               const Eigen::MatrixXd& functions, const Eigen::Vector3d& start,
-                                               double time, int n) {
+/// The nodes, and between them three times at which a polynomial through the nodes is tried: a fast oscillation can
+/// look slow at all nodes.
+struct grid {
+  std::vector<double> times;
+  std::vector<Eigen::Index> nodes, between;  // of them, in their order
+  grid(int n, double time) {
+    for (int j = 0; j <= n; ++j) {
+      nodes.push_back(std::ssize(times));
+      times.push_back(node_time(j, n, time));
+      if (j != n / 5 && j != n / 2 && j != 5 * n / 6) continue;
+      between.push_back(std::ssize(times));
+      times.push_back(node_time(j + 0.5, n, time));
+    }
+  }
+};
+
+/// Values at increasing times from 0 on [time][function], on harmonics up to a degree; nothing where that is not
+/// affordable.
+std::optional<Eigen::MatrixXd> values_at(const sphere_problem& problem, const sparse_matrix& forward,
+                                         const Eigen::MatrixXd& functions, const Eigen::Vector3d& start,
+                                         const std::vector<double>& times) {
   const int degree = static_cast<int>(std::lround(std::sqrt(static_cast<double>(forward.rows())))) - 1;
   double products = 0;
-  for (int j = 1; j <= n; ++j)
-    products += exponential_action_products(forward, node_time(j, n, time) - node_time(j - 1, n, time));
+  for (std::size_t j = 1; j < times.size(); ++j)
+    products += exponential_action_products(forward, times[j] - times[j - 1]);
   if (products * static_cast<double>(forward.nonZeros()) > affordable) return std::nullopt;
   Eigen::VectorXd law = harmonics_at(start / problem.radius, degree);
-  Eigen::MatrixXd out(n + 1, functions.cols());
-  for (int j = 0; j <= n; ++j) {
-    if (j > 0) law = exponential_action(forward, node_time(j, n, time) - node_time(j - 1, n, time), law);
-    out.row(j) = law.transpose() * functions;
+  Eigen::MatrixXd out(times.size(), functions.cols());
+  for (std::size_t j = 0; j < times.size(); ++j) {
+    if (j > 0) law = exponential_action(forward, times[j] - times[j - 1], law);
+    out.row(static_cast<Eigen::Index>(j)) = law.transpose() * functions;
   }
   return out;
 }
@@ -72,12 +90,25 @@ Eigen::VectorXd distance_at_the_horizon(const expectation_curve& found, const sp
   return out;
 }
 
-/// What one degree answers: coefficients of every function, and their tails.
+/// What one degree answers: values of every function at the nodes, coefficients, and how far off they are: between the
+/// nodes, or as far as they still matter at the end.
 struct answer {
   Eigen::MatrixXd values, coefficients;
+  Eigen::VectorXd off;
 };
 
-/// Doubles the nodes until the tails are small; `nodes` remembers how many that took.
+answer answer_from(const grid& g, const Eigen::MatrixXd& values, double time) {
+  answer out{values(g.nodes, Eigen::all), {}, Eigen::VectorXd::Zero(values.cols())};
+  out.coefficients = chebyshev_coefficients(out.values);
+  const expectation_curve curve(time, out.coefficients, out.off, "");
+  for (const auto at : g.between)
+    out.off =
+        out.off.cwiseMax((curve.at(g.times[static_cast<std::size_t>(at)]) - values.row(at).transpose()).cwiseAbs());
+  out.off = out.off.cwiseMax(tail_of(out.coefficients));
+  return out;
+}
+
+/// Doubles the nodes until that is small; `nodes` remembers how many that took.
 std::optional<answer> answer_at(const sphere_problem& problem, std::span<const sphere_function> functions,
                                 const Eigen::VectorXd& least, const Eigen::Vector3d& start, double time, int degree,
                                 int& nodes) {
@@ -87,10 +118,11 @@ std::optional<answer> answer_at(const sphere_problem& problem, std::span<const s
         harmonic_coefficients([&](const Eigen::Vector3d& x) { return functions[i](problem.radius * x); }, degree);
   const sparse_matrix forward = backward_operator(problem, degree).transpose();
   for (;; nodes *= 2) {
-    const auto values = values_at_nodes(problem, forward, coefficients, start, time, nodes);
+    const grid g(nodes, time);
+    const auto values = values_at(problem, forward, coefficients, start, g.times);
     if (!values || !values->allFinite()) return std::nullopt;
-    answer out{*values, chebyshev_coefficients(*values)};
-    if ((tail_of(out.coefficients).array() <= least.array()).all() || nodes >= most_nodes) return out;
+    auto out = answer_from(g, *values, time);
+    if ((out.off.array() <= least.array()).all() || nodes >= most_nodes) return out;
   }
 }
 
@@ -127,7 +159,7 @@ expectation_curve expectations(const sphere_problem& problem, std::span<const sp
   }
   if (!last) return {time, Eigen::MatrixXd::Zero(1, scale.size()), none, "no affordable degree answers"};
   const expectation_curve found(time, last->coefficients, none, "");
-  const Eigen::VectorXd uncertainty = change.cwiseMax(rounding * scale) + tail_of(last->coefficients) +
+  const Eigen::VectorXd uncertainty = change.cwiseMax(rounding * scale) + last->off +
                                       distance_at_the_horizon(found, problem, functions, scale, start, time, accuracy);
   const bool converged = (uncertainty.array() <= 10 * least.array()).all();
   return {time, last->coefficients, uncertainty,

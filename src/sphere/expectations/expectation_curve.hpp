@@ -33,9 +33,9 @@ class expectation_curve {
 };
 
 /// From Pi_0 = start (of length radius), with noise, time > 0. One law is taken from node to node by exp(t L^T) and
-/// paired with every function. Nodes are doubled until the polynomial's tail, and the degree is raised until two
-/// successive changes, are below accuracy times scale_i; at the horizon it is held against `expectation`, and what they
-/// differ by is part of the uncertainty.
+/// paired with every function. Nodes are doubled until the polynomial's tail, and what it is off at three times between
+/// them, and the degree is raised until two successive changes, are below accuracy times scale_i; at the horizon it is
+/// held against `expectation`, and what they differ by is part of the uncertainty.
 expectation_curve expectations(const sphere_problem&, std::span<const sphere_function>, const Eigen::VectorXd& scale,
                                const Eigen::Vector3d& start, double time, double accuracy);
 

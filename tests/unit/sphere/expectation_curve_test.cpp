@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <boost/math/special_functions/bessel.hpp>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -56,6 +58,59 @@ TEST(ExpectationCurve, OfTooLongATimeHasNoAnswer) {
   EXPECT_EQ(curve.reason(), "no affordable degree answers");
   EXPECT_EQ(curve.uncertainty()[0], HUGE_VAL);
   EXPECT_EQ(curve.at(1)[0], 0);
+}
+
+// exp(-s t) has the coefficients 2 (-1)^k exp(-a) I_k(a), a = s T / 2; those beyond the last node are folded back. With
+// as many nodes as that takes the last eighth of them is the bar, and nothing else is uncertain.
+TEST(ExpectationCurve, IsAsUncertainAsItsLastCoefficients) {
+  for (const auto& [a, nodes] : {std::pair{6.0, 16}, {20.0, 32}}) {
+    const auto round = body_on_sphere({1, 1, 1}, 0, 1, Eigen::Matrix3d::Identity());
+    const std::vector<sphere_function> functions{observable("pi1")};
+    const auto curve = expectations(round, functions, Eigen::VectorXd::Ones(1), start, 2 * a, 1e-6);
+    EXPECT_EQ(curve.reason(), "");
+    const auto coefficient = [&](int k) { return 2 * std::exp(-a) * boost::math::cyl_bessel_i(k, a) * start[0]; };
+    double tail = coefficient(nodes);
+    for (int k = nodes - nodes / 8 + 1; k < nodes; ++k) tail += coefficient(k) + coefficient(2 * nodes - k);
+    EXPECT_GT(tail, 1e-10);
+    EXPECT_NEAR(curve.uncertainty()[0], tail, 1e-12) << a;
+    for (int j = 0; j <= nodes; ++j) {  // at its nodes it is exact
+      const double t = a * (1 - std::cos(std::numbers::pi * j / nodes));
+      EXPECT_NEAR(curve.at(t)[0], std::exp(-t) * start[0], 1e-13) << j;
+    }
+  }
+}
+
+// About the field it turns more often than the nodes can follow: c_k = 2 J_k(a) Re[(-i)^k exp(ia) (Pi_1 - i Pi_2)], a
+// the turns by half the time, again folded back at the last node.
+TEST(ExpectationCurve, OfTooManyTurnsSaysWhatItIsKnownTo) {
+  const sphere_problem spin{Eigen::Matrix3d::Zero(), 0, 1, 1e-14 * Eigen::Matrix3d::Identity(), {0, 0, 2}};
+  const double a = 865;
+  const int nodes = 1024;
+  const auto coefficient = [&](int k) {
+    const double angle = a - k * std::numbers::pi / 2;
+    return 2 * boost::math::cyl_bessel_j(k, a) * (std::cos(angle) * start[0] + std::sin(angle) * start[1]);
+  };
+  double tail = std::fabs(coefficient(nodes));
+  for (int k = nodes - nodes / 8 + 1; k < nodes; ++k) tail += std::fabs(coefficient(k) + coefficient(2 * nodes - k));
+  EXPECT_GT(tail, 1e-6);
+  const std::vector<sphere_function> functions{observable("pi1")};
+  const auto curve = expectations(spin, functions, Eigen::VectorXd::Ones(1), start, a, tail / 10.5);
+  EXPECT_NE(curve.reason().find("known to"), std::string::npos);  // to ten times the accuracy it would do
+  EXPECT_NEAR(curve.uncertainty()[0], tail, 0.01 * tail);
+}
+
+// A multiple of one added to the quadratic form turns nothing: a body that is, as a reference, one of inertia.
+TEST(Deterministic, FollowsABodyOfWhichOneInertiaIsInfinite) {
+  auto p = problem(0, Eigen::Matrix3d::Zero());
+  p.quadratic = Eigen::Vector3d(1, 0.5, 0).asDiagonal();
+  const double time = 3;
+  const auto turned = free_rotation({1 / 2.0, 1 / 1.5, 1}, {start[0], start[1], start[2]}, time);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto found = on_the_path(
+        p, [=](const Eigen::Vector3d& pi) { return pi[static_cast<Eigen::Index>(axis)]; }, start, time);
+    EXPECT_NEAR(*found.value, turned[axis], 1e-12) << axis;
+    EXPECT_LT(found.uncertainty, 1e-12) << axis;
+  }
 }
 
 // time (|A| |Pi| + |b|) (1 + theta |Pi|), with the largest eigenvalue of A, wherever its axis is.
@@ -116,6 +171,23 @@ TEST(Deterministic, IsNeverMoreCertainThanRounding) {
   EXPECT_LT(uncertainty_of(1), 1e-9);
   EXPECT_NEAR(uncertainty_of(1e6), 1e6 * uncertainty_of(1), 1e-9 * uncertainty_of(1e6));
   EXPECT_EQ(uncertainty_of(1e-6), uncertainty_of(1));
+}
+
+// With so many turns in that time all nodes of a few see one value nearly; the horizon is one of them.
+TEST(ExpectationCurve, IsNotDeceivedByNodesThatSeeAFastTurnAsSlow) {
+  const sphere_problem spin{Eigen::Matrix3d::Zero(), 0, 1, 1e-4 * Eigen::Matrix3d::Identity(), {0, 0, 2}};
+  const std::vector<sphere_function> functions{observable("pi1")};
+  const Eigen::Vector3d from(0.6, 0.48, 0.64);
+  for (const double time : {100.0, 700.0, 1050.0}) {
+    const auto curve = expectations(spin, functions, Eigen::VectorXd::Ones(1), from, time, 1e-2);
+    double most = 0;
+    for (int i = 0; i <= 1000; ++i) {
+      const double t = time * i / 1000.0;
+      most = std::max(
+          most, std::fabs(curve.at(t)[0] - std::exp(-1e-4 * t) * (0.6 * std::cos(2 * t) + 0.48 * std::sin(2 * t))));
+    }
+    EXPECT_LE(most, curve.uncertainty()[0] + 1e-12) << time;
+  }
 }
 
 }  // namespace
