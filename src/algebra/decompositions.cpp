@@ -3,13 +3,16 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
+#include <cmath>
 
 template class Eigen::SparseLU<Eigen::SparseMatrix<double>>;
 
 namespace polhode {
 
 Eigen::VectorXcd eigenvalues_of(const Eigen::MatrixXd& a) {
-  return Eigen::EigenSolver<Eigen::MatrixXd>(a, false).eigenvalues();
+  const Eigen::EigenSolver<Eigen::MatrixXd> eigen(a, false);
+  if (!a.allFinite() || eigen.info() != Eigen::Success) return Eigen::VectorXcd::Constant(a.rows(), NAN);
+  return eigen.eigenvalues();
 }
 
 eigenpairs eigenpairs_of(const Eigen::MatrixXd& a) {

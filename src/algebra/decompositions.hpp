@@ -10,7 +10,7 @@ extern template class Eigen::SparseLU<Eigen::SparseMatrix<double>>;
 
 namespace polhode {
 
-/// Of a square matrix, in no order.
+/// Of a square matrix, in no order; no numbers where they are not found.
 Eigen::VectorXcd eigenvalues_of(const Eigen::MatrixXd&);
 
 struct eigenpairs {

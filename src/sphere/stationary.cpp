@@ -19,6 +19,11 @@ namespace {
 constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64, 96};
 constexpr int most_sparse = 5000;  // unknowns in a block: seconds
 
+std::string no_one_law(const sphere_problem& problem) {
+  if (!problem.has_noise()) return "no noise: every attractor carries a stationary law, and none has a density";
+  return no_unique_law(problem);
+}
+
 reference_value stationary_mean_of(const sphere_problem& problem, const sphere_function& f, accuracy asked,
                                    int wanted) {
   const auto value_at = [&](int degree) {
@@ -42,9 +47,7 @@ reference_value stationary_mean_of(const sphere_problem& problem, const sphere_f
 }  // namespace
 
 stationary_law stationary(const sphere_problem& problem, double tolerance, int wanted) {
-  if (!problem.has_noise())
-    return {.reason = "no noise: every attractor carries a stationary law, and none has a density"};
-  if (const auto reason = no_unique_law(problem); !reason.empty()) return {.reason = reason};
+  if (const auto reason = no_one_law(problem); !reason.empty()) return {.reason = reason};
   if (has_uniform_law(problem)) {
     const int degree = wanted > 0 ? wanted : degrees[0];
     const Eigen::VectorXd uniform = Eigen::VectorXd::Unit(harmonic_count(degree), 0) / unit_of_mean;
@@ -83,7 +86,7 @@ reference_value mean(const sphere_problem& problem, const stationary_law& law, c
 }
 
 reference_value stationary_mean(const sphere_problem& problem, const sphere_function& f, double tolerance, int wanted) {
-  if (const auto reason = no_unique_law(problem); !reason.empty()) return {.reason = reason};
+  if (const auto reason = no_one_law(problem); !reason.empty()) return {.reason = reason};
   return in_its_unit(problem, f, [&](const sphere_function& g, double unit) {
     return stationary_mean_of(problem, g, {.absolute = tolerance / unit, .unit = unit}, wanted);
   });

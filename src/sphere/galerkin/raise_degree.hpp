@@ -36,7 +36,8 @@ struct accuracy {
 inline std::string not_converged(double tolerance, int degree, double needed) {
   std::string text = fmt::format("not converged to {:.1g}: ", tolerance);
   text += degree > 0 ? fmt::format("degree {} is the last that is affordable", degree) : "no affordable degree answers";
-  if (!(needed > 2 * degree)) return text;                               // within what the rule is worth
+  if (!(needed > std::max(1, 2 * degree))) return text;  // within what the rule is worth
+  if (!std::isfinite(needed)) return text + ", and none would do";
   const double unit = std::pow(10, std::floor(std::log10(needed)) - 1);  // two digits: it is a rule of thumb
   return text + fmt::format(", and about {:.0f} would be needed", unit * std::round(needed / unit));
 }

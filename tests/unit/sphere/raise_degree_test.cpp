@@ -138,5 +138,15 @@ TEST(RaiseDegree, AgreementByAccidentIsNone) {
   EXPECT_EQ(settled.degree, 24);
 }
 
+TEST(NotConverged, SaysWhichDegreeWouldBeNeeded) {
+  EXPECT_EQ(not_converged(1e-3, 12, 24), "not converged to 0.001: degree 12 is the last that is affordable");
+  EXPECT_EQ(not_converged(1e-3, 12, 1234),
+            "not converged to 0.001: degree 12 is the last that is affordable, and about 1200 would be needed");
+  EXPECT_EQ(not_converged(1e-3, 0, 0.3), "not converged to 0.001: no affordable degree answers");
+  EXPECT_EQ(not_converged(1e-3, 0, unbounded),
+            "not converged to 0.001: no affordable degree answers, and none would do");
+  EXPECT_EQ(not_converged(1e-3, 8, NAN), "not converged to 0.001: degree 8 is the last that is affordable");
+}
+
 }  // namespace
 }  // namespace polhode

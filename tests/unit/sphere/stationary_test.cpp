@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "sphere/closed_forms/gibbs.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
 #include "sphere/stationary.hpp"
 #include "unit/sphere/problems.hpp"
 
@@ -172,6 +173,96 @@ TEST(Stationary, AMeanIsUncertainInProportionToItsLaw) {
   EXPECT_NEAR(mean(p, law, observable("pi3")).uncertainty, 0.001 * of_pi3, 1e-15);
   law.uncertainty = 0;
   EXPECT_NEAR(mean(p, law, observable("pi3")).uncertainty, 1e-14 * of_pi3, 1e-20);
+}
+
+// Shear 5 = |(3, 4)| over noise of trace 3.75: 20 degrees are needed, and three that agree count from 5 on.
+sphere_problem in_need_of_twenty() {
+  return {Eigen::Vector3d(1, 2.5, 4).asDiagonal(), 1, 1, 1.25 * Eigen::Matrix3d::Identity(), {0, 1, 0}};
+}
+
+TEST(Stationary, ThreeDegreesThatAgreeCountFromAQuarterOfTheNeededOneOn) {
+  const auto p = in_need_of_twenty();
+  ASSERT_EQ(needed_degree(p), 20);
+  EXPECT_EQ(stationary(p, 10, 5).reason, "");
+  EXPECT_NE(stationary(p, 10, 4).reason, "");
+  EXPECT_LT(stationary(p, 10, 4).uncertainty, 10);
+}
+
+TEST(Stationary, HasConvergedAtAnUncertaintyOfItsTolerance) {
+  const auto p = in_need_of_twenty();
+  const double uncertainty = stationary(p, 0, 12).uncertainty;
+  EXPECT_EQ(stationary(p, uncertainty, 12).reason, "");
+  EXPECT_NE(stationary(p, std::nextafter(uncertainty, 0), 12).reason, "");
+}
+
+/// Noise of strength 10 and dissipation so weak that the density is (1 - beta (h - mean)) / (4 pi): of degree 2, of
+/// norm 1 / root 4 pi but for a part of share beta |h - mean| in it.
+stationary_law nearly_uniform(double share) {
+  const Eigen::Vector3d k(1, 1 / 2.0, 1 / 3.0);
+  const double variance = (k.squaredNorm() - k[0] * k[1] - k[1] * k[2] - k[2] * k[0]) / 45;
+  const double beta = share / std::sqrt(variance);
+  return stationary(problem(beta * 10 / 2, 10 * Eigen::Matrix3d::Identity()), 0, 5);
+}
+
+TEST(Stationary, IsAsUncertainAsRoundingAtLeast) {
+  EXPECT_NEAR(nearly_uniform(1e-13).uncertainty, 1e-15 / std::sqrt(4 * std::numbers::pi), 1e-24);
+}
+
+// From degree 1 to 3 the density changes by that share of itself, after that by its square: uncertain by the power 3/2.
+TEST(Stationary, TenRoundingErrorsAreAsGoodAsNone) {
+  for (const double errors : {9.5, 10.5}) {
+    const auto law = nearly_uniform(std::pow(errors * 1e-15, 2 / 3.0));
+    EXPECT_NEAR(law.uncertainty, errors * 1e-15 / std::sqrt(4 * std::numbers::pi), 1e-18);
+    EXPECT_EQ(law.reason.empty(), errors < 10) << law.reason;
+  }
+}
+
+// A function that is whole at the first degree that is tried has its mean there.
+TEST(StationaryMean, OfAUniformLawIsFoundByTheFirstDegree) {
+  const auto found = stationary_mean(problem(0, oblique()), observable("pi3^2"), 1e-9);
+  EXPECT_TRUE(found.converged());
+  EXPECT_EQ(found.degree, 8);
+}
+
+// z^2 is 1/3 and 2/3 P_2(z): what degree one cuts off is as large as 2/3, and the rounding of one joins it.
+TEST(StationaryMean, WhatIsCutOffAndRoundingAddUp) {
+  const auto found = stationary_mean(
+      problem(0, oblique()), [](const Eigen::Vector3d& pi) { return 1 + 1e-12 * pi[2] * pi[2]; }, 1e-6, 1);
+  EXPECT_EQ(found.degree, 1);
+  EXPECT_NEAR(found.uncertainty, 1e-12 * 2 / 3 + 1e-14, 2e-15);
+}
+
+// Infinite at a point of the quadrature of odd degrees.
+TEST(StationaryMean, OfWhatIsInfiniteSomewhereIsRefusedWithoutANeededDegree) {
+  const auto found = stationary_mean(
+      problem(0, oblique()), [](const Eigen::Vector3d& pi) { return std::log(std::fabs(pi[2])); }, 1e-3, 9);
+  EXPECT_FALSE(found.value);
+  EXPECT_EQ(found.reason, "not converged to 0.001: no affordable degree answers");
+}
+
+// Where three degrees tell more than the proved bound: the change between the first two, over the root mean square of
+// the observable, to the power 3/2.
+TEST(StationaryMean, DegreesAgreeInUnitsOfTheRootMeanSquare) {
+  for (const double noise : {2.0, 5.0}) {
+    const auto at = [&](int degree) {  // of degrees 2, 4 and 6
+      return stationary_mean(
+          problem(1, noise * Eigen::Matrix3d::Identity()), [](const Eigen::Vector3d& pi) { return 7 * pi[2] * pi[2]; },
+          1e-18, degree);
+    };
+    const double change = std::fabs(*at(4).value - *at(2).value), size = 7 / std::sqrt(5);
+    const double uncertainty = size * std::pow(change / size, 1.5);
+    EXPECT_NEAR(at(6).uncertainty, uncertainty, 1e-8 * uncertainty);
+  }
+}
+
+TEST(StationaryMean, WithoutNoiseThereIsNoOneLaw) {
+  Eigen::Matrix3d tilted;
+  tilted << 1, 0.3, -0.2, 0.3, -0.5, 0.1, -0.2, 0.1, 0.2;
+  for (const double damping : {0.0, 0.4}) {
+    const auto found = stationary_mean({tilted, damping, 1, Eigen::Matrix3d::Zero()}, observable("pi3^2"), 1e-6);
+    EXPECT_FALSE(found.value);
+    EXPECT_EQ(found.reason, "no noise: every attractor carries a stationary law, and none has a density");
+  }
 }
 
 }  // namespace
