@@ -20,11 +20,11 @@ std::vector<Eigen::Index> independent(const square_matrix& gram) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index k = 0; k < gram.rows(); ++k) {
     double left = gram(k, k);
-    if (!kept.empty() && left > 0) {
+    if (!kept.empty()) {
       const Eigen::VectorXd across = gram(kept, k);
       left -= across.dot(pseudo_inverse(gram(kept, kept)) * across);
     }
-    if (left > least_share * gram(k, k) && left > 0) kept.push_back(k);
+    if (left > least_share * gram(k, k)) kept.push_back(k);
   }
   return kept;
 }

@@ -35,7 +35,7 @@ double longest_at_equilibrium(const subject& s) { return time_scales / fastest_r
 level_grid asymptotic_levels(const subject& s, double resolution) {
   const double rate = fastest_rate(s);
   level_grid grid{rate > 0 ? std::min(s.scene.horizon, time_scales / rate) : s.scene.horizon, {}};
-  const double needed = std::max(1.0, resolution * rate * grid.horizon);
+  const double needed = resolution * rate * grid.horizon;
   // Start from the scene's coarsest step where that leaves room for a fit; else from a power of two.
   const double own = static_cast<double>(s.scene.steps.front()) * grid.horizon / s.scene.horizon;
   const int enough = 1 << (fitted_levels - 1);

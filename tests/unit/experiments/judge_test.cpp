@@ -125,5 +125,14 @@ TEST(Judge, ASlopeThatStillChangesRefutesNothing) {
   EXPECT_EQ(judge_order(1, refuting, false).kind, report::verdict_kind::inconclusive);
 }
 
+// From 0.3 above the margin to 0.4 below it: farther off.
+TEST(Judge, ASlopeThatFallsFarBelowTheClaimDoesNotNearIt) {
+  auto fit = bent(1.4, 1.5, 0.4, 0.5);
+  fit.asymptotic = false;
+  EXPECT_EQ(judge_order(1, fit, false).kind, report::verdict_kind::refuted);
+  fit.finest = {0.65, 0.6, 0.7};
+  EXPECT_EQ(judge_order(1, fit, false).kind, report::verdict_kind::inconclusive);
+}
+
 }  // namespace
 }  // namespace polhode

@@ -100,6 +100,9 @@ TEST(PathLimit, IsTightByItsWidths) {
   EXPECT_FALSE(tight(limit));
   limit.strengths[1].known = false;
   EXPECT_TRUE(tight(limit));
+  limit.strengths[0] = strength(0, 0.0034, 0);
+  EXPECT_FALSE(tight(limit));
+  limit.strengths[0].known = false;
   limit.distance = {0.5, 0.5 - 0.0067, 0.5 + 0.0067};
   EXPECT_FALSE(tight(limit));
 }
@@ -239,6 +242,8 @@ TEST_F(kept, LimitIsThatOfItsGapAndItsResponses) {
     for (std::size_t k = 0; k < 5; ++k)
       EXPECT_DOUBLE_EQ(limit.margins[k], 0.01 * std::max(1.0, 0.5 / limit.strengths[k].size));
     EXPECT_GT(limit.margins[0], 0.011);
+    const noise_effect slight{std::vector<double>(block_lanes, 1e-4)};  // below that of any direction
+    EXPECT_DOUBLE_EQ(limit_of(c, info, dt, record, slight, 2).margins[0], 0.01);
   }
 }
 

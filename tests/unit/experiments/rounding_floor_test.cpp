@@ -5,7 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <polhode/noise/normal.hpp>
 
@@ -155,6 +159,97 @@ TEST(RoundingFloor, IsTheSizeOfWhatScatters) {
                condition = std::max(energy_size(s), turning / std::sqrt(3.0));
   EXPECT_NEAR(found.state / (std::sqrt(3.0) * size / (unit * length(mu))), 1, 0.2);
   EXPECT_NEAR(found.energy / (turning * size / (unit * condition)), 1, 0.25);
+}
+
+/// Moves states by what a test says.
+struct made_kernel : test::kernel_decorator {
+  using kernel_decorator::advance;
+  using work = std::function<void(std::span<double>, const increment_view&)>;
+  made_kernel(std::unique_ptr<kernel> of, work does) : kernel_decorator(std::move(of)), does_(std::move(does)) {}
+  void advance(std::span<double> states, const increment_view& noise, piece) const override { does_(states, noise); }
+  work does_;
+};
+
+// Each step doubles the state, so that the condition of a quadratic energy is four times as large.
+TEST(RoundingFloor, ConditionOnTheWayIsThatOfTheStatesItPasses) {
+  const auto paper = silent("paper");
+  const made_kernel doubling(paper.schemes.front().make(0.1), [](std::span<double> states, const increment_view&) {
+    for (double& x : states) x *= 2;
+  });
+  const auto start = replicated(std::vector{0.6, 0.48, 0.64});
+  EXPECT_NEAR(condition_on_the_way(*paper.model, doubling, start, silence(3)) / energy_condition(*paper.model, start),
+              std::sqrt((16 + 256 + 4096) / 3.0), 1e-8);
+}
+
+/// A body of another size than one whose fastest rate is known.
+subject of_rate(double rate) {
+  auto scene = load_scene("paper");
+  for (double& x : scene.momentum) x *= 1.7;
+  auto s = bind_scene(scene);
+  auto offers = *s.offers;
+  offers.rates = {.motion = rate, .dissipation = 0, .noise = 0};
+  s.offers = std::make_shared<const capabilities>(offers);
+  return s;
+}
+
+// Sixteen steps of dt, of which one more changes the phase by 2^-10, or dt by almost that where nothing moves.
+TEST(RoundingFloor, StepsDifferByAPartOfThePhase) {
+  for (const double rate : {3.0, 1e-4}) {
+    const auto s = of_rate(rate);
+    auto listening = s.schemes.front();
+    std::vector<double> asked;
+    listening.make = [&, healthy = listening.make](double dt) {
+      asked.push_back(dt);
+      return std::make_unique<made_kernel>(healthy(dt), [](std::span<double>, const increment_view&) {});
+    };
+    rounding_floor_of({.subject = s}, s, listening);
+    const double dt = finest_step(s), phase = 16 * dt * rate;
+    ASSERT_EQ(phase > 1e-3, rate > 1);
+    const double apart = 0x1p-10 / (rate > 1 ? phase : 1e-3);
+    ASSERT_EQ(asked.size(), 8u);
+    for (std::size_t i = 0; i < 7; ++i) EXPECT_DOUBLE_EQ(asked[i], dt + static_cast<double>(i) * apart * dt);
+    EXPECT_EQ(asked[7], dt);
+  }
+}
+
+TEST(RoundingFloor, IsThatUnderTheNoiseOfTheFirstPaths) {
+  const auto s = of_rate(3);
+  const context c{.subject = s, .seed = 8};
+  auto listening = s.schemes.front();
+  std::vector<double> heard;
+  listening.make = [&, healthy = listening.make](double dt) {
+    return std::make_unique<made_kernel>(healthy(dt), [&](std::span<double>, const increment_view& noise) {
+      if (heard.empty()) heard.assign(noise.dw.begin(), noise.dw.end());
+    });
+  };
+  rounding_floor_of(c, s, listening);
+  increment_buffer buffer(*s.model, 16, listening.needs_areas, {c.generator, noise_quality::precise});
+  const auto expected = buffer.fill(8, 0, 0, 16, finest_step(s)).dw;
+  ASSERT_FALSE(expected.empty());
+  EXPECT_EQ(heard, std::vector<double>(expected.begin(), expected.end()));
+}
+
+// One number of one lane is off at the fourth of seven steps: sixth difference 20, whose variance is 924 times its own.
+TEST(RoundingFloor, OfOneNumberThatIsOff) {
+  const auto s = of_rate(3);
+  const auto& mu = s.scene.momentum;
+  const double off = 0x1p-10, each = 20 / std::sqrt(924.0) / std::sqrt(block_lanes), unit = 0x1p-52 * 4;
+  for (const std::size_t component : {0, 2}) {
+    auto moved = mu;
+    moved[component] += off;
+    auto scheme = s.schemes.front();
+    int made = 0;
+    scheme.make = [&, healthy = scheme.make](double dt) {
+      const double by = ++made == 4 ? off : 0;
+      return std::make_unique<made_kernel>(
+          healthy(dt), [=](std::span<double> states, const increment_view&) { states[component * block_lanes] += by; });
+    };
+    const auto found = rounding_floor_of({.subject = s}, s, scheme);
+    EXPECT_NEAR(found.state / (each * off / (unit * length(mu))), 1, 1e-10);
+    const double energy = s.model->energy(moved) - s.model->energy(mu),
+                 size = std::max(energy_size(s), energy_condition(*s.model, replicated(mu)));
+    EXPECT_NEAR(found.energy / (each * energy / (unit * size)), 1, 1e-9);
+  }
 }
 
 }  // namespace

@@ -117,5 +117,14 @@ TEST(Sequential, WidthKeepsTheCoverageAndVerdictsWouldNot) {
             0.90);
 }
 
+TEST(Sequential, ProgressIsTheShareOfTheBlocksThatAreDone) {
+  const subject none;
+  std::vector<double> shares;
+  sample_until_tight(
+      {.subject = none, .threads = 2, .progress = [&](double share) { shares.push_back(share); }},
+      {block_lanes, 5 * block_lanes}, 1, [](int, std::span<const int>) {}, [](int, int) { return false; });
+  EXPECT_EQ(shares, (std::vector{1 / 5.0, 2 / 5.0, 3 / 5.0, 4 / 5.0, 1.0}));
+}
+
 }  // namespace
 }  // namespace polhode

@@ -49,6 +49,30 @@ TEST(Ars, PacksGiveTheSameBits) {
   }
 }
 
+// Of each pack first the blocks of its even lanes, then those of its odd, low half and high half side by side.
+template <noise_generator G>
+void expect_blocks() {
+  using B = bits_of<pack>;
+  std::array<std::array<B, 2>, 3> counters;
+  for (std::size_t n = 0; n < 3; ++n)
+    counters[n] = {B([&](std::size_t i) { return 0x9E3779B97F4A7C15 * (i + 10 * n + 1); }),
+                   B([&](std::size_t i) { return 77 * i + n; })};
+  const auto blocks = block_source<G, B>(0xDEADBEEF12345678)(counters);
+  for (std::size_t n = 0; n < 3; ++n)
+    for (std::size_t i = 0; i < B::size(); ++i) {
+      const auto one =
+          random_bits<G>(std::array<std::uint64_t, 2>{counters[n][0][i], counters[n][1][i]}, 0xDEADBEEF12345678);
+      for (std::size_t half = 0; half < 2; ++half)
+        EXPECT_EQ(blocks[2 * n + i % 2][i / 2 * 2 + half], one[half]) << n << ' ' << i;
+    }
+}
+
+TEST(BlockSource, GivesEvenLanesThenOddOnes) {
+  if (pack::size() < 2) GTEST_SKIP() << "one lane";
+  expect_blocks<noise_generator::philox>();
+  expect_blocks<noise_generator::ars>();
+}
+
 // Intrinsics of this compilation against their twins, bit by bit.
 TEST(Simd, TwinsGiveTheSameBits) {
   using B = bits_of<pack>;

@@ -90,5 +90,14 @@ TEST(RotationSeries, IsTheClosedFormEverywhere) {
     for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(found[k][lane], series::of(squares[lane % 8])[k]) << lane;
 }
 
+// Of degree 2 the polynomial would be off by 1e-5 at these squares, which lie beyond its reach but below 1.
+TEST(RotationSeries, LeavesItsPolynomialsAtTheReachThatItIsGiven) {
+  for (const double q : {0.3, 0.7, 0.99}) {
+    const auto found = rotation_series<2, 0.5, 3>::of(q);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(found[k], static_cast<double>(closed_form(q, static_cast<int>(k) + 1)), 2.3e-16 / q) << q << ' ' << k;
+  }
+}
+
 }  // namespace
 }  // namespace polhode

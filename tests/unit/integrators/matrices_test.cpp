@@ -11,6 +11,7 @@
 #include <polhode/lie/complex_matrix.hpp>
 #include <polhode/lie/fixed_matrix.hpp>
 #include <polhode/lie/matrix_functions.hpp>
+#include <polhode/lie/skew_exponential.hpp>
 #include <polhode/lie/skew_projection.hpp>
 #include <polhode/lie/small_matrix.hpp>
 
@@ -98,6 +99,14 @@ TEST(Matrices, RealProductsAndTransposes) {
   expect_near(dense(cube), u * u * u, 1e-15);
 }
 
+TEST(Matrices, AConjugatedSkewMatrixIsWhole) {
+  const Eigen::MatrixXd m = real_skew(6).real(),
+                        v = (0.3 * real_skew(7)).exp().real() - Eigen::MatrixXd::Identity(n, n);
+  const auto found = skew_conjugation(of<real_fixed>(v.cast<std::complex<double>>()), of<real_fixed>(real_skew(6)));
+  const Eigen::MatrixXd u = v + Eigen::MatrixXd::Identity(n, n), expected = u.transpose() * m * u - m;
+  expect_near(dense(found), expected.cast<std::complex<double>>(), 3e-15);
+}
+
 TEST(Matrices, ComplexProductsAndAdjoints) {
   const auto a = of<complex_fixed>(numbers(1)), b = of<complex_fixed>(numbers(2));
   const complex_dense x = numbers(1), y = numbers(2);
@@ -180,6 +189,17 @@ TEST(MatrixFunctions, AConjugationIsUnitary) {
   EXPECT_LE((eigenvalues(m + found) - eigenvalues(m)).norm(), 1e-14 * m.norm());
 }
 
+// The same of real skew matrices.
+TEST(MatrixFunctions, ASkewConjugationIsOrthogonal) {
+  const complex_dense m = real_skew(6), one = complex_dense::Identity(n, n);
+  const complex_dense off = (0.3 * real_skew(7)).exp() - one + 1e-9 * numbers(8).real().cast<std::complex<double>>();
+  const auto found = dense(skew_conjugation(of<real_fixed>(off), of<real_fixed>(m)));
+  const auto squares = [](const complex_dense& a) {
+    return Eigen::SelfAdjointEigenSolver<complex_dense>(a.adjoint() * a, Eigen::EigenvaluesOnly).eigenvalues().eval();
+  };
+  EXPECT_LE((squares(m + found) - squares(m)).norm(), 1e-14 * m.squaredNorm());
+}
+
 TEST(SkewProjection, HasTheEigenvaluesOfTheOther) {
   for (const double away : {1e-6, 1e-3, 0.05}) {
     const Eigen::MatrixXd x = real_skew(9).real(), onto = x + away * real_skew(10).real();
@@ -197,6 +217,62 @@ TEST(SkewProjection, HasTheEigenvaluesOfTheOther) {
     EXPECT_LE(added.norm(), 10 * away);
     EXPECT_LE((found * x - x * found).norm(), 1e-13 * x.squaredNorm());  // M times a polynomial of M^T M
   }
+}
+
+/// Of any number of rows.
+template <int rows>
+fixed_matrix<double, rows> fixed_of(const Eigen::MatrixXd& a) {
+  fixed_matrix<double, rows> out;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < rows; ++j) out(i, j) = a(i, j);
+  return out;
+}
+Eigen::MatrixXd skew_of_six(unsigned seed) {
+  const Eigen::MatrixXd a = numbers(seed).real(), b = numbers(seed + 1).imag(), beside = numbers(seed + 2).real();
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(6, 6);
+  out.topLeftCorner(4, 4) = a - a.transpose();
+  out.topRightCorner(4, 2) = b.leftCols(2);
+  out.bottomLeftCorner(2, 4) = -b.leftCols(2).transpose();
+  out(4, 5) = beside(0, 0);
+  out(5, 4) = -beside(0, 0);
+  return out;
+}
+
+TEST(SkewProjection, AsksForTheDifferencesOfTheTraces) {
+  const Eigen::MatrixXd x = skew_of_six(11), onto = skew_of_six(21), p = x.transpose() * x, q = onto.transpose() * onto;
+  const auto from = fixed_of<6>(x), to = fixed_of<6>(onto);
+  const auto changes = detail::trace_changes(detail::skew_powers<3>(from), detail::skew_powers<3>(to),
+                                             fixed_of<6>(onto - x), fixed_of<6>(onto + x));
+  const double expected[] = {(q - p).trace() / 2, (q * q - p * p).trace() / 2, (q * q * q - p * p * p).trace() / 2};
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(changes[k], expected[k], 1e-13 * (q * q * q + p * p * p).trace());
+}
+
+// q_k = (a^k + b^k)/2 + … of P with the eigenvalues a and b, two of each. dc moves |M| by sum |q_k dc_k| / q_1 of it.
+TEST(SkewProjection, TakesNoCorrectionOfMoreThanTenTimesTheMatrixButScalesIt) {
+  const double a = 0.7, b = 0.4, ratio = -1.7;  // of dc_1 and dc_0
+  vec<double, 4> q;
+  for (int k = 0; k < 4; ++k) q[k] = std::pow(a, k + 1) + std::pow(b, k + 1);
+  for (const double size : {0.3, 9.995, 10.005}) {
+    const double c0 = size / (1 + std::fabs(ratio) * q[1] / q[0]), c1 = ratio * c0;
+    const vec<double, 2> change{{2 * (q[0] * c0 + q[1] * c1), 4 * (q[1] * c0 + q[2] * c1)}};
+    const auto found = detail::orbit_correction_of<double, 2>(q, change);
+    EXPECT_NEAR(found.size, size, 1e-12);
+    EXPECT_NEAR(found.c[0], size < 10 ? c0 : change[0] / (2 * q[0]), 1e-12);
+    EXPECT_NEAR(found.c[1], size < 10 ? c1 : 0, 1e-12);
+  }
+}
+
+TEST(SkewProjection, OfWhatIsOnTheOrbitAddsNothing) {
+  const auto x = of<real_fixed>(real_skew(9));
+  EXPECT_EQ(dense(skew_projection(x, x, 0.0 * x)).norm(), 0);
+}
+
+// By Newton's method a third of a length becomes 5/3, 17/15, …: the sixth correction is the first to leave nothing.
+TEST(SkewProjection, ReachesThreeTimesTheLength) {
+  const Eigen::Matrix3d x = real_skew(9).real().topLeftCorner(3, 3);
+  const auto added = skew_projection(fixed_of<3>(x), fixed_of<3>(3 * x), fixed_of<3>(2 * x));
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) EXPECT_NEAR(added(i, j), 2 * x(i, j), 1e-14);
 }
 
 }  // namespace

@@ -97,6 +97,38 @@ TEST(Uniform, IsNeverZeroOrOne) {
   EXPECT_LT(uniform_of<double>(~std::uint64_t{0}), 1.0);
 }
 
+TEST(NoiseAddress, IsThatOfTheFirstIncrementOfTheFirstPathWhereNothingIsSaid) {
+  const auto a = noise_address();
+  EXPECT_EQ(a.seed, 0u);
+  EXPECT_EQ(a.kind, noise_kind::increment);
+  EXPECT_EQ(a.path, 0u);
+  EXPECT_EQ(a.step, 0u);
+}
+
+// Bit by bit: four paths a block, two words each of its halves; a channel a block of its own.
+TEST(FastNormal, IsTheQuantileOfItsWord) {
+  const noise_source source{noise_generator::philox, noise_quality::fast};
+  for (std::uint64_t path = 0; path < 40; ++path)
+    for (std::uint32_t channel = 0; channel < 6; ++channel) {
+      const noise_address a{5, noise_kind::increment, path, 3};
+      const auto halves = random_bits<noise_generator::philox>(
+          std::array<std::uint64_t, 2>{3 | std::uint64_t{channel} << 48, path / 4 | 0x8000ull << 48}, a.seed);
+      const std::uint64_t words[] = {halves[0] & 0xFFFFFFFF, halves[0] >> 32, halves[1] & 0xFFFFFFFF, halves[1] >> 32};
+      const auto word = static_cast<std::uint32_t>(words[path % 4]);
+      ASSERT_FALSE(in_tail(word));
+      EXPECT_EQ(fast_normal(a, channel), quantile<float>(word)) << path << ' ' << channel;
+      EXPECT_EQ(normal_pair(a, channel / 2, source)[channel % 2], quantile<float>(word)) << path << ' ' << channel;
+    }
+}
+
+TEST(Pairs, OfChannelsAreCounted) {
+  for (int channels = 0; channels < 8; ++channels) {
+    int pairs = 0;
+    for (int i = 0; i < channels; ++i) pairs += i;
+    EXPECT_EQ(pairs_among(channels), pairs) << channels;
+  }
+}
+
 // Chen's relation against the areas of a piecewise linear path computed from their definition.
 TEST(Chen, GivesTheAreaOfThePath) {
   std::vector<vec<double, 3>> dw;

@@ -144,6 +144,36 @@ TEST(NoiseClass, NoVectorsOrOrthogonalOnesOfOneLengthWhateverThat) {
     EXPECT_EQ(class_of(Eigen::Matrix3d(length * Eigen::Matrix3d::Identity())), noise_class::isotropic) << length;
 }
 
+// Whichever is the longest: a vector of the size of its rounding has no direction of its own.
+TEST(NoiseClass, OneLongVectorBesideRoundingIsOne) {
+  for (int longest = 0; longest < 3; ++longest) {
+    Eigen::Matrix3d sigma = 1e-18 * columns({3, -2, 1, -1, 4, 2, 2, 1, -5});
+    sigma.col(longest) = Eigen::Vector3d(0.3, -0.7, 1.1);
+    EXPECT_EQ(class_of(sigma), noise_class::one_vector) << longest;
+  }
+}
+
+TEST(NoiseClass, IsThatOfAnyMultiple) {
+  const Eigen::Matrix3d turn = polar_rotation_of(columns({0.5, -0.2, 0.7, 0.9, 0.3, -0.4, 0.1, 0.8, 0.6}));
+  const Eigen::Matrix3d unequal = turn * Eigen::Vector3d(1, 1.1, 0.9).asDiagonal();
+  for (const double scale : {1e-8, 1e-3, 1e3, 1e8}) {
+    EXPECT_EQ(class_of(Eigen::Matrix3d(scale * turn)), noise_class::isotropic) << scale;
+    EXPECT_EQ(class_of(Eigen::Matrix3d(scale * unequal)), noise_class::general) << scale;
+  }
+}
+
+// One vector, of which what is across vanishes exactly; and one that leaves 1e-6 of the axis that stands in for it.
+TEST(PolarRotation, OfOneVectorIsOrthogonalToRounding) {
+  for (const double scale : {1e-9, 1.0})
+    for (const Eigen::RowVector3d& along : {Eigen::RowVector3d(0.6, 0.8, 0), Eigen::RowVector3d(1, 1e-6, 0)}) {
+      Eigen::Matrix3d sigma = Eigen::Matrix3d::Zero();
+      sigma.row(2) = scale * along;
+      const Eigen::Matrix3d turn = polar_rotation_of(sigma);
+      EXPECT_LT((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14) << scale << ' ' << along;
+      EXPECT_LT((square_root_of(Eigen::Matrix3d(sigma * sigma.transpose())) * turn - sigma).norm(), 1e-14 * scale);
+    }
+}
+
 TEST(PolarRotation, OfAnyScaleAndOfNothing) {
   const Eigen::Matrix3d sigma = columns({0.5, 0, 0, 0, 0, -0.4, 0, 0, 0});
   const Eigen::Matrix3d turn = polar_rotation_of(sigma);
@@ -210,6 +240,20 @@ TEST(ConstantNoise, DrawsNoneOneOrAllOfItsChannels) {
   EXPECT_EQ(active({1, 0, 0, 0, 1, 0, 0, 0, 0}), 3);
 }
 
+TEST(ConstantNoise, OfOpenSizeDrawsNoneOneOrAllOfItsChannels) {
+  const auto active = [](std::initializer_list<int> places, double length) {
+    Eigen::MatrixXd sigma = Eigen::MatrixXd::Zero(6, 6);
+    for (const int place : places) sigma.col(place) = length * Eigen::VectorXd::LinSpaced(6, -0.3, 0.8);
+    return constant_noise<son>(sigma).active_channels();
+  };
+  EXPECT_EQ(active({}, 1), 0);
+  EXPECT_EQ(active({0}, 1e-4), 1);
+  EXPECT_EQ(active({1}, 1), 6);
+  EXPECT_EQ(active({5}, 1), 6);
+  EXPECT_EQ(active({0, 3}, 1e-4), 6);
+  EXPECT_EQ(constant_noise<son>::isotropic(0.3, 6).active_channels(), 6);
+}
+
 // As many vectors as components as they are; what they do is their sum, and that of their brackets.
 TEST(ConstantNoise, OfOpenSizeAddsUpItsVectors) {
   using noise = constant_noise<son>;
@@ -244,6 +288,17 @@ TEST(ConstantNoise, OfOpenSizeAddsUpItsVectors) {
       EXPECT_NEAR(areas[k], of_areas[k], 1e-15);
     }
   }
+}
+
+// Areas that were not asked for are none, whatever stood in their place.
+TEST(ConstantNoise, OfOpenSizeIsNothingWithoutWeights) {
+  const auto noise = constant_noise<son>::isotropic(0.7, 6);
+  vec<double, pairs_of<constant_noise<son>::channels>> area(15);
+  for (int pair = 0; pair < 15; ++pair) area[pair] = 1;
+  area = {};
+  const auto sum = noise.area_noise(area);
+  ASSERT_EQ(sum.size, 6);
+  for (int k = 0; k < 6; ++k) EXPECT_EQ(sum[k], 0);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "sphere/closed_forms/gibbs_moments.hpp"
@@ -51,13 +52,20 @@ void expect_near(const bingham_moments& found, const bingham_moments& expected, 
 
 // The gap a - b from none to forty times the rest: the ratio of Bessel functions by its series and in closed form.
 TEST(Bingham, IsTheSumOverTheSphere) {
-  for (const double beta : {0.0, 1e-5, 0.1, 1.0, 7.0, 90.0})
+  for (const double beta : {0.0, 1e-5, 1.9e-4, 0.1, 1.0, 7.0, 90.0})
     for (const double b : {0.0, 0.02, 0.5, 1.0}) {
       const auto found = bingham(1, b, beta);
       expect_near(found, on_a_grid(1, b, beta), 1e-12, fmt::format("b = {}, beta = {}", b, beta));
       EXPECT_GT(found.relative_uncertainty, 0);
       EXPECT_LT(found.relative_uncertainty, 1e-12);
     }
+}
+
+// Rounding of 32 last digits, and of two integrals at least the 2 that Boost says of each.
+TEST(Bingham, IsNeverMoreCertainThanRounding) {
+  for (const double beta : {0.0, 1.0, 30.0, 1e6})
+    for (const double b : {0.0, 0.5, 0.999})
+      EXPECT_GE(bingham(1, b, beta).relative_uncertainty, 35.9 * std::numeric_limits<double>::epsilon()) << beta << b;
 }
 
 TEST(Bingham, WithoutATemperatureIsUniform) {

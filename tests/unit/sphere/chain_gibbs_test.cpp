@@ -2,7 +2,9 @@
 // The Gibbs law of coupled spins, by transfer matrices, against closed forms and sums over all points of all spheres.
 #include <gtest/gtest.h>
 
+#include <boost/math/special_functions/bessel.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "sphere/closed_forms/chain_gibbs.hpp"
 #include "sphere/harmonics/harmonics.hpp"
@@ -112,6 +114,38 @@ TEST(ChainGibbs, OfAUniformRingIsThatOfOneWithUnequalBondsThatAreEqual) {
   EXPECT_NEAR(mean(law, "energy"), uniform, 1e-12);
 }
 
+// Joyce's: exp(-x cos) has the eigenvalues (-1)^l i_l(x), of a ring the trace of a power is taken.
+TEST(ChainGibbs, OfARingOfFreeSpinsIsTheSumOverItsEigenvalues) {
+  const auto i = [](int l, double x) {
+    return l < 0 ? 0 : std::sqrt(std::numbers::pi / (2 * x)) * boost::math::cyl_bessel_i(l + 0.5, x);
+  };
+  for (const int count : {3, 4}) {
+    chain_gibbs law{std::vector<chain_site>(static_cast<std::size_t>(count), free_spin()), chain(count, 1), 0.9};
+    law.exchange(0, count - 1) = law.exchange(count - 1, 0) = 1;
+    double sum = 0, slope = 0;
+    for (int l = 0; l < 25; ++l) {
+      const double sign = l % 2 == 0 ? 1 : -1, eigenvalue = sign * i(l, law.beta);
+      sum += (2 * l + 1) * std::pow(eigenvalue, count);
+      slope += sign * (l * i(l - 1, law.beta) + (l + 1) * i(l + 1, law.beta)) * count * std::pow(eigenvalue, count - 1);
+    }
+    EXPECT_NEAR(mean(law, "energy"), -slope / sum, 1e-12) << count;
+  }
+}
+
+TEST(ChainGibbs, DoesNotLookAtTheDiagonalOfTheExchange) {
+  chain_gibbs law{{free_spin(1.5), free_spin(0.8)}, chain(2, 0.7), 0.2};
+  const auto without = *law.mean("energy");
+  law.exchange.diagonal().setConstant(3);
+  const auto with = *law.mean("energy");
+  EXPECT_EQ(with.value, without.value);
+  EXPECT_EQ(with.uncertainty, without.uncertainty);
+}
+
+TEST(ChainGibbs, OfLongSpinsIsAsWellKnown) {
+  const chain_gibbs law{{free_spin(1e3), free_spin(2e3)}, chain(2, 0.7), 1e-6};
+  EXPECT_NEAR(mean(law, "energy", 1e-6), -1.4e6 * langevin(1.4), 1e-6);
+}
+
 TEST(ChainGibbs, NoSiteMayHaveMoreThanTwoBonds) {
   const auto solvable = [](const Eigen::MatrixXd& exchange) {
     return chain_gibbs{std::vector<chain_site>(static_cast<std::size_t>(exchange.rows()), free_spin()), exchange, 1}
@@ -148,6 +182,22 @@ TEST(ChainGibbs, KnowsWhatItCannotSolve) {
   EXPECT_FALSE(law.solvable());
   EXPECT_FALSE(law.mean("s5_1"));
   EXPECT_FALSE(law.mean("pi1"));
+}
+
+// The rule of degree 128 against that of 64.
+TEST(ChainGibbs, WhereTheLawIsTooNarrowItIsAsUncertainAsTheLastDoubling) {
+  const double field = 3000;
+  const auto sum = [=](int degree) {
+    const auto rule = sphere_quadrature(degree);
+    const Eigen::ArrayXd z = rule.points.col(2), mass = rule.weights.array() * (-field * (z + 1)).exp();
+    return (mass * z).sum() / mass.sum();
+  };
+  const chain_gibbs law{{{Eigen::Matrix3d::Zero(), {0, 0, field}, 1}}, Eigen::MatrixXd::Zero(1, 1), 1};
+  const auto found = *law.mean("s1_3");
+  EXPECT_NE(found.reason, "");
+  EXPECT_NEAR(*found.value, sum(128), 1e-12);
+  EXPECT_GT(found.uncertainty, 1e-7);
+  EXPECT_NEAR(found.uncertainty, std::fabs(sum(128) - sum(64)), 1e-12);
 }
 
 TEST(ChainGibbs, SaysSoWhereTheLawIsTooNarrow) {

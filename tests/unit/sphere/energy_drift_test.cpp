@@ -73,6 +73,33 @@ TEST(MeanEnergy, IsAsUncertainAsRounding) {
   EXPECT_DOUBLE_EQ(energy_without_dissipation(tilted, from, 1e-3).uncertainty, 1e-14 * greatest);
 }
 
+TEST(MeanEnergy, IsAsUncertainAsRoundingOfWhatTheFieldAdds) {
+  const auto from = some_points(1.3);
+  const auto p = body(0.16 * Matrix3d::Identity(), {0.3, -0.2, 0.1});
+  double greatest = 0;
+  for (Eigen::Index i = 0; i < from.rows(); ++i)
+    greatest = std::max(greatest, std::fabs(p.energy(from.row(i).transpose())));
+  EXPECT_DOUBLE_EQ(energy_without_dissipation(p, from, 1e-3).uncertainty, 1e-14 * greatest);
+}
+
+// Where the degree does not do, it is seen which it is.
+TEST(MeanEnergy, IsThatOfDegreeTwentyAndUncertainByThatOfSixteen) {
+  auto p = body(0.01 * Vector3d(1, 2, 3).asDiagonal());
+  p.damping = 0;
+  const auto from = some_points(p.radius);
+  const auto found = energy_without_dissipation(p, from, 12);
+  double change = 0;
+  for (Eigen::Index i = 0; i < from.rows(); ++i) {
+    const auto at = [&](int degree) {
+      return *expectation(p, *named_observable("energy", p), from.row(i).transpose(), 12, 1e-11, degree).value;
+    };
+    EXPECT_NEAR(found.value[i], at(20), 1e-12) << i;
+    change = std::max(change, std::fabs(at(20) - at(16)));
+  }
+  EXPECT_GT(change, 1e-9);
+  EXPECT_NEAR(found.uncertainty, change, 1e-12);
+}
+
 // Fast turns under weak noise: the degree does not do, the error is what the degree changes, and it is said.
 TEST(MeanEnergy, SaysHowFarItsDegreeReaches) {
   auto p = body(0.01 * Vector3d(1, 2, 3).asDiagonal());

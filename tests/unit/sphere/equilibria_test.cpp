@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "sphere/closed_forms/gibbs.hpp"
@@ -119,6 +120,67 @@ TEST(Equilibria, OfAUniaxialSpinInAField) {
   EXPECT_EQ(barrier_between_wells(spin(2, 2.1)), 0);
   EXPECT_EQ(equilibria(spin(2, 2.1)).size(), 2u);
   EXPECT_EQ(barrier_between_wells(spin(-2, 0.3)), 0);  // an easy plane: a ring of wells
+}
+
+// A well that a thousandth of the anisotropy keeps.
+TEST(Equilibria, AFaintBarrierIsStillOne) {
+  const sphere_problem spin{vector(0, 0, -2).asDiagonal(), 0.5, 1, matrix::Identity(), vector(0, 0, 1.99)};
+  EXPECT_NEAR(barrier_between_wells(spin), 0.01 * 0.01 / 4, 1e-15);
+}
+
+// All six of a body stay in a weak field.
+TEST(Equilibria, AWeakFieldMovesThemAndTakesNone) {
+  std::mt19937 bits(5);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 20; ++i) {
+    const matrix r =
+        Eigen::AngleAxisd(normal(bits), vector(vector::NullaryExpr([&] { return normal(bits); })).normalized())
+            .toRotationMatrix();
+    const vector field = 0.05 * vector(vector::NullaryExpr([&] { return normal(bits); }));
+    EXPECT_EQ(
+        equilibria({r * vector(1, 2, 4).asDiagonal() * r.transpose(), 0.5, 1.3, matrix::Identity(), field}).size(), 6U)
+        << i;
+  }
+}
+
+// Stoner and Wohlfarth's astroid: |b_x|^(2/3) + |b_z|^(2/3) = (k |Pi|)^(2/3), within it four, outside it two.
+TEST(Equilibria, OfAUniaxialSpinAreFourWithinTheAstroid) {
+  const double k = 0.8, radius = 1.3;
+  const auto count = [=](double psi, double share) {
+    const double c = std::cos(psi), s = std::sin(psi), b = share * k * radius;
+    return equilibria(
+               {vector(0, 0, -k).asDiagonal(), 0.5, radius, matrix::Identity(), b * vector(c * c * c, 0, s * s * s)})
+        .size();
+  };
+  for (int i = 1; i < 40; ++i) {
+    const double psi = i * std::numbers::pi / 80;
+    for (const double within : {0.1, 0.4, 0.7, 0.9, 0.99}) EXPECT_EQ(count(psi, within), 4U) << i << ' ' << within;
+    EXPECT_EQ(count(psi, 1.01), 2U) << i;
+  }
+}
+
+TEST(Equilibria, OfAFaintFieldAloneAreItsTwoPoles) {
+  const vector n = vector(1, -2, 2) / 3;
+  const auto all = equilibria({matrix::Zero(), 0.5, 2, matrix::Identity(), 1e-9 * n});
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_LT((all[0].direction + n).norm(), 1e-15);
+  EXPECT_LT((all[1].direction - n).norm(), 1e-15);
+  EXPECT_DOUBLE_EQ(all[0].energy, -2e-9);
+}
+
+// At the field at which it ends the upper well is flat; of a curvature that is small but there, something is left.
+TEST(Equilibria, AreFlatWhereAWellEndsAndOnlyThere) {
+  for (const double radius : {1e-3, 1.0, 1e3})
+    for (const double tilt : {0.3, 0.7, 1.2}) {
+      const matrix r = Eigen::AngleAxisd(tilt, vector(1, 2, 2) / 3).toRotationMatrix();
+      const auto at = [&](double share) {
+        return equilibria({r * vector(0, 0, -2).asDiagonal() * r.transpose(), 0.5, radius, matrix::Identity(),
+                           2 * share * radius * (r * vector::UnitZ())})
+            .back();
+      };
+      EXPECT_EQ(at(1).curvature.cwiseAbs().maxCoeff(), 0) << radius << ' ' << tilt;
+      EXPECT_NEAR(at(1 + 1e-9).curvature[0], -2e-9, 1e-14) << radius << ' ' << tilt;
+    }
 }
 
 // The drift's own derivative, by differences.

@@ -4,7 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 
+#include "sphere/expectations/deterministic.hpp"
+#include "sphere/galerkin/raise_degree.hpp"
 #include "sphere/harmonics/backward_operator.hpp"
 #include "sphere/harmonics/harmonics.hpp"
 #include "support/dense.hpp"
@@ -98,6 +101,44 @@ TEST(Expectation, BarsHoldAtEveryDegree) {
         }
       }
     }
+}
+
+// Where three degrees tell more than the proof, by their changes over the size of the observable.
+TEST(Expectation, IsAsUncertainAsThreeDegreesTell) {
+  const auto f = observable("pi3");
+  const double time = 8;
+  const auto found = expectation(paper(), f, start, time, 5e-9);
+  ASSERT_TRUE(found.converged()) << found.reason;
+  three_agree agreement;
+  double before = std::numeric_limits<double>::quiet_NaN(), told = 0, proved = 0;
+  for (const int degree : {8, 12, 16, 24, 32}) {
+    if (degree > found.degree) break;
+    const auto at = expectation(paper(), f, start, time, 1e-13, degree);
+    const double change = std::fabs(*at.value - before);
+    told = agreement.uncertainty(std::isnan(change) ? unbounded : change, std::sqrt(1.0 / 3));
+    proved = at.uncertainty;
+    before = *at.value;
+  }
+  EXPECT_LT(told, proved / 2);
+  EXPECT_NEAR(found.uncertainty, told, 1e-6 * told);
+}
+
+// Of so faint noise agreement says nothing; degrees are raised until the proof does.
+TEST(Expectation, UnderFaintNoiseIsProved) {
+  const auto faint = problem(0.5, 1e-14 * Eigen::Matrix3d::Identity());
+  const auto f = observable("pi3");
+  const auto found = expectation(faint, f, start, 1.6, 1e-9);
+  EXPECT_GT(found.degree, 24);
+  holds(found, *on_the_path(problem(0.5, Eigen::Matrix3d::Zero()), f, start, 1.6).value, 1e-9);
+}
+
+TEST(Expectation, TakesAnyWantedDegree) {
+  const auto round = body_on_sphere({2, 2, 2}, 0, 1, 0.25 * Eigen::Matrix3d::Identity());
+  for (const int degree : {1, 2, 7}) {
+    const auto found = expectation(round, observable("pi2"), start, 0.7, 1e-12, degree);
+    EXPECT_EQ(found.degree, degree);
+    holds(found, std::exp(-0.175) * start[1], 1e-13);
+  }
 }
 
 // Free motion keeps the figure component, L Pi_2 = -(Q_11 + Q_33) / 2 Pi_2; noise is 1e-15 of the rotation.

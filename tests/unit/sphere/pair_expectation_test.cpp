@@ -6,8 +6,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "algebra/exponential_action.hpp"
 #include "sphere/closed_forms/chain_gibbs.hpp"
 #include "sphere/galerkin/poisson.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
 #include "sphere/harmonics/harmonics.hpp"
 #include "sphere/products/pair_expectations.hpp"
 #include "sphere/products/pair_generator.hpp"
@@ -72,6 +74,22 @@ TEST(PairHarmonics, CarryObservablesExactly) {
   EXPECT_NEAR(value("mu_6^2"), 0.36, 1e-14);
 }
 
+// x_1.x_2 is of unit vectors.
+TEST(PairHarmonics, CarryTheExchangeOfAnyLengths) {
+  auto pair = bodies();
+  pair.sites[0].radius = 1.5;
+  pair.sites[1].radius = 0.7;
+  const double found =
+      pair_coefficients(pair, *site_observable_named("energy", 2), 3).dot(pair_harmonics_at(first, second, 3));
+  EXPECT_NEAR(found, pair.energy(1.5 * first, 0.7 * second), 1e-14);
+}
+
+TEST(PairExpectation, ItsGeneratorReachesTwoDegreesFurther) {
+  const auto generator = tall_backward_operator(bodies(), 3);
+  EXPECT_EQ(generator.rows(), pair_harmonic_count(5));
+  EXPECT_EQ(generator.cols(), pair_harmonic_count(3));
+}
+
 // A product of functions of both has the product of their expectations.
 TEST(PairExpectation, WithoutExchangeIsTheProductOfTwoSpheres) {
   sphere_pair pair{
@@ -121,6 +139,29 @@ TEST(PairExpectation, OfBoundSpinsWithoutDissipation) {
     EXPECT_NEAR(*a.value + *b.value, decay * sum[axis], 1e-8);
     holds(expected(same, start, time, name.c_str(), 1e-9), decay * turned[axis], 1e-9);
   }
+}
+
+// In any unit: exchange, and noise that is shared, of one; or all of it ten thousand million times slower.
+TEST(PairExpectation, OfBoundSpinsInAnyUnit) {
+  for (const double unit : {1.0, 1e-10}) {
+    const double time = 0.9 / unit;
+    const auto pair = bound(unit, 0, std::sqrt(unit), true);
+    const Eigen::Vector3d sum = first + second;
+    const Eigen::Vector3d turned = Eigen::AngleAxisd(-unit * sum.norm() * time, sum.normalized()) * first;
+    for (int axis = 0; axis < 3; ++axis)
+      holds(expected(pair, both(first, second), time, ("mu_" + std::to_string(axis + 1)).c_str(), 1e-7),
+            std::exp(-0.9) * turned[axis], 1e-7);
+    EXPECT_NEAR(*expected(pair, both(first, second), time, "energy", 1e-13).value / unit, first.dot(second), 1e-13);
+  }
+}
+
+// Short spins are not nothing.
+TEST(PairExpectation, OfShortSpinsDecays) {
+  const double length = 1e-3, sigma = 0.7, time = 0.4;
+  auto pair = bound(0, 0, sigma, false);
+  for (auto& site : pair.sites) site.radius = length;
+  const auto found = expected(pair, length * both(first, second), time, "mu_3", 1e-12);
+  holds(found, length * std::exp(-sigma * sigma * time) * first[2], 1e-14);
 }
 
 // u = S_1.S_2 of two unit spins under the same noise: u' = -2 theta J (1 - u^2), whatever the noise.
@@ -210,6 +251,53 @@ TEST(PairExpectation, WithoutNoiseIsThePath) {
   holds(expected(bound(exchange, 0, 0, false), both(first, second), time, "mu_2", 1e-9), turned[1], 1e-11);
 }
 
+// u = S_1.S_2 of two unit spins without noise: u' = -2 theta J (1 - u^2).
+TEST(PairExpectation, OfAPathFollowsTheDissipation) {
+  const double exchange = 0.8, damping = 0.5, time = 1.5, u = first.dot(second);
+  const double after = std::tanh(std::atanh(u) - 2 * damping * exchange * time);
+  holds(expected(bound(exchange, damping, 0, false), both(first, second), time, "energy", 1e-9), exchange * after,
+        1e-12);
+}
+
+// The site of which most is asked tells, in its field and that of its partner.
+TEST(PairExpectation, SaysWhatDegreeTheHarderSiteWouldTake) {
+  const sphere_problem hard{Eigen::Vector3d(1, 0.5, 0.2).asDiagonal(), 2, 0.8, 1e-6 * one, {0.1, -0.2, 0.2}};
+  const sphere_problem easy{none, 0.1, 1.5, one};
+  auto in_field = hard;
+  in_field.field = {0, 0, hard.field.norm() + 0.4 * easy.radius};
+  const auto words = not_converged(1, 4, needed_degree(in_field));
+  const auto needed = words.substr(words.find(", and about"));
+  for (const bool swapped : {false, true}) {
+    const sphere_pair pair{{swapped ? easy : hard, swapped ? hard : easy}, -0.4};
+    const auto start = swapped ? both(1.5 * second, 0.8 * first) : both(0.8 * first, 1.5 * second);
+    pair_expectations low(pair, start, 3, 4);
+    const auto found = low.of({.site = swapped ? 1 : 0, .axis = 2}, 1e-12);
+    EXPECT_NE(found.reason.find(needed), std::string::npos) << found.reason << " for" << needed;
+  }
+}
+
+// c.law, both of known length at time zero: of the law's harmonics 1 / 4 pi times the root of their number.
+TEST(PairExpectation, ByAgreementIsNeverMoreCertainThanRounding) {
+  auto pair = bound(0.8, 0.5, 0.7, false);
+  pair.sites[0].radius = 3;
+  pair_expectations at_once(pair, both(3 * first, second), 0);
+  const auto found = at_once.agreed({.site = 0, .axis = 2}, 1e-9);
+  EXPECT_NEAR(*found.value, 3 * first[2], 1e-14);
+  EXPECT_NEAR(found.uncertainty, 1e-14 * 3 * std::sqrt(pair_harmonic_count(found.degree) / 3.0), 1e-20);
+}
+
+// Ten thousand million multiplications, counted at the lowest degree.
+TEST(PairExpectation, ByAgreementGivesUpWhereThatTakesTooLong) {
+  const auto pair = bound(0.8, 0.5, 0.7, false);
+  const auto tall = tall_backward_operator(pair, 4);
+  const sparse_matrix forward = tall.topRows(tall.cols()).transpose();
+  const double time =
+      1.1e10 / (exponential_action_products(forward, 1e6) * static_cast<double>(forward.nonZeros())) * 1e6;
+  const auto found = pair_expectations(pair, both(first, second), time).agreed({.site = 0, .axis = 2}, 1e-9);
+  EXPECT_FALSE(found.value);
+  EXPECT_NE(found.reason.find("no affordable degree answers"), std::string::npos) << found.reason;
+}
+
 TEST(PairExpectation, SaysWhereNoDegreeWillDo) {
   pair_expectations faint(bound(5, 0.5, 0.01, false), both(first, second), 3, 8);
   const auto found = faint.of({.site = 1, .axis = 2}, 1e-4);
@@ -237,6 +325,35 @@ TEST(PairExpectation, OfAPathRefusesMoreTurnsThanCanBeFollowed) {
   const auto found = long_.of({.site = 0, .axis = 2, .power = 1}, 1e-9);
   EXPECT_FALSE(found.value);
   EXPECT_EQ(found.reason, "no noise, and too many turns to follow");
+}
+
+// At rest a path is followed at once, so that the limit is seen from below as well: both rates, times 1 + theta |Pi|.
+TEST(PairExpectation, OfAPathCountsTheTurnsOfBoth) {
+  const sphere_problem site{Eigen::Vector3d(0, 0, 0.4).asDiagonal(), 0.3, 1.5, none, {0, 0, 0.5}};
+  auto other = site;
+  other.radius = 0.8;
+  const sphere_pair pair{{site, other}, -0.7};
+  const momenta start = both({0, 0, 1.5}, {0, 0, 0.8});
+  const double felt = 0.5 + 0.7 * start.norm();
+  const double turning = (0.4 * 1.5 + felt) * (1 + 0.3 * 1.5) + (0.4 * 0.8 + felt) * (1 + 0.3 * 0.8);
+  const auto within = [&](double turns) {
+    return pair_expectations(pair, start, turns / turning, 8).of({.site = 0, .axis = 2, .power = 1}, 1e-9).value;
+  };
+  EXPECT_EQ(within(0.99e7), 1.5);
+  EXPECT_FALSE(within(1.01e7));
+}
+
+// Turns of 0.75 + 0.25 * 5 for each, of which the limit is a whole number.
+TEST(PairExpectation, OfAPathFollowsAsManyTurnsAsItMay) {
+  sphere_problem site{none, 0, 3, none, {0, 0, 0.75}}, other = site;
+  other.radius = 4;
+  const auto after = [&](double time) {
+    return pair_expectations({{site, other}, 0.25}, both({0, 0, 3}, {0, 0, 4}), time, 8)
+        .of({.site = 1, .axis = 2, .power = 1}, 1e-9)
+        .value;
+  };
+  EXPECT_EQ(after(2.5e6), 4);
+  EXPECT_FALSE(after(2.5e6 + 1));
 }
 
 }  // namespace

@@ -74,6 +74,28 @@ TEST(Propagation, IsAsUncertainAsRounding) {
   EXPECT_NEAR(floor(4e5, 1) / floor(1e5, 1), 2, 0.02);
 }
 
+// The steps are those after which it was asked how far the function is from a constant.
+TEST(Propagation, IsAsUncertainAsTheRootOfItsSteps) {
+  int steps = 0;
+  double apart = 0;
+  const auto size = [](const Eigen::VectorXd& v) { return v.lpNorm<1>(); };
+  const auto asked = [&](const Eigen::VectorXd& v) {
+    ++steps;
+    return apart = size(v);
+  };
+  const Eigen::Vector3d f(0.5, 1, 0), y(1, 1, 0);
+  const double least = rounding_of_sums * std::sqrt(1.25);
+  const auto turning = propagated(generator(2, 0), f, y, 1000, {asked, size, 1});
+  EXPECT_GT(steps, 110);
+  EXPECT_DOUBLE_EQ(turning->found.floor, least * std::sqrt(steps) / 10);
+  EXPECT_DOUBLE_EQ(turning->found.bound, turning->found.floor);
+  // What is left of it when it is taken for a constant counts twice: of the value, and of the constant.
+  const auto relaxed = propagated(generator(2, 0.3), f, y, 400, {asked, size, 1});
+  EXPECT_TRUE(relaxed->relaxed);
+  EXPECT_GT(apart, 0.01 * least);
+  EXPECT_NEAR(relaxed->found.bound / relaxed->found.floor, 1 + 2 * apart / relaxed->found.floor, 1e-12);
+}
+
 // A u = f - m solved by hand; what the second function has beyond the three is the remainder.
 TEST(PoissonMean, HasTheRemainderAsItsBoundAndRoundingAsItsFloor) {
   const auto size = [](const Eigen::VectorXd& v) { return v.lpNorm<1>(); };

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "sphere/harmonics/backward_operator.hpp"
 #include "sphere/spectral_gap.hpp"
 #include "sphere/stationary.hpp"
 #include "unit/sphere/problems.hpp"
@@ -68,6 +69,79 @@ TEST(SpectralGap, IsZeroOnlyWhereSomethingIsConserved) {
   EXPECT_EQ(*spectral_gap(body_on_sphere({2, 2, 3}, 0, 1, figure), 1e-9).value, 0);
   EXPECT_EQ(*spectral_gap(body_on_sphere({2, 2, 2}, 0.5, 1, figure), 1e-9).value, 0);
   EXPECT_FALSE(spectral_gap(body_on_sphere({2, 2, 3}, 0.5, 1, figure), 1e-9).converged());  // damped: not conserved
+}
+
+// Every component relaxes by the noise about the two other axes, and nothing is slower.
+TEST(SpectralGap, OfARoundBodyIsThatOfItsSlowestComponent) {
+  for (const auto& q :
+       {Eigen::Vector3d(0.5, 0.2, 0.1), Eigen::Vector3d(0.1, 0.5, 0.2), Eigen::Vector3d(0.2, 0.1, 0.5)}) {
+    const auto round = body_on_sphere({2, 2, 2}, 0, 1, q.asDiagonal());
+    holds(spectral_gap(round, 1e-12), (0.1 + 0.2) / 2, 1e-13);
+  }
+}
+
+TEST(SpectralGap, IsTheSameInEveryUnitOfTime) {
+  const auto p = problem(0.5, Eigen::Matrix3d::Identity());
+  const auto expected = spectral_gap(p, 1e-10);
+  ASSERT_TRUE(expected.converged());
+  for (const double unit : {std::exp2(-50), std::exp2(50)}) {
+    auto other = p;
+    other.quadratic *= unit;
+    other.covariance *= unit;
+    const auto found = spectral_gap(other, 1e-10 * unit);
+    ASSERT_TRUE(found.converged()) << found.reason;
+    EXPECT_EQ(found.degree, expected.degree);
+    EXPECT_NEAR(*found.value, unit * *expected.value, 1e-13 * unit);
+  }
+}
+
+// About an oblique axis of revolution one block holds all modes, more than are taken whole at the last degree: there
+// the slowest mode, which turns about the axis, is far from zero. About a coordinate axis all blocks are small.
+TEST(SpectralGap, KeepsAModeThatTurnsFast) {
+  const auto about = [](const Eigen::Vector3d& n) {
+    const Eigen::Matrix3d along = n * n.transpose();
+    return sphere_problem{5e-4 * along, 0, 1, 1e-3 * (Eigen::Matrix3d::Identity() - 0.9 * along), 0.1 * n};
+  };
+  const auto found = spectral_gap(about(Eigen::Vector3d(1, 2, 2) / 3), 1e-12, 21);
+  ASSERT_TRUE(found.converged()) << found.reason;
+  EXPECT_EQ(found.degree, 21);
+  EXPECT_NEAR(*found.value, *spectral_gap(about(Eigen::Vector3d::UnitZ()), 1e-12, 21).value, 1e-12);
+}
+
+// Of a spread of 100 over noise of trace 3 the needed degree is 100 to the last bit.
+TEST(SpectralGap, TheAveragedOneIsNamedBeyondANeededDegreeOf100) {
+  for (const double spread : {100.0, 100.5}) {
+    const sphere_problem p{Eigen::Vector3d(10, 40, 10 + spread).asDiagonal(), 0, 1, Eigen::Matrix3d::Identity()};
+    const auto found = spectral_gap(p, 1e-9, 8);
+    EXPECT_FALSE(found.converged());
+    EXPECT_EQ(needed_degree(p) == 100, spread == 100);
+    EXPECT_EQ(found.reason.find("averaging over circles") != std::string::npos, spread > 100) << found.reason;
+  }
+}
+
+// Its products of rates overflow; then its rates themselves, so that there is no mode at all.
+TEST(SpectralGap, BeyondDoublePrecisionIsRefused) {
+  for (const auto& [noise, degree] : {std::pair{1e300, 6}, {1e308, 36}}) {
+    const sphere_problem p{Eigen::Vector3d(1, 2, 3).asDiagonal(), 0, 1, noise * oblique(), {0.3, -0.2, 0.5}};
+    const auto found = spectral_gap(p, 1e-9, degree);
+    EXPECT_FALSE(found.value);
+    EXPECT_NE(found.reason.find("no affordable degree answers"), std::string::npos) << found.reason;
+  }
+}
+
+// Without dissipation x^2 - y^2 and z^2 are apart up to degree 2, and joined by xyz from degree 3 on: a block less. Of
+// noise about both axes across z the former is then as slow as any, and rounding chooses it.
+TEST(SpectralGap, BlocksMayJoinAtAHigherDegree) {
+  for (const double q : {0.58, 0.7, 0.85}) {
+    const auto gap = [&](const Eigen::Vector3d& turning, const Eigen::Vector3d& noise, int degree) {
+      return spectral_gap({(q * turning).asDiagonal(), 0, 1, noise.asDiagonal()}, q, degree);
+    };
+    const auto found = gap({0.2, 0.5, 2.6}, {q, q, 0}, 6), other = gap({2.6, 0.2, 0.5}, {0, q, q}, 6);
+    ASSERT_TRUE(found.value && other.value) << found.reason;
+    EXPECT_NEAR(*found.value, *other.value, 1e-13);
+    EXPECT_NEAR(*found.value, *gap({0.2, 0.5, 2.6}, {q, q, 0}, 16).value, found.uncertainty);
+    EXPECT_FALSE(gap({20, 30, 60}, {q, q, 0}, 6).value);  // not resolved, and the slowest mode is another at degree 4
+  }
 }
 
 }  // namespace

@@ -47,6 +47,31 @@ TEST(SphereProblem, SpreadAndBoundsAreThoseOfItsEigenvalues) {
   EXPECT_EQ((greatest_rate_on({vector(-3, 1, 2).asDiagonal(), 0, 2, one})), 6);
 }
 
+TEST(SphereProblem, SpreadOfAMatrixThatIsNextToDiagonal) {
+  matrix quadratic;
+  quadratic << 2, 1, 0, 1, 2, 0, 0, 0, 1.5;  // eigenvalues 3, 1 and 1.5
+  EXPECT_NEAR((sphere_problem{quadratic, 0, 1, one}.spread()), 2, 1e-14);
+  quadratic << 1, 1e-9, 0, 1e-9, 1, 0, 0, 0, 1;
+  EXPECT_NEAR((sphere_problem{quadratic, 0, 1, one}.spread()), 2e-9, 1e-15);
+}
+
+TEST(NamedObservables, AreWhatTheirMeaningsSay) {
+  matrix quadratic;
+  quadratic << 1, 0.3, -0.2, 0.3, -0.5, 0.1, -0.2, 0.1, 0.2;
+  const sphere_problem p{quadratic, 0.4, 1.3, one, {0.3, -0.2, 0.5}};
+  const vector pi(0.7, -1.1, 0.4);
+  const auto at = [&](const char* name) { return (*named_observable(name, p))(pi); };
+  const double squares = (1 * 0.49 - 0.5 * 1.21 + 0.2 * 0.16) / 2;
+  const double products = 0.3 * 0.7 * -1.1 - 0.2 * 0.7 * 0.4 + 0.1 * -1.1 * 0.4;
+  EXPECT_NEAR(at("energy"), squares + products + 0.3 * 0.7 + 0.2 * 1.1 + 0.5 * 0.4, 1e-15);
+  EXPECT_NEAR(at("casimir"), (0.49 + 1.21 + 0.16) / 2, 1e-15);
+  EXPECT_NEAR(at("exp(pi3)"), std::exp(0.4), 1e-15);
+  EXPECT_EQ(at("pi2"), -1.1);
+  EXPECT_EQ(at("mu_1"), 0.7);
+  EXPECT_NEAR(at("pi1^2"), 0.49, 1e-15);
+  EXPECT_FALSE(named_observable("pi4", p));
+}
+
 TEST(SphereProblem, NoiseGrowsByAShareOfItselfAndItsCovarianceByTheSquare) {
   auto p = spin();
   p.varying = {{vector(0.1, 0.2, 0.3), 2 * one}};

@@ -52,6 +52,14 @@ TEST(Transition, OfTwoIntervalsIsTheLawOfBoth) {
   EXPECT_LT((once.columns * once.columns.leftCols(harmonic_count(6)) - both.columns).cwiseAbs().maxCoeff(), 1e-9);
 }
 
+TEST(Transition, TakesAnyWantedDegree) {
+  for (const int degree : {1, 2, 5}) {
+    const auto law = transition(body({1, 1, 1}, 0, 0.7), 0.4, 1, tolerance, degree);
+    EXPECT_EQ(law.degree, degree);
+    EXPECT_NEAR(law.columns(harmonic_index(1, 0), harmonic_index(1, 0)), std::exp(-0.49 * 0.4), 1e-13);
+  }
+}
+
 TEST(Transition, SaysWhereNoDegreeResolvesIt) {
   EXPECT_FALSE(transition(body({1, 2, 3}, 50, 1e-3), 10, 6, tolerance).reason.empty());
 }

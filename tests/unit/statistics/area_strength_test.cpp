@@ -111,5 +111,34 @@ TEST(AreaStrength, IsTheSumsOverPaths) {
   EXPECT_FALSE(area_strength(std::vector{0.4, 0.2, 0.1}, three, 1, cells).known);
 }
 
+// error = f S on every path, f a parabola in dt, whose limit is found without error; a line finds another. Four levels
+// are enough.
+TEST(AreaStrength, LeavesOpenWhatALineWouldSayOtherwise) {
+  constexpr int paths = 3, four = 4;
+  const std::vector dt{0.25, 0.125, 0.0625, 0.03125};
+  const auto f = [](double h) { return 0.1 + 0.8 * h + 0.3 * h * h; };
+  area_response r{{paths, four, {}}, {paths, four, {}}};
+  double area = 0;
+  for (const double square : {0.9, 1.0, 1.2})
+    for (const double h : dt) {
+      area += square / paths / four;
+      r.square.values.push_back(square * h);
+      r.product.values.push_back(square * h * f(h));
+    }
+  const auto m = area_strength(dt, r, paths, cells);
+  ASSERT_TRUE(m.known);
+  const auto weights = constant_of_polynomial(dt, 1);
+  double line = -0.1;
+  for (int l = 0; l < four; ++l) line += weights[l] * f(dt[static_cast<std::size_t>(l)]);
+  const double spread = std::sqrt(0.14 / 3) / paths / area;  // of 0.9, 1, 1.2 about 3.1 / 3
+  const double open = left_open(dt, f(dt.back()) - 0.1, line, std::fabs(line) * spread);
+  EXPECT_LT(open, 0.9 * std::fabs(line));  // as the corrections go on like those of a geometric series
+  EXPECT_NEAR(m.error.value, 0.1, 1e-13);
+  EXPECT_NEAR(m.error.high, 0.1 + open + 0.1 / cells, 1e-12);
+  EXPECT_NEAR(m.error.low, 0.1 - open - 0.1 / cells, 1e-12);
+  EXPECT_NEAR(m.sure, std::fabs(line) + 0.1 / cells, 1e-12);
+  EXPECT_NEAR(m.size, std::sqrt(area * dt.back()), 1e-13);
+}
+
 }  // namespace
 }  // namespace polhode

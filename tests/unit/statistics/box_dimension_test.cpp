@@ -140,5 +140,41 @@ TEST(BoxDimension, IsTheSlopeOfTheLineAndItsValueAtOne) {
   EXPECT_NEAR(fit->boxes_at_one, 8, 1e-11);
 }
 
+// By the sums of a least-squares line in binary logarithms: sides 4, 16, 32 of those given, the second is not usable,
+// and a fifth was taken back.
+TEST(BoxDimension, EveryUsableLevelHasAPartInTheLineAndNoOther) {
+  std::vector<std::vector<box_level>> clouds;
+  for (const double c : {1.0, 1.5})
+    clouds.push_back({{4, 20, {8 * c, 0, 0}},
+                      {8, 20, {100, 0, 0}},
+                      {16, 20, {32 * c * c, 0, 0}},
+                      {32, 20, {256, 0, 0}},
+                      {64, 20, {7000, 0, 0}}});
+  std::vector<bool> usable{true, false, true, true, true};
+  usable.pop_back();
+  double slope = 0, intercept = 0;
+  for (auto& cloud : clouds) {
+    cloud.pop_back();
+    double x = 0, y = 0, xx = 0, xy = 0;
+    for (const std::size_t l : {0, 2, 3}) {
+      const double a = std::log2(cloud[l].side), b = std::log2(cloud[l].boxes[0]);
+      x += a / 3, y += b / 3, xx += a * a / 3, xy += a * b / 3;
+    }
+    slope += (xy - x * y) / (xx - x * x) / 2;
+    intercept += (y - (xy - x * y) / (xx - x * x) * x) / 2;
+  }
+  const auto fit = fit_dimension(clouds, box_kind::occupied, usable);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->value.value, slope, 1e-12);
+  EXPECT_NEAR(fit->boxes_at_one, std::exp2(intercept), 1e-11);
+}
+
+// 63 and 64 points in four boxes each are one too few, 64 and 64 are enough.
+TEST(BoxDimension, ALevelThatLacksOnePointIsNotUsable) {
+  const std::vector<std::vector<box_level>> clouds{{{2, 15.75, {4, 4, 4}}, {4, 16, {4, 4, 4}}},
+                                                   {{2, 16, {4, 4, 4}}, {4, 16, {4, 4, 4}}}};
+  EXPECT_EQ(usable_levels(clouds), (std::vector{false, true}));
+}
+
 }  // namespace
 }  // namespace polhode

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -82,6 +83,29 @@ TEST(OrderFit, LevelsThatAreNotClearOfZeroLeaveTheFit) {
   EXPECT_NEAR(fit->order, 1, 1e-9);
   EXPECT_NEAR(fit->prefactor, 1, 1e-9);
   EXPECT_FALSE(fit->used[4]);
+}
+
+// Of nine paths four and five: the least squares of either half, by a QR decomposition, are taken from the other.
+TEST(ControlVariates, CoefficientsOfOneHalfComeFromTheOther) {
+  constexpr int paths = 9, half = 4;
+  const drawn d(paths, 4);
+  const Eigen::MatrixXd controls = d.controls.leftCols(2);
+  const auto fitted = [&](int from, int count) -> Eigen::VectorXd {
+    Eigen::MatrixXd design(count, 3);
+    design << controls.middleRows(from, count), Eigen::VectorXd::Ones(count);
+    return design.colPivHouseholderQr().solve(d.y.segment(from, count)).head(2);
+  };
+  const Eigen::VectorXd b = fitted(half, paths - half), c = fitted(0, half), found = controlled(d.y, controls);
+  for (int i = 0; i < paths; ++i) EXPECT_NEAR(found[i], d.y[i] - controls.row(i).dot(i < half ? b : c), 1e-11) << i;
+}
+
+TEST(ControlVariates, OfMeansThatAreEquallyLargeTheFirstIsSaid) {
+  Eigen::MatrixXd y(5, 2);
+  y.col(0) << -1, -2, 0.5, -4, -3;
+  y.col(1) = -y.col(0);
+  EXPECT_LT(means_of_controls(y).largest, 0);
+  y = -y;
+  EXPECT_GT(means_of_controls(y).largest, 0);
 }
 
 }  // namespace

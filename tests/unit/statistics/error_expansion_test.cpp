@@ -170,5 +170,14 @@ TEST(FinestOrder, OfLevelsThatAreClear) {
   }
 }
 
+// An error of zero that is known exactly has no logarithm.
+TEST(FinestOrder, AnErrorOfZeroIsNoLevel) {
+  const std::vector<double> dt{0.5, 0.25, 0.125, 0.0625, 0.03125}, error{0.5, 0.25, 0, 0.0625, 0.03125}, sure(5, 0.0);
+  const auto fit = fit_finest_order(dt, error, sure, 50);
+  ASSERT_TRUE(fit);
+  EXPECT_EQ(fit->used, (std::vector{true, true, false, true, true}));
+  EXPECT_NEAR(fit->order, 1, 1e-14);
+}
+
 }  // namespace
 }  // namespace polhode

@@ -44,6 +44,21 @@ TEST(LogLine, IsThatOfLeastSquaresWithOrWithoutErrors) {
   }
 }
 
+// A billion times as well as the others: the line turns about it. Only squares of deviations from the mean bear the
+// mean's own rounding under such a weight.
+TEST(LogLine, GoesThroughALevelThatIsKnownFarBetter) {
+  auto levels = scattered;
+  levels[2] = {2, -1.3, -2.9, 1e-10};
+  double along = 0, across = 0;
+  for (const auto& l : levels) {
+    along += l.weight() * std::pow(l.x + 1.3, 2);
+    across += l.weight() * (l.x + 1.3) * (l.y + 2.9);
+  }
+  const auto line = line_through(levels);
+  EXPECT_NEAR(line.slope, across / along, 1e-11);
+  EXPECT_NEAR(line.at(-1.3), -2.9, 1e-12);
+}
+
 TEST(LogLine, TheCoarsestLevelIsComparedWithTheLineThroughTheOthers) {
   const std::vector<log_level> rest(scattered.begin() + 1, scattered.end());
   EXPECT_NEAR(off_the_others(scattered), -1.1 - by_solver(rest).at(0.5), 1e-13);
@@ -131,6 +146,28 @@ TEST(SquaredErrors, NormsOfAnyPower) {
   const squared_errors none{2, 1, {0, 0}};
   EXPECT_EQ(level_norm(none, 2, 0).mean, 0);
   EXPECT_EQ(level_norm(none, 2, 0).error, 0);
+}
+
+// A level at the limit itself is not off the line: by 0.05 without error, by three errors of 1/8.
+TEST(LevelChoice, ALevelAtTheLimitStays) {
+  std::vector<log_level> flat(5);
+  for (int i = 0; i < 5; ++i) flat[static_cast<std::size_t>(i)] = {i, -1.0 * i, i == 0 ? 0.05 : 0, 0};
+  EXPECT_EQ(asymptotic_part(flat).size(), 5u);
+  flat[0].y = std::nextafter(0.05, 1);
+  EXPECT_EQ(asymptotic_part(flat).size(), 4u);
+  auto sampled = straight_but_for_the_first(5, 0.375, 0.125);
+  EXPECT_EQ(asymptotic_part(sampled).size(), 5u);
+  sampled[0].y = std::nextafter(0.375, 1);
+  EXPECT_EQ(asymptotic_part(sampled).size(), 4u);
+}
+
+// Squares 1/16 and 9/16 of two paths: mean 5/16, standard error 1/4.
+TEST(SquaredErrors, OfTwoPathsAndBelowOne) {
+  const squared_errors two{2, 1, {1 / 16.0, 9 / 16.0}};
+  EXPECT_DOUBLE_EQ(level_mean(two, 0).mean, 5 / 16.0);
+  EXPECT_DOUBLE_EQ(level_mean(two, 0).error, 0.25);
+  EXPECT_DOUBLE_EQ(level_norm(two, 2, 0).error, 0.25 / (2 * std::sqrt(5 / 16.0)));
+  EXPECT_DOUBLE_EQ(raised(two, 5).values[1], std::pow(0.75, 5));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <polhode/noise/normal.hpp>
 #include <vector>
@@ -137,8 +138,8 @@ TEST(LeftOpen, IsAllThatIsSeenWhereTheNextWouldBeLarger) {
   EXPECT_NEAR(open(1.5), 0.25 - 0.098, 1e-13);
 }
 
-// Of one direction, each sum written out.
-TEST(EffectiveMultipliers, AreTheSumsOverPaths) {
+// Of one direction, each sum written out; with a limit that bends by nothing or by more than its error.
+void expect_sums_over_paths(double bend) {
   constexpr int paths = 50, cells = 4;
   response_data d(paths, 1, 4);
   double gram = 0;
@@ -150,7 +151,8 @@ TEST(EffectiveMultipliers, AreTheSumsOverPaths) {
     g[at] = d.gram_of(p)[0] = 1 + z[0] * z[0];
     gram += g[at] / paths;
     for (int l = 0; l < 4; ++l) {
-      const double r = d.response_of(p, l)[0] = 0.3 * g[at] + 0.02 * z[static_cast<std::size_t>(l + 1)];
+      const double r = d.response_of(p, l)[0] = (0.3 + bend * std::pow(dt[static_cast<std::size_t>(l)], 2)) * g[at] +
+                                                0.02 * z[static_cast<std::size_t>(l + 1)];
       limit[at] += quadratic[l] * r;
       line[at] += linear[l] * r;
       finest[at] = r;
@@ -168,7 +170,9 @@ TEST(EffectiveMultipliers, AreTheSumsOverPaths) {
     of_change += std::pow((line[p] - limit[p]) / gram - change, 2);
   }
   const double error = std::sqrt(variance) / paths, cell = std::fabs(step) / cells,
-               half = half_width_with_bias(error, left_open(dt, step, change, std::sqrt(of_change) / paths) + cell);
+               open = left_open(dt, step, change, std::sqrt(of_change) / paths),
+               half = half_width_with_bias(error, open + cell);
+  EXPECT_EQ(open > 0, bend > 0);
   const auto m = effective_multipliers(dt, d, paths, cells).front();
   ASSERT_TRUE(m.known);
   EXPECT_NEAR(m.error.value, eps, 1e-13);
@@ -176,6 +180,32 @@ TEST(EffectiveMultipliers, AreTheSumsOverPaths) {
   EXPECT_NEAR(m.error.high, eps + half, 1e-12);
   EXPECT_NEAR(m.sure, family_z * error + std::fabs(change) + cell, 1e-12);
   EXPECT_NEAR(m.size, std::sqrt(gram), 1e-13);
+}
+
+TEST(EffectiveMultipliers, AreTheSumsOverPaths) {
+  for (const double bend : {0.0, 40.0}) expect_sums_over_paths(bend);
+}
+
+// The unit of time is anybody's: powers of a small one lie far apart.
+TEST(ConstantOfPolynomial, IsTheSameInAnyUnit) {
+  const auto expected = constant_of_polynomial(dt, 2);
+  for (const double unit : {0x1p-30, 0x1p30}) {
+    auto scaled = dt;
+    for (double& x : scaled) x *= unit;
+    EXPECT_LT((constant_of_polynomial(scaled, 2) - expected).norm(), 1e-13) << unit;
+  }
+}
+
+// S_1 = (8, 0) and S_2 = (7, 1): a fiftieth of the square of the second is its own.
+TEST(EffectiveMultipliers, ADirectionIsKnownByMoreThanAFiftiethOfIt) {
+  const auto known = [](double own) {
+    response_data d(1, 2, 4);
+    const double gram[] = {64, 56, 56, 49 + own};
+    std::copy(gram, gram + 4, d.gram_of(0));
+    return static_cast<bool>(effective_multipliers(dt, d, 1, 4)[1].known);
+  };
+  EXPECT_FALSE(known(1));
+  EXPECT_TRUE(known(1.001));
 }
 
 }  // namespace

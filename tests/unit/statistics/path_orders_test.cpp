@@ -134,5 +134,25 @@ TEST(PathSlopes, AreSlopesBetweenTheEndsOfThreeLevels) {
   EXPECT_EQ(fit_path_slopes(dt, thirty_two, chosen, 1)->share_at_least, 1);
 }
 
+// P(X <= 125) is 0.025008 for X heads of 284 coins: the 125th slope from either end. Steps that do not halve.
+TEST(PathSlopes, RanksOfTheMedianAreTheBinomials) {
+  constexpr int paths = 284, rank = 125;
+  double term = std::exp2(-paths), sum = term;
+  for (int k = 1; k < rank; ++k) sum += term *= (paths - k + 1.0) / k;
+  ASSERT_LT(sum, 0.025);
+  sum += term * (paths - rank + 1.0) / rank;
+  ASSERT_GT(sum, 0.025);
+  ASSERT_LT(sum, 0.02501);
+  const std::vector<double> dt{0.25, 0.0625, 0.03125, 0.00390625};
+  const auto e = errors_of(dt, paths, [](int p, double h) { return std::pow(h, 1 + ((p * 17) % paths) / 512.0); });
+  const order_fit all{1, 1, 1, 1, std::vector<bool>(dt.size(), true), "", true, {}};
+  const auto found = fit_path_slopes(dt, e, all, 1);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->median.low, 1 + (rank - 1) / 512.0, 1e-13);
+  EXPECT_NEAR(found->median.high, 1 + (paths - rank) / 512.0, 1e-13);
+  EXPECT_NEAR(found->median.finest.value, 1 + (paths - 1) / 1024.0, 1e-13);
+  EXPECT_NEAR(found->median.finest.low, 1 + (rank - 1) / 512.0, 1e-13);
+}
+
 }  // namespace
 }  // namespace polhode

@@ -92,5 +92,49 @@ TEST(PowerSeries, EachRuleIsTheBetterOneOnItsOwnGround) {
   EXPECT_GE(steep.all_levels, 2 * steep.best_degree);
 }
 
+// What the coarsest adds is taken away wherever it stands.
+TEST(PowerSeries, LevelsComeInAnyOrder) {
+  const auto f = [](double h) { return std::exp(2 * h) / (1 + h); };
+  const auto sorted = first(f, 1e-9, 3);
+  for (const auto& steps : {std::vector{0.0078125, 0.015625, 0.03125, 0.0625, 0.125, 0.25},
+                            std::vector{0.0625, 0.125, 0.25, 0.0078125, 0.03125, 0.015625}}) {
+    std::vector<double> value;
+    for (const double h : steps) value.push_back(f(h));
+    const auto found = series_by_all_levels(steps, value, std::vector<double>(6, 1e-9), 3);
+    for (std::size_t j = 0; j < 3; ++j) {
+      EXPECT_NEAR(found[j].value, sorted[j].value, 1e-9);
+      EXPECT_NEAR(found[j].low, sorted[j].low, 1e-9);
+      EXPECT_NEAR(found[j].high, sorted[j].high, 1e-9);
+    }
+  }
+}
+
+// One level is uncertain, of zeros: its Lagrange polynomial at zero.
+TEST(PowerSeries, EveryLevelsUncertaintyCounts) {
+  const std::vector<double> zeros(dt.size(), 0.0);
+  for (std::size_t i = 0; i < dt.size(); ++i) {
+    double weight = 1;
+    for (std::size_t k = 0; k < dt.size(); ++k)
+      if (k != i) weight *= dt[k] / std::fabs(dt[i] - dt[k]);
+    auto uncertainty = zeros;
+    uncertainty[i] = 0.5;
+    EXPECT_NEAR(series_by_all_levels(dt, zeros, uncertainty, 1)[0].high / (0.5 * weight), 1, 1e-12) << i;
+  }
+}
+
+// A polynomial of degree seven: one of degree eight changes nothing more, and degree nine is not tried. Of zeros, which
+// all degrees find, the lowest.
+TEST(PowerSeries, BestDegreeIsEightAtMostAndTheLowestOfEqualOnes) {
+  std::vector<double> steps, value;
+  for (int i = 11; i > 0; --i) steps.push_back(i / 16.0);
+  const std::vector<double> zeros(steps.size(), 0.0);
+  for (const double h : steps) value.push_back((1 - std::pow(h, 8)) / (1 - h));
+  const auto found = series_term_by_best_degree(steps, value, zeros, 1);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->degree, 8);
+  EXPECT_NEAR(found->value, 1, 1e-9);
+  for (const int k : {0, 1, 2}) EXPECT_EQ(series_term_by_best_degree(steps, zeros, zeros, k)->degree, k + 1) << k;
+}
+
 }  // namespace
 }  // namespace polhode

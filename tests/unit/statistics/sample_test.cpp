@@ -63,5 +63,26 @@ TEST(KolmogorovSmirnov, DistanceAndIntervalOfNumbersInAnyOrder) {
   EXPECT_NEAR(ks_distance(std::vector{0.3, 0.1, 0.2}, uniform).value, 0.7, 1e-15);  // all below 0.3
 }
 
+// erfc(x / sqrt 2) / 2 is the tail beyond x.
+TEST(NormalDeviate, OfNoTailAtAllIsThatOf1e300) {
+  EXPECT_NEAR(std::erfc(normal_deviate(0) / std::sqrt(2.0)) / 2 / 1e-300, 1, 1e-10);
+  EXPECT_EQ(normal_deviate(1e-301), normal_deviate(0));
+}
+
+// Of 1, 2, 4 beside a thousand million: their mean is no binary number, and its rounding is no part of the width.
+TEST(MeanInterval, IsThatOfTheDifferencesWhereTheMeanIsLarge) {
+  const std::array small{1.0, 2.0, 4.0}, large{1e9 + 1, 1e9 + 2, 1e9 + 4};
+  const auto found = mean_interval(large), expected = mean_interval(small);
+  EXPECT_NEAR(found.high - found.low, expected.high - expected.low, 1e-6);
+  const double quantile = 0.95 / std::sqrt(2 * 0.975 * 0.025);  // of two degrees of freedom
+  EXPECT_NEAR(expected.high - expected.low, 2 * quantile * std::sqrt(14 / 3.0 / 2 / 3), 1e-12);
+}
+
+// Below the second of three there is one.
+TEST(KolmogorovSmirnov, DistanceIsAlsoThatJustBelowANumber) {
+  const std::vector<double> x{0.1, 0.8, 0.9};
+  EXPECT_NEAR(ks_distance(x, [](double t) { return t; }).value, 0.8 - 1.0 / 3, 1e-15);
+}
+
 }  // namespace
 }  // namespace polhode
