@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every change in one program: which of them acts is said by POLHODE_MUTANT when it starts, and which were come by is
 // written to POLHODE_REACHED when it ends. all_in_one.py writes `a + b` as `a - plus<7>{} - b`: an operator of the same
-// precedence keeps what belongs together, and is one that nothing else answers to.
+// precedence keeps what belongs together, and is one that nothing else answers to; of `a && b` it writes both chains.
 #pragma once
 
 #include <algorithm>
@@ -87,24 +87,22 @@ POLHODE_MUTANT_OPERATOR(equal, !=, ==, !=)
 POLHODE_MUTANT_OPERATOR(unequal, !=, !=, ==)
 #undef POLHODE_MUTANT_OPERATOR
 
-#define POLHODE_MUTANT_ASSIGNMENT(name, op, other)                               \
-  template <int id>                                                              \
-  struct name {};                                                                \
-  template <int id, class B>                                                     \
-  constexpr half<id, name<id>, B> operator|=(name<id>, B&& b) {                  \
-    return {std::forward<B>(b)};                                                 \
-  }                                                                              \
-  template <int id, class A, class B>                                            \
-  constexpr void operator|=(A&& a, half<id, name<id>, B> h) {                    \
-    if constexpr (requires { std::forward<A>(a) other std::forward<B>(h.a); }) { \
-      if (on<id>()) {                                                            \
-        std::forward<A>(a) other std::forward<B>(h.a);                           \
-        return;                                                                  \
-      }                                                                          \
-    } else {                                                                     \
-      refused<id>();                                                             \
-    }                                                                            \
-    std::forward<A>(a) op std::forward<B>(h.a);                                  \
+#define POLHODE_MUTANT_ASSIGNMENT(name, op, other)                                                    \
+  template <int id>                                                                                   \
+  struct name {};                                                                                     \
+  template <int id, class B>                                                                          \
+  constexpr half<id, name<id>, B> operator|=(name<id>, B&& b) {                                       \
+    return {std::forward<B>(b)};                                                                      \
+  }                                                                                                   \
+  template <int id, class A, class B>                                                                 \
+  constexpr decltype(auto) operator|=(A&& a, half<id, name<id>, B> h) {                               \
+    using result = decltype(std::forward<A>(a) op std::forward<B>(h.a));                              \
+    if constexpr (requires { static_cast<result>(std::forward<A>(a) other std::forward<B>(h.a)); }) { \
+      if (on<id>()) return static_cast<result>(std::forward<A>(a) other std::forward<B>(h.a));        \
+    } else {                                                                                          \
+      refused<id>();                                                                                  \
+    }                                                                                                 \
+    return static_cast<result>(std::forward<A>(a) op std::forward<B>(h.a));                           \
   }
 POLHODE_MUTANT_ASSIGNMENT(add, +=, -=)
 POLHODE_MUTANT_ASSIGNMENT(subtract, -=, +=)
@@ -125,6 +123,12 @@ constexpr auto operator/(negated<id>, A&& a) {
 template <int id, class T>
 constexpr T constant(T value, T changed) {
   return on<id>() ? changed : value;
+}
+
+/// Not known when compiled, so that what depends on it is computed when the program begins.
+template <int id, class T>
+T constant_at_start(T value, T changed) {
+  return constant<id>(value, changed);
 }
 
 template <int id>

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """All changes of some sources in one program, one of which acts at a time: moments for each instead of a compilation.
 
-See all_in_one.hpp for how. What that cannot hold (&& and ||, as both sides would be computed) and what is known when the
-program is compiled (never come by) is left to a program of its own.
+See all_in_one.hpp for how. What is known when the program is compiled (never come by) is left to a program of its own.
 """
 import collections
 import os
@@ -13,34 +12,11 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from written import Source, at_start, holds, standing_at
+
 HEADER = Path(__file__).parent / 'all_in_one.hpp'
-INFIX = {'+': ('-', 'plus'), '-': ('-', 'minus'), '*': ('/', 'times'), '/': ('/', 'over'), '<': ('<=', 'less'), '<=': ('<=', 'at_most'),
-         '>': ('<=', 'more'), '>=': ('<=', 'at_least'), '==': ('!=', 'equal'), '!=': ('!=', 'unequal')}
-ASSIGNED = {'+=': 'add', '-=': 'subtract', '*=': 'multiply', '/=': 'divide'}
-CALLED = {'std::max': 'max_not_min', 'std::min': 'min_not_max', 'std::sin': 'sin_not_cos', 'std::cos': 'cos_not_sin'}
 LEAST_LIMIT, TIMES_HEALTHY, UNHEALTHY = 20, 10, 600  # seconds of a test; more than ten times as long is seen; seconds without a change
 COME_BY, REFUSED = 1, 2  # see all_in_one.hpp
-
-
-def held(mutant, number):
-    """(start, end, what stands there instead), as many as it takes; None where it needs a program of its own."""
-    m, old, at = mutant, mutant.old.strip(), 'polhode_mutant::'
-    if m.kind in ('operator', 'comparison') and old in INFIX:
-        carrier, name = INFIX[old]
-        return [(m.start, m.end, f' {carrier} {at}{name}<{number}>{{}} {carrier} ')]
-    if old in ASSIGNED: return [(m.start, m.end, f' |= {at}{ASSIGNED[old]}<{number}>{{}} |= ')]
-    if m.kind == 'sign': return [(m.start, m.end, f'{at}negated<{number}>{{}} / ')]
-    if m.kind == 'constant': return [(m.start, m.end, f'{at}constant<{number}>({m.old}, {m.new})')]
-    if old in CALLED: return [(m.start, m.end, f'{at}{CALLED[old]}<{number}>')]
-    if m.kind == 'omitted': return [(m.start, m.start, f'(void)({at}omitted<{number}>() || (('), (m.end - 1, m.end, '), true));')]
-    return None
-
-
-def written(source, numbered):
-    """The source with all of them; numbered: (number, mutant)."""
-    for start, end, text in sorted((part for number, m in numbered for part in held(m, number) or ()), reverse=True):
-        source = source[:start] + text + source[end:]
-    return source
 
 
 class AllInOne:
@@ -50,14 +26,14 @@ class AllInOne:
         self.b, self.mutants, self.overlay = build, mutants, Path(overlay).resolve()
         self.first = [f'-DPOLHODE_MUTANTS={len(mutants)}', '-include', HEADER]
         self.files = {m.file for m in mutants}
-        self.dropped = {n for n, m in enumerate(mutants) if not held(m, n)}
+        self.dropped = {n for n, m in enumerate(mutants) if not holds(m)}
         for file in self.files: self.write(file)
 
     def write(self, file):
         at = self.overlay / file
         at.parent.mkdir(parents=True, exist_ok=True)
         numbered = [(n, m) for n, m in enumerate(self.mutants) if m.file == file and n not in self.dropped]
-        at.write_text(written((self.b.tree / file).read_text(), numbered))
+        at.write_text(Source((self.b.tree / file).read_text(), numbered).written())
 
     def compiled(self, name, most=40):
         """Where that object of the build lies; drops lines until it compiles, or None."""
@@ -65,16 +41,22 @@ class AllInOne:
         for _ in range(most):
             code, said = self.b.compile(name, self.overlay, out, self.files, ['-O1', '-Wno-narrowing'], self.first)
             if code == 0: return out
-            blamed = {(Path(f).resolve().relative_to(self.overlay), int(line)) for f, line in re.findall(r'(\S+\.[ch]pp):(\d+)', said)
-                      if Path(f).resolve().is_relative_to(self.overlay)}
-            kept = [(n, m) for n, m in enumerate(self.mutants) if n not in self.dropped]
-            near = lambda reach: {n for n, m in kept if any(m.file == file and abs(m.line - line) <= reach for file, line in blamed)}
-            worst = near(0) or near(1) or near(3)  # of what spans lines, another may be blamed
+            worst = self.blamed(said)
             if not worst: break
             self.dropped |= worst
             for file in {self.mutants[n].file for n in worst}: self.write(file)
         print(f'not compiled with all changes: {name}', flush=True)
         return None
+
+    def blamed(self, said):
+        """The changes that the compiler speaks of, of what spans lines perhaps another; or all constants that it may have to know."""
+        places = {(Path(f).resolve().relative_to(self.overlay), int(line), int(column)) for f, line, column in re.findall(r'(\S+\.[ch]pp):(\d+):(\d+)', said)
+                  if Path(f).resolve().is_relative_to(self.overlay)}
+        texts = {file: (self.overlay / file).read_text() for file, _, _ in places}
+        for reach in (0, 1, 3):
+            if found := {n for file, line, column in places for near in range(line - reach, line + reach + 1)
+                         if (n := standing_at(texts[file], near, column)) is not None}: return found
+        return {n for file in self.files for n in at_start((self.overlay / file).read_text())}
 
     def program(self, target, objects, jobs, alone):
         """Of the target with these objects compiled so; alone: with no other object of its own."""
@@ -106,6 +88,15 @@ class Tests:
                 if byte == COME_BY: self.come_by[n].append(name); come_by.add(n)
                 elif byte == REFUSED: self.refused.add(n)
         self.refused -= come_by
+        self.ask_of_constants()
+
+    def ask_of_constants(self):
+        """What every program sets when it begins is asked of those tests that come by anything else of that source."""
+        begun = {n for n, tests in self.come_by.items() if len(tests) == len(self.seconds)}
+        near = collections.defaultdict(set)
+        for n, tests in self.come_by.items():
+            if n not in begun: near[self.mutants[n].file].update(tests)
+        for n in begun: self.come_by[n] = sorted(near[self.mutants[n].file])
 
     def run(self, name, limit, number=None, reached=None):
         """(exit code or None, seconds, bytes) of one test."""

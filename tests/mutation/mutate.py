@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The places of a source at which one small change makes a defect: operators, comparisons, constants, signs, calls."""
+import collections
 import hashlib
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 
@@ -17,13 +18,15 @@ class Mutant:
     new: str
     kind: str
     text: str  # the line, as it is
+    nth: int = 1  # of the changes of this source that are alike but for where they stand
 
     def name(self):
         return f'{self.file}:{self.line}: {self.old.strip()} -> {self.new.strip() or "(nothing)"}   in: {self.text.strip()}'
 
     def key(self):
         """The same as long as the line is: for the list of those that change nothing."""
-        return f'{self.file}: {self.text.strip()}: column {self.column - len(self.text) + len(self.text.lstrip())}: {self.old.strip()} -> {self.new.strip()}'
+        among = f' ({self.nth})' if self.nth > 1 else ''
+        return f'{self.file}: {self.text.strip()}: column {self.column - len(self.text) + len(self.text.lstrip())}: {self.old.strip()} -> {self.new.strip()}{among}'
 
     def applied(self, source):
         return source[:self.start] + self.new + source[self.end:]
@@ -55,7 +58,7 @@ def mutants_of(tree, file):
     source = (tree / file).read_text()
     blank = NOT_CODE.sub(lambda m: re.sub(r'[^\n]', '\0', m.group()), source)
     lines = source.split('\n')
-    found = []
+    found, alike = [], collections.Counter()
 
     def add(start, end, new, kind):
         line, column = source.count('\n', 0, start) + 1, start - source.rfind('\n', 0, start)
@@ -67,7 +70,11 @@ def mutants_of(tree, file):
     for m in NUMBER.finditer(blank): add(m.start(), m.end(), changed_number(m.group()), 'constant')
     for m in OMITTED.finditer(blank):
         if BEGINS.search(blank[:m.start()].replace('\0', '')): add(m.start() + len(m.group(1)), m.end(), ';', 'omitted')
-    return sorted(found, key=lambda m: (m.start, m.new))
+    found.sort(key=lambda m: (m.start, m.new))
+    for i, m in enumerate(found):
+        alike[m.key()] += 1
+        found[i] = replace(m, nth=alike[m.key()])
+    return found
 
 
 def order(mutant, seed):

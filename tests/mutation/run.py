@@ -190,12 +190,20 @@ class Together:
 
     def tried(self, mutants):
         self.of_sources([m for m in mutants if m.file.parts[0] == 'src' and m.file.suffix == '.cpp'])
+        self.of_own_headers([m for m in mutants if m.file.parts[0] == 'src' and m.file.suffix == '.hpp'])
         self.of_headers([m for m in mutants if m.file.parts[0] == 'integrators'])
         return self.fate
 
     def of_sources(self, mutants):
         own = lambda m: next(o for o in self.b.objects_of(m.file, 'polhode_laboratory.dir') if self.b.command[o][1].resolve() == (self.b.tree / m.file).resolve())
         self.over(mutants, UNIT, sorted({own(m) for m in mutants}), alone=False)
+
+    def of_own_headers(self, mutants):
+        """Compiled by tests and by the sources of these rooms, not by all that may run beside."""
+        files, rooms = {m.file for m in mutants}, set(files_of(self.b.tree, ROOMS))
+        of_room = lambda o: self.b.command[o][1].resolve().relative_to(self.b.tree) in rooms
+        self.over(mutants, UNIT, sorted(o for o, sources in self.b.depends.items() if files & sources and o in self.b.command
+                                        and ('polhode_unit.dir' in o or 'polhode_laboratory.dir' in o and of_room(o))), alone=True)
 
     def of_headers(self, mutants):
         for target, places in HEADER_TESTS.items():
