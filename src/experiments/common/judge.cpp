@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "statistics/multipliers.hpp"
+
 namespace polhode {
 
 using report::verdict_kind;
@@ -63,6 +65,25 @@ report::verdict judge_order(double expected, const std::optional<order_fit>& fit
     v.reason += fmt::format(", but the slope still nears the claim: [{:.3f}, {:.3f}] between the two finest levels",
                             fit->finest.low, fit->finest.high);
   }
+  return v;
+}
+
+report::verdict judge_sampled_order(double expected, const std::optional<order_fit>& fit) {
+  constexpr double half_widths = family_z / 1.96;
+  if (!fit)
+    return {.expected = expected, .reason = "fewer than four levels whose error is clear of the sampling error"};
+  auto v = judge_order(expected, fit, true);
+  if (v.kind == verdict_kind::skipped) return v;
+  const double half = half_width(*fit), beyond = std::fabs(fit->order - expected) - order_margin;
+  if (half > order_margin)
+    v.reason = fmt::format("order {:.3f} [{:.3f}, {:.3f}]: wider than the margin of {:g}", fit->order, fit->low,
+                           fit->high, order_margin);
+  else if (v.kind == verdict_kind::refuted && beyond <= half_widths * half)
+    v.reason += fmt::format(", beyond the margin by {:.1f} standard errors, of which {:.1f} would refute",
+                            1.96 * beyond / half, family_z);
+  else
+    return v;
+  v.kind = verdict_kind::inconclusive;
   return v;
 }
 

@@ -30,6 +30,11 @@ report::verdict_kind judge(double expected, double low, double high, double marg
 /// where they lie no nearer to the claim than the slope does; a slope that still nears the claim is inconclusive.
 report::verdict judge_order(double expected, const std::optional<order_fit>&, bool at_least);
 
+/// The same of a sampled order, which decides nothing where it is uncertain by more than the margin, and refutes where
+/// it lies beyond the margin by `family_z` of its standard errors: of 95 % intervals one in some thousand lies apart by
+/// chance.
+report::verdict judge_sampled_order(double expected, const std::optional<order_fit>&);
+
 /// Verdict on a distance that should vanish: holds below `bound`, refuted above it.
 report::verdict judge_distance(const interval_estimate&, double bound, const std::string& reason);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ensemble/noise/paths.hpp"
+#include "experiments/common/judge.hpp"
 #include "experiments/common/recorder.hpp"
 #include "experiments/common/sequential.hpp"
 #include "experiments/weak/coupled_levels.hpp"
@@ -57,18 +58,6 @@ void report_against(const reference_value& exact, const std::string& name, std::
   record.series(error);
 }
 
-report::verdict judge_slope(double expected, const std::optional<order_fit>& fit) {
-  if (!fit)
-    return {.expected = expected, .reason = "fewer than four levels whose error is clear of the sampling error"};
-  if (half_width(*fit) <= order_margin) return judge_order(expected, fit, true);
-  return {.expected = expected,
-          .estimate = fit->order,
-          .low = fit->low,
-          .high = fit->high,
-          .reason = fmt::format("order {:.3f} [{:.3f}, {:.3f}]: wider than the margin of {:g}", fit->order, fit->low,
-                                fit->high, order_margin)};
-}
-
 /// Of a long state fewer paths: each costs as much more.
 sampling_plan plan_for(const context& c) {
   constexpr int usual = 6, first = 1024;
@@ -116,7 +105,7 @@ void report_sampled_orders(const context& c, const std::vector<scheme_entry>& sc
                      levels.values(static_cast<int>(k), 0, sizes[k].used), record);
     record.value({"cost", "", "path-steps", "sampled"}, at_dt(dt.back()), levels.steps_of_a_path() * sizes[k].used);
     const auto truth = truth_over(sizes[k].used);
-    auto order = judge_slope(expected(schemes[k]), found[k].fits.back());
+    auto order = judge_sampled_order(expected(schemes[k]), found[k].fits.back());
     order.reason += fmt::format(" (of all {} observables together)", observables.size()) + how;
     hold_to(truth, order);
     record.verdict(weak_order_claim, std::move(order), written);

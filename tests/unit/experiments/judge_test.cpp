@@ -24,6 +24,7 @@ TEST(Judge, IntervalsDecide) {
   EXPECT_EQ(judge(1, 1.2, 1.3, 0.1), refuted);
   EXPECT_EQ(judge(1, NAN, 1, 0.1), inconclusive);
   EXPECT_EQ(judge(1, 1, HUGE_VAL, 0.1), inconclusive);
+  EXPECT_EQ(judge(1, 2, HUGE_VAL, 0.1), inconclusive);
 }
 
 // An end on the margin is inside; an interval that touches it there alone is not disjoint.
@@ -132,6 +133,32 @@ TEST(Judge, ASlopeThatFallsFarBelowTheClaimDoesNotNearIt) {
   EXPECT_EQ(judge_order(1, fit, false).kind, report::verdict_kind::refuted);
   fit.finest = {0.65, 0.6, 0.7};
   EXPECT_EQ(judge_order(1, fit, false).kind, report::verdict_kind::inconclusive);
+}
+
+order_fit sampled_order(double order, double half) {
+  return {
+      order, order - half, order + half, 1, std::vector<bool>(5, true), "", true, {order, order - half, order + half}};
+}
+
+// Of 3000 true claims one was 0.753 +- 0.1: 2.9 standard errors beyond the margin.
+TEST(Judge, ASampledOrderIsRefutedBeyondAllChance) {
+  using enum report::verdict_kind;
+  const auto of = [](double order, double half) { return judge_sampled_order(1, sampled_order(order, half)); };
+  EXPECT_EQ(of(1.02, 0.06).kind, holds);
+  EXPECT_EQ(of(1.6, 0.06).kind, holds);
+  EXPECT_EQ(of(0.95, 0.08).kind, inconclusive);
+  EXPECT_EQ(of(0.753, 0.0999).kind, inconclusive);
+  EXPECT_NE(of(0.753, 0.0999).reason.find("by 2.9 standard errors, of which 5.3 would refute"), std::string::npos);
+  EXPECT_EQ(of(0.5, 0.0999).kind, refuted);
+  EXPECT_EQ(of(0.5, 0.11).kind, inconclusive);
+  EXPECT_NE(of(0.5, 0.11).reason.find("wider than the margin of 0.1"), std::string::npos);
+  const double half = 0.4 * 1.96 / 5.33;  // 0.5 is 0.4 beyond the margin
+  ASSERT_GT(half, 0.1);
+  EXPECT_EQ(of(0.7, half / 2 * 0.999).kind, refuted);
+  EXPECT_EQ(of(0.7, half / 2 * 1.001).kind, inconclusive);
+  EXPECT_EQ(judge_sampled_order(1, {}).kind, inconclusive);
+  EXPECT_EQ(judge_sampled_order(NAN, sampled_order(1, 0.05)).kind, skipped);
+  EXPECT_EQ(judge_sampled_order(NAN, sampled_order(1, 0.5)).kind, skipped);
 }
 
 }  // namespace
