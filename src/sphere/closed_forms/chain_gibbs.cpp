@@ -87,8 +87,11 @@ class transfer_matrices {
   std::size_t bonds() const { return of_.closed ? size() : size() - 1; }
   bool is_uniform_ring() const {
     if (!of_.closed) return false;
-    for (std::size_t k = 0; k < size(); ++k)
-      if (length(k) != length(0) || strength(k) != strength(0)) return false;
+    for (std::size_t k = 0; k < size(); ++k) {
+      const auto &one = site(of_.sites[k]), &first = site(of_.sites[0]);
+      if (one.length != first.length || one.quadratic != first.quadratic || one.field != first.field) return false;
+      if (strength(k) != strength(0)) return false;
+    }
     return true;
   }
   std::size_t after(std::size_t k) const { return (k + 1) % size(); }

@@ -57,8 +57,8 @@ TEST(ChainGibbs, OfSpinsInAFieldWithoutBondsIsLangevins) {
 struct summed {
   double energy = 0, component = 0, square = 0;
 };
-summed by_sums(const chain_gibbs& law) {
-  const auto rule = sphere_quadrature(18);
+summed by_sums(const chain_gibbs& law, int degree) {
+  const auto rule = sphere_quadrature(degree);
   const auto n = rule.weights.size();
   const auto spin = [&](std::size_t site, Eigen::Index i) -> Eigen::Vector3d {
     return law.sites[site].length * rule.points.row(i).transpose();
@@ -83,11 +83,19 @@ summed by_sums(const chain_gibbs& law) {
   return {out.energy / total, out.component / total, out.square / total};
 }
 
-void expect_sums(const Eigen::Matrix3d& exchange) {
-  Eigen::Matrix3d tilted;
-  tilted << 0.5, 0.2, 0, 0.2, -0.4, 0.1, 0, 0.1, 0.3;
-  const chain_gibbs law{{{tilted, {0.2, 0, 0.4}, 1}, {tilted, {0, 0, 0.4}, 1.2}, free_spin(0.9)}, exchange, 1.1};
-  const auto truth = by_sums(law);
+Eigen::Matrix3d tilted() {
+  Eigen::Matrix3d out;
+  out << 0.5, 0.2, 0, 0.2, -0.4, 0.1, 0, 0.1, 0.3;
+  return out;
+}
+
+void expect_sums(const Eigen::Matrix3d& exchange,
+                 const std::vector<chain_site>& sites = {{tilted(), {0.2, 0, 0.4}, 1},
+                                                         {tilted(), {0, 0, 0.4}, 1.2},
+                                                         free_spin(0.9)},
+                 double beta = 1.1, int degree = 18) {
+  const chain_gibbs law{sites, exchange, beta};
+  const auto truth = by_sums(law, degree);
   EXPECT_NEAR(mean(law, "energy"), truth.energy, 1e-10);
   EXPECT_NEAR(mean(law, "s3_3"), truth.component, 1e-10);
   EXPECT_NEAR(mean(law, "mu_4^2"), truth.square, 1e-10);
@@ -97,6 +105,29 @@ TEST(ChainGibbs, OfARingIsWhatSumsOverAllPointsGive) {
   Eigen::Matrix3d ring;
   ring << 0, 0.6, -0.3, 0.6, 0, 0.5, -0.3, 0.5, 0;
   expect_sums(ring);
+}
+
+// Alike but for one thing: a bond, a length with bonds as strong, a field, a quadratic form.
+TEST(ChainGibbs, OfARingThatIsNearlyUniformIsWhatSumsOverAllPointsGive) {
+  const chain_site alike{tilted(), {0.2, 0, 0.4}, 1};
+  const std::vector<chain_site> sites(3, alike);
+  const Eigen::Matrix3d bonds = 0.6 * (Eigen::Matrix3d::Ones() - Eigen::Matrix3d::Identity());
+  expect_sums(bonds, sites, 0.4, 14);
+  auto changed = bonds;
+  changed(0, 2) = changed(2, 0) = -0.3;
+  expect_sums(changed, sites, 0.4, 14);
+  auto longer = sites;
+  longer[2].length = 1.5;
+  changed = bonds;
+  changed.row(2) /= 1.5;
+  changed.col(2) /= 1.5;
+  expect_sums(changed, longer, 0.4, 14);
+  auto turned = sites;
+  turned[2].field = {0.4, -0.5, 0};
+  expect_sums(bonds, turned, 0.4, 14);
+  auto stiffer = sites;
+  stiffer[2].quadratic = 2 * tilted();
+  expect_sums(bonds, stiffer, 0.4, 14);
 }
 
 TEST(ChainGibbs, OfAChainIsWhatSumsOverAllPointsGive) {
