@@ -91,12 +91,13 @@ class Tests:
         self.ask_of_constants()
 
     def ask_of_constants(self):
-        """What every program sets when it begins is asked of those tests that come by anything else of that source."""
+        """What every program sets when it begins is asked of those tests that come by anything else of that source, if any is tried."""
         begun = {n for n, tests in self.come_by.items() if len(tests) == len(self.seconds)}
         near = collections.defaultdict(set)
         for n, tests in self.come_by.items():
             if n not in begun: near[self.mutants[n].file].update(tests)
-        for n in begun: self.come_by[n] = sorted(near[self.mutants[n].file])
+        for n in begun:
+            if tests := near[self.mutants[n].file]: self.come_by[n] = sorted(tests)
 
     def run(self, name, limit, number=None, reached=None):
         """(exit code or None, seconds, bytes) of one test."""

@@ -224,5 +224,63 @@ TEST(NoiseLog, WhatIsSaidAnewStandsWhereItStood) {
   EXPECT_EQ(before, (std::vector<std::string>{"heun", "noise", "strang", "heun", "noise", "strang"}));
 }
 
+/// The increments of one lane alone, [step][row].
+struct path_increments {
+  std::vector<double> dw, area;
+  path_increments(const increment_view& v, const noise_layout& layout, int lane) {
+    const auto of = [&](std::span<const double> all, int rows, std::vector<double>& out) {
+      for (int i = 0; i < v.steps * rows; ++i) out.push_back(all[static_cast<std::size_t>(i * block_lanes + lane)]);
+    };
+    of(v.dw, layout.channels, dw);
+    of(v.area, layout.pairs(), area);
+  }
+};
+
+TEST(NoiseLog, PathsAreHeardOneByOneOrAloneAndJoined) {
+  const auto paper = bind_scene(load_scene("paper"));
+  const auto layout = paper.model->layout();
+  noise_log at_once(*paper.model, blocks), joined(*paper.model, blocks);
+  std::vector<noise_audit> audits(blocks, noise_audit(layout.active, layout.active_pairs()));
+  over_blocks(*paper.model, [&](int block, int first_step, const increment_view& v) {
+    if (first_step > 0) return;
+    for (int lane = 0; lane < block_lanes; ++lane) {
+      const path_increments one(v, layout, lane);
+      auto path = v;
+      path.dw = one.dw, path.area = one.area;
+      const int number = block * block_lanes + lane;
+      at_once.add_path(number, path, dt);
+      joined.join(number, joined.alone(number, path, dt, 0), 0);
+      audits[static_cast<std::size_t>(block)].add_path(
+          {v.steps, layout.channels, layout.pairs(), one.dw, {}, one.area, dt}, lane);
+    }
+  });
+  auto sum = audits[0];
+  for (std::size_t b = 1; b < blocks; ++b) sum.merge(audits[b]);
+  const auto expected = sum.deviations();
+  const auto most = std::ranges::max_element(expected, {}, [](const auto& d) { return std::fabs(d.z); });
+  for (const auto* log : {&at_once, &joined}) {
+    const auto found = report_of(*log);
+    ASSERT_EQ(found.measurements.size(), 1u);
+    EXPECT_EQ(found.measurements[0].observable, most->what);
+    EXPECT_NEAR(*found.measurements[0].value, most->z, 1e-12);
+  }
+}
+
+TEST(NoiseLog, HearsTheOneThatKeepsTheOrbitThenTheOneWithAreas) {
+  const auto scheme = [](const char* name, bool exact, bool areas) {
+    scheme_entry e{};
+    e.info.name = name;
+    e.info.casimir.exact = exact;
+    e.needs_areas = areas;
+    return e;
+  };
+  const auto plain = scheme("plain", false, false), areas = scheme("areas", false, true),
+             exact = scheme("exact", true, false), both = scheme("both", true, true);
+  EXPECT_EQ(heard_among({plain, areas, exact, both}).info.name, "both");
+  EXPECT_EQ(heard_among({plain, areas, exact}).info.name, "exact");
+  EXPECT_EQ(heard_among({plain, areas}).info.name, "areas");
+  EXPECT_EQ(heard_among({plain}).info.name, "plain");
+}
+
 }  // namespace
 }  // namespace polhode

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "experiments/common/progress_counter.hpp"
 #include "experiments/common/sequential.hpp"
 
 #include <gtest/gtest.h>
@@ -124,6 +125,15 @@ TEST(Sequential, ProgressIsTheShareOfTheBlocksThatAreDone) {
       {.subject = none, .threads = 2, .progress = [&](double share) { shares.push_back(share); }},
       {block_lanes, 5 * block_lanes}, 1, [](int, std::span<const int>) {}, [](int, int) { return false; });
   EXPECT_EQ(shares, (std::vector{1 / 5.0, 2 / 5.0, 3 / 5.0, 4 / 5.0, 1.0}));
+}
+
+TEST(Progress, OfAPartGoesOverItsShare) {
+  const subject none;
+  std::vector<double> heard;
+  const context whole{.subject = none, .progress = [&](double share) { heard.push_back(share); }};
+  const auto part = part_of(whole, 0.25, 0.75);
+  for (const double share : {0.0, 0.5, 1.0}) part.progress(share);
+  EXPECT_EQ(heard, (std::vector{0.25, 0.5, 0.75}));
 }
 
 }  // namespace

@@ -238,5 +238,10 @@ TEST(Gibbs, InAFieldAloneIsLangevins) {
     EXPECT_NEAR(law.energy_cdf(b * c * z), std::expm1(-x * (z + 1)) / std::expm1(-2 * x), 2e-3);
 }
 
+TEST(Equilibria, ARingOfLeastEnergyIsLeast) {
+  EXPECT_TRUE((equilibrium{{0, 0, 1}, 0, {0, 2}}.is_least()));
+  EXPECT_FALSE((equilibrium{{0, 0, 1}, 0, {-1, 2}}.is_least()));
+}
+
 }  // namespace
 }  // namespace polhode::test

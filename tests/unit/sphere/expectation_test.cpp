@@ -10,6 +10,8 @@
 #include "sphere/galerkin/raise_degree.hpp"
 #include "sphere/harmonics/backward_operator.hpp"
 #include "sphere/harmonics/harmonics.hpp"
+#include "sphere/spectral_gap.hpp"
+#include "sphere/stationary.hpp"
 #include "support/dense.hpp"
 #include "unit/sphere/problems.hpp"
 
@@ -151,6 +153,23 @@ TEST(Expectation, SeesWeakNoiseNextToFastRotation) {
     ASSERT_TRUE(found.value) << found.reason;
     EXPECT_LE(found.uncertainty, 1e-9);
     EXPECT_NEAR(*found.value, expected, found.uncertainty) << degree;
+  }
+}
+
+// A wanted degree has its proved bar alone, which grows with time, until 60 relaxations of the slowest have passed.
+TEST(Expectation, IsTheStationaryMeanLongAfter) {
+  const auto p = problem(0.4, Eigen::Vector3d(1, 0.7, 1.3).asDiagonal());
+  const auto gap = spectral_gap(p, std::numeric_limits<double>::infinity());
+  ASSERT_TRUE(gap.converged());
+  const double long_ago = 60 / (*gap.value - gap.uncertainty);
+  const auto f = observable("pi1^2");
+  const auto late = stationary_mean(p, f, 1e-10, 12);
+  ASSERT_TRUE(late.converged()) << late.reason;
+  for (const double share : {0.999, 1.001}) {
+    const auto found = expectation(p, f, start, share * long_ago, 1e-10, 12);
+    EXPECT_EQ(found.converged(), share > 1) << found.uncertainty;
+    EXPECT_EQ(found.forgotten, share > 1);
+    EXPECT_NEAR(*found.value, *late.value, 1e-10);
   }
 }
 

@@ -356,5 +356,14 @@ TEST(PairExpectation, OfAPathFollowsAsManyTurnsAsItMay) {
   EXPECT_FALSE(after(2.5e6 + 1));
 }
 
+TEST(PairExpectation, NoiseOnOneOfThemIsNoise) {
+  auto pair = bound(0.8, 0.5, 0, false);
+  EXPECT_FALSE(pair.has_noise());
+  pair.sites[1].covariance = one;
+  EXPECT_TRUE(pair.has_noise());
+  std::swap(pair.sites[0], pair.sites[1]);
+  EXPECT_TRUE(pair.has_noise());
+}
+
 }  // namespace
 }  // namespace polhode::test

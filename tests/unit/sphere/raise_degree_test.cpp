@@ -148,5 +148,24 @@ TEST(NotConverged, SaysWhichDegreeWouldBeNeeded) {
   EXPECT_EQ(not_converged(1e-3, 8, NAN), "not converged to 0.001: degree 8 is the last that is affordable");
 }
 
+TEST(NotConverged, AFewDegreesAreNamedToo) {
+  EXPECT_EQ(not_converged(1e-3, 0, 1.6),
+            "not converged to 0.001: no affordable degree answers, and about 2 would be needed");
+  EXPECT_EQ(not_converged(1e-3, 12, 30),
+            "not converged to 0.001: degree 12 is the last that is affordable, and about 30 would be needed");
+}
+
+TEST(RaiseDegree, NamesTheToleranceThatTheLastValueSets) {
+  told t{{{8, {5, 0, 1}}, {12, {5, 0, 1}}, {16, {5, 0, 1}}, {24, {5, 0, 1}}, {32, {5, 0, 1}}}};
+  EXPECT_EQ(t.raised({.absolute = unbounded, .relative = 0.01}, 0).reason,
+            "not converged to 0.05: degree 32 is the last that is affordable");
+}
+
+TEST(RaiseDegree, WithoutASizeAgreementSaysNothing) {
+  told t{{{8, {5, 0}}, {12, {5, 0}}, {16, {5, 0}}, {24, {5, 0}}, {32, {5, 0}}}};
+  EXPECT_FALSE(t.raised({.absolute = 1e-3}, 0).value);
+  EXPECT_TRUE(t.raised({.absolute = 1e-3, .size = 1}, 0).converged());
+}
+
 }  // namespace
 }  // namespace polhode

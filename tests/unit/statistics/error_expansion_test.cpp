@@ -179,5 +179,19 @@ TEST(FinestOrder, AnErrorOfZeroIsNoLevel) {
   EXPECT_NEAR(fit->order, 1, 1e-14);
 }
 
+// Slopes of 1 + d, 1 + d and 1: by 1.5 d they changed, which settles up to 0.05. Each level has its own uncertainty.
+TEST(FinestOrder, SettlesWhereItsSlopesChangedByATwentiethAtMost) {
+  const std::vector<double> dt{0.5, 0.25, 0.125, 0.0625};
+  for (const double d : {0.03332, 0.03335}) {
+    const std::vector<double> error{0.3 * std::exp2(3 + 2 * d), 0.3 * std::exp2(2 + d), 0.6, 0.3};
+    const std::vector<double> sure{0, 0, 3e-4 * error[2], 2e-4 * error[3]};
+    const auto fit = fit_finest_order(dt, error, sure, 50);
+    ASSERT_TRUE(fit);
+    EXPECT_NEAR(fit->order, 1, 1e-13);
+    EXPECT_NEAR(fit->high - fit->order, 1.5 * d + 5e-4 / std::log(2.0), 1e-12);
+    EXPECT_EQ(fit->asymptotic, d < 0.05 / 1.5);
+  }
+}
+
 }  // namespace
 }  // namespace polhode

@@ -144,5 +144,27 @@ TEST(ErrorModel, LevelsWithoutScatterAreKnownWellAndNotWithoutEnd) {
   EXPECT_EQ(fit_error_model(dt, e, used, 1, 1).limit.high, 0);
 }
 
+// Least squares by hand: each level weighs by its mean, that of zeros as the best of the others.
+TEST(ErrorModel, LevelsWithoutScatterWeighByTheirMeans) {
+  const std::vector<double> dt{0.31, 0.17, 0.08, 0.045, 0.02};
+  for (const double last : {0.05, 0.0}) {
+    const std::vector<double> mean{0.9, 0.31, 0.12, 0.06, last};
+    squared_errors e{2, 5, {}};
+    for (int path = 0; path < 2; ++path) e.values.insert(e.values.end(), mean.begin(), mean.end());
+    Eigen::MatrixXd design(5, 3);
+    Eigen::VectorXd right(5);
+    for (Eigen::Index l = 0; l < 5; ++l) {
+      const double h = dt[static_cast<std::size_t>(l)], m = mean[static_cast<std::size_t>(l)];
+      const double error = m > 0 ? m : 0.06;
+      design.row(l) << 1 / error, h / error, h * h / error;
+      right[l] = m / error;
+    }
+    const double square = design.colPivHouseholderQr().solve(right)[0];
+    const double found = fit_error_model(dt, e, std::vector<bool>(5, true), 0.5, 1).limit.value;
+    EXPECT_NEAR(found, square > 0 ? std::sqrt(square) : 0, 1e-10) << square;
+    EXPECT_EQ(square > 0, last > 0) << square;
+  }
+}
+
 }  // namespace
 }  // namespace polhode

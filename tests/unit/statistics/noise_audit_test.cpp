@@ -412,5 +412,19 @@ TEST(NoiseAudit, AreasOfFourChannelsShareOneOrNone) {
     }
 }
 
+// A block is known by its first steps alone, whatever comes again later.
+TEST(NoiseAudit, WhatComesAgainInABlockIsNoPathThatStartsAlike) {
+  const auto dw = scaled(drawn(8, 12), std::sqrt(dt));
+  noise_audit audit(channels, 0);
+  for (int piece = 0; piece < 3; ++piece) audit.add({8, channels, 0, dw, {}, {}, dt});
+  EXPECT_EQ(stated(audit, "number of paths that start alike"), 0);
+}
+
+TEST(NoiseAudit, APathWithoutNoiseIsNotHeard) {
+  noise_audit audit(channels, 0);
+  audit.add_path({5, channels, 0, {}, {}, {}, dt}, 0);
+  EXPECT_EQ(audit.increments(), 0);
+}
+
 }  // namespace
 }  // namespace polhode

@@ -294,5 +294,19 @@ TEST(PowerOfMeans, ALevelWithoutScatterWeighsAsOneKnownTo12Digits) {
   EXPECT_NEAR(power_of_means(x, values).value_or(0), line_through(levels).slope, 1e-10);
 }
 
+// The coarsest lies on the line of the others, which scatter by more than is settled.
+TEST(OrderFit, ExactLevelsThatScatterHaveNotSettled) {
+  const auto dt = halvings(4);
+  for (const double b : {0.01, 0.06}) {
+    const std::vector<double> off{0, b, -2 * b, b};
+    std::vector<double> value;
+    for (std::size_t i = 0; i < 4; ++i) value.push_back(dt[i] * std::exp2(off[i]));
+    const auto fit = fit_order(dt, value, 0);
+    ASSERT_TRUE(fit);
+    EXPECT_EQ(fit->used, std::vector<bool>(4, true));
+    EXPECT_EQ(fit->asymptotic, b < 0.02);
+  }
+}
+
 }  // namespace
 }  // namespace polhode

@@ -136,5 +136,25 @@ TEST(PowerSeries, BestDegreeIsEightAtMostAndTheLowestOfEqualOnes) {
   for (const int k : {0, 1, 2}) EXPECT_EQ(series_term_by_best_degree(steps, zeros, zeros, k)->degree, k + 1) << k;
 }
 
+// Levels 1, 1/2, 1/4: their Lagrange polynomials at zero are 1/3, -2, 8/3, of the finer two -1 and 2.
+TEST(PowerSeries, IsAsUncertainAsThreeNextTermsOrAnEighthOfTheOneBefore) {
+  const std::vector<double> three{1, 0.5, 0.25}, none(3, 0.0);
+  const auto half = [&](const std::vector<double>& value) {
+    const auto found = series_by_all_levels(three, value, none, 1)[0];
+    return (found.high - found.low) / 2;
+  };
+  EXPECT_NEAR(half({0.3, 0, 0}), 3 * 0.1, 1e-15);
+  EXPECT_NEAR(half({0.6, 0.2, 0}), 3 * 0.2 / 8, 1e-15);  // the last change is none, the one before -0.2
+}
+
+TEST(PowerSeries, NoDegreeBeyondEightIsTried) {
+  std::vector<double> steps, value;
+  for (int i = 11; i > 0; --i) steps.push_back(i / 8.0);
+  for (const double h : steps) value.push_back(2 + std::pow(h, 8));
+  const auto found = series_term_by_best_degree(steps, value, std::vector<double>(steps.size(), 0.0), 0);
+  ASSERT_TRUE(found);
+  EXPECT_LE(found->degree, 8);
+}
+
 }  // namespace
 }  // namespace polhode

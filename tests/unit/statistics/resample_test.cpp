@@ -59,5 +59,15 @@ TEST(ResampledMeans, AreMeansOfWholePaths) {
   EXPECT_NEAR(variance, 21 / 4.0 / 8, 0.25 * 21 / 4.0 / 8);
 }
 
+// Of two Student's law of one degree is Cauchy's: t = tan(0.95 pi / 2), times the root of two.
+TEST(BootstrapInterval, OfTwoIsAlmostAll) {
+  std::vector<double> replicates(1001);
+  std::iota(replicates.begin(), replicates.end(), 0.0);
+  const double share = std::erf(std::tan(0.3 * std::acos(-1) / 2));  // sqrt(2) t / sqrt(2)
+  const auto [low, high] = bootstrap_interval(replicates, 0.3, 2);
+  EXPECT_EQ(low, std::round(500 * (1 - share)));
+  EXPECT_EQ(high, std::round(500 * (1 + share)));
+}
+
 }  // namespace
 }  // namespace polhode

@@ -84,5 +84,13 @@ TEST(KolmogorovSmirnov, DistanceIsAlsoThatJustBelowANumber) {
   EXPECT_NEAR(ks_distance(x, [](double t) { return t; }).value, 0.8 - 1.0 / 3, 1e-15);
 }
 
+// P(X >= 0) = 1, P(X >= 1) = 1 - exp(-m), P(X <= 0) = exp(-m).
+TEST(Poisson, TailsOfFewCounts) {
+  EXPECT_EQ(poisson_upper(0, 0.7), 1);
+  EXPECT_NEAR(poisson_upper(1, 0.7), 1 - std::exp(-0.7), 1e-15);
+  EXPECT_NEAR(poisson_upper(2, 0.7), 1 - 1.7 * std::exp(-0.7), 1e-15);
+  EXPECT_NEAR(poisson_lower(0, 0.7), std::exp(-0.7), 1e-15);
+}
+
 }  // namespace
 }  // namespace polhode
