@@ -143,12 +143,13 @@ std::vector<audited_noise> as_of_one_run(std::span<const report::results> runs,
         out.push_back(next);
         continue;
       }
-      const auto one = *known;
-      if (further(one, next)) *known = next;
-      if (one.scheme != next.scheme) continue;
-      const auto& areas = next.areas > one.areas ? next : one;
-      known->areas = areas.areas;
-      known->of_areas = areas.of_areas;
+      auto both = further(*known, next) ? next : *known;
+      if (known->scheme == next.scheme) {
+        const auto& areas = next.areas > known->areas ? next : *known;
+        both.areas = areas.areas;
+        both.of_areas = areas.of_areas;
+      }
+      *known = std::move(both);
     }
   return out;
 }

@@ -64,7 +64,7 @@ class transfer_matrices {
     for (const int site : of.sites) {
       VectorXd own = site_energies(site);
       const double least = own.minCoeff();
-      mass_.push_back(((least - own.array()) * law.beta).exp() * rule.weights.array());
+      mass_.emplace_back(((least - own.array()) * law.beta).exp() * rule.weights.array());
     }
   }
 
@@ -201,8 +201,8 @@ bool chain_gibbs::solvable() const {
   return true;
 }
 
-std::optional<reference_value> chain_gibbs::mean(std::string_view name) const {
-  const auto f = site_observable_named(name, static_cast<int>(sites.size()));
+std::optional<reference_value> chain_gibbs::mean(std::string_view observable) const {
+  const auto f = site_observable_named(observable, static_cast<int>(sites.size()));
   if (!f) return std::nullopt;
   const auto all = components_of(exchange);
   const int most = std::ranges::any_of(all, &component::closed) ? most_degree_of_rings : most_degree;
