@@ -20,7 +20,7 @@ COME_BY, REFUSED = 1, 2  # see all_in_one.hpp
 
 
 class AllInOne:
-    """Writes the sources under `overlay`, and compiles; what the compiler does not take is dropped line by line."""
+    """Writes the sources under `overlay`, and compiles; what the compiler does not take is dropped."""
 
     def __init__(self, build, mutants, overlay):
         self.b, self.mutants, self.overlay = build, mutants, Path(overlay).resolve()

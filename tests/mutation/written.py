@@ -12,8 +12,6 @@ CALLED = {'std::max': 'max_not_min', 'std::min': 'min_not_max', 'std::sin': 'sin
 LAZY = ('&&', '||')
 # A constant of its own line, which may as well be known when the program begins as when it is compiled.
 KNOWN_EARLY = re.compile(r'^( *(?:inline )?)constexpr(?= (?:double|int|auto|std::array|std::size_t|std::int64_t|Eigen::Index)\b[^();]*?(?:\{| = ))', re.M)
-# A constant of its own line, which may as well be known when the program begins as when it is compiled.
-KNOWN_EARLY = re.compile(r'^( *(?:inline )?)constexpr(?= (?:double|int|auto|std::array|std::size_t|std::int64_t|Eigen::Index)\b[^();]*?(?:\{| = ))', re.M)
 IN_TEXT = re.compile(r'polhode_mutant::\w+<(\d+)>')
 BINDS_LESS = re.compile(r'[?,;]|(?<!:):(?!:)|(?<![=!<>])=(?!=)|\breturn\b')  # than || does
 OPENS, CLOSES = '([{', ')]}'
@@ -56,7 +54,7 @@ def whole(code, mutant):
             elif depth == 0 and matched(at): return at
         return None
     found = {m.start(): m.end() for m in ends.finditer(code)}
-    last = {end - 1: end for end in found.values()}
+    last = {end - 1 for end in found.values()}
     before = reach(range(mutant.start - 1, -1, -1), CLOSES, OPENS, last.__contains__)
     after = reach(range(mutant.end, len(code)), OPENS, CLOSES, found.__contains__)
     return before + 1, after

@@ -69,18 +69,18 @@ report::verdict judge_order(double expected, const std::optional<order_fit>& fit
 }
 
 report::verdict judge_sampled_order(double expected, const std::optional<order_fit>& fit) {
-  constexpr double half_widths = family_z / 1.96;
   if (!fit)
     return {.expected = expected, .reason = "fewer than four levels whose error is clear of the sampling error"};
   auto v = judge_order(expected, fit, true);
   if (v.kind == verdict_kind::skipped) return v;
   const double half = half_width(*fit), beyond = std::fabs(fit->order - expected) - order_margin;
+  const double standard_errors = 1.96 * beyond / half;
   if (half > order_margin)
     v.reason = fmt::format("order {:.3f} [{:.3f}, {:.3f}]: wider than the margin of {:g}", fit->order, fit->low,
                            fit->high, order_margin);
-  else if (v.kind == verdict_kind::refuted && beyond <= half_widths * half)
+  else if (v.kind == verdict_kind::refuted && standard_errors <= family_z)
     v.reason += fmt::format(", beyond the margin by {:.1f} standard errors, of which {:.1f} would refute",
-                            1.96 * beyond / half, family_z);
+                            standard_errors, family_z);
   else
     return v;
   v.kind = verdict_kind::inconclusive;
