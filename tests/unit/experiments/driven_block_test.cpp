@@ -119,6 +119,14 @@ TEST_F(driven, TruthAndTwinsAreTheEquationDrivenByTheirIncrements) {
   }
 }
 
+TEST_F(driven, TruthIsKeptAtTheEndOfAStepUnlessAskedFor) {
+  const auto s = paper();
+  const auto kernels = driven_kernels_of(s, grid, cells);
+  const context c{.subject = s, .seed = 3};
+  EXPECT_EQ(driven_block(c, grid, cells, {}, kernels).course().size(), 1u);
+  EXPECT_EQ(driven_block(c, grid, cells, {}, kernels, 4).course().size(), 4u);
+}
+
 TEST_F(driven, ResponsesAreTheDerivativesOfItsTwin) {
   const auto s = paper();
   const auto kernels = driven_kernels_of(s, grid, cells);

@@ -11,38 +11,12 @@
 #include "sphere/galerkin/poisson.hpp"
 #include "sphere/harmonics/backward_operator.hpp"
 #include "sphere/harmonics/harmonics.hpp"
-#include "sphere/products/pair_expectations.hpp"
 #include "sphere/products/pair_generator.hpp"
 #include "support/dense.hpp"
-#include "unit/sphere/problems.hpp"
+#include "unit/sphere/pairs.hpp"
 
 namespace polhode::test {
 namespace {
-
-using momenta = Eigen::Matrix<double, 6, 1>;
-
-const Eigen::Matrix3d none = Eigen::Matrix3d::Zero(), one = Eigen::Matrix3d::Identity();
-const Eigen::Vector3d first(0, 0.6, 0.8), second(0.8, 0, -0.6);
-
-momenta both(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  momenta out;
-  out << a, b;
-  return out;
-}
-
-/// Two unit spins that nothing but exchange binds, each under isotropic noise: of its own, or the same.
-sphere_pair bound(double exchange, double damping, double sigma, bool same_noise) {
-  const sphere_problem spin{none, damping, 1, sigma * sigma * one};
-  return {{spin, spin}, exchange, same_noise ? Eigen::Matrix3d(sigma * sigma * one) : none};
-}
-
-sphere_pair bodies() {
-  return {{body_on_sphere({1, 2, 3}, 0.4, 1, 0.09 * one), body_on_sphere({1.25, 2.5, 1.6}, 0.4, 1, 0.09 * one)}, 0.3};
-}
-
-reference_value expected(const sphere_pair& pair, const momenta& start, double time, const char* name, double share) {
-  return pair_expectations(pair, start, time).of(*site_observable_named(name, 2), share);
-}
 
 /// E[f] at that degree, f given by its coefficients.
 double propagated_at(const sphere_pair& pair, const momenta& start, double time, int degree, const Eigen::VectorXd& f) {
@@ -244,21 +218,6 @@ TEST(PairExpectation, ProvedBarsHoldAtEveryDegree) {
   }
 }
 
-TEST(PairExpectation, WithoutNoiseIsThePath) {
-  const double exchange = 0.8, time = 20;
-  const Eigen::Vector3d sum = first + second;
-  const Eigen::Vector3d turned = Eigen::AngleAxisd(-exchange * sum.norm() * time, sum.normalized()) * first;
-  holds(expected(bound(exchange, 0, 0, false), both(first, second), time, "mu_2", 1e-9), turned[1], 1e-11);
-}
-
-// u = S_1.S_2 of two unit spins without noise: u' = -2 theta J (1 - u^2).
-TEST(PairExpectation, OfAPathFollowsTheDissipation) {
-  const double exchange = 0.8, damping = 0.5, time = 1.5, u = first.dot(second);
-  const double after = std::tanh(std::atanh(u) - 2 * damping * exchange * time);
-  holds(expected(bound(exchange, damping, 0, false), both(first, second), time, "energy", 1e-9), exchange * after,
-        1e-12);
-}
-
 // The site of which most is asked tells, in its field and that of its partner.
 TEST(PairExpectation, SaysWhatDegreeTheHarderSiteWouldTake) {
   const sphere_problem hard{Eigen::Vector3d(1, 0.5, 0.2).asDiagonal(), 2, 0.8, 1e-6 * one, {0.1, -0.2, 0.2}};
@@ -304,56 +263,6 @@ TEST(PairExpectation, SaysWhereNoDegreeWillDo) {
   EXPECT_FALSE(found.converged());
   EXPECT_NE(found.reason.find("not converged"), std::string::npos) << found.reason;
   EXPECT_TRUE(!found.value || found.uncertainty > 1e-4);
-}
-
-// Both at rest on the axis of their exchange and field: two ways of following agree, and rounding is left.
-TEST(PairExpectation, OfAPathIsNeverMoreCertainThanRounding) {
-  for (const double radius : {1.0, 100.0}) {
-    const sphere_problem site{none, 0.2, radius, none, {0, 0, 0.5}};
-    pair_expectations at_rest({{site, site}, 0.3}, radius * both({0, 0, 1}, {0, 0, 1}), 2, 8);
-    const auto found = at_rest.of({.site = 0, .axis = 2, .power = 1}, 1e-9);
-    EXPECT_EQ(found.value, radius);
-    EXPECT_EQ(found.uncertainty, 1e-14 * radius);
-  }
-}
-
-// Both turn at |A| |Pi| + |b| + |J| |mu|, times 1 + theta |Pi|.
-TEST(PairExpectation, OfAPathRefusesMoreTurnsThanCanBeFollowed) {
-  const sphere_problem site{Eigen::Vector3d(0, 0, 2).asDiagonal(), 0.5, 3, none, {0, 0, 0.5}};
-  const double turning = 2 * (2 * 3 + 0.5 + 0.3 * std::sqrt(18.0)) * (1 + 0.5 * 3);
-  pair_expectations long_({{site, site}, 0.3}, 3 * both(first, second), 1.01e7 / turning, 8);
-  const auto found = long_.of({.site = 0, .axis = 2, .power = 1}, 1e-9);
-  EXPECT_FALSE(found.value);
-  EXPECT_EQ(found.reason, "no noise, and too many turns to follow");
-}
-
-// At rest a path is followed at once, so that the limit is seen from below as well: both rates, times 1 + theta |Pi|.
-TEST(PairExpectation, OfAPathCountsTheTurnsOfBoth) {
-  const sphere_problem site{Eigen::Vector3d(0, 0, 0.4).asDiagonal(), 0.3, 1.5, none, {0, 0, 0.5}};
-  auto other = site;
-  other.radius = 0.8;
-  const sphere_pair pair{{site, other}, -0.7};
-  const momenta start = both({0, 0, 1.5}, {0, 0, 0.8});
-  const double felt = 0.5 + 0.7 * start.norm();
-  const double turning = (0.4 * 1.5 + felt) * (1 + 0.3 * 1.5) + (0.4 * 0.8 + felt) * (1 + 0.3 * 0.8);
-  const auto within = [&](double turns) {
-    return pair_expectations(pair, start, turns / turning, 8).of({.site = 0, .axis = 2, .power = 1}, 1e-9).value;
-  };
-  EXPECT_EQ(within(0.99e7), 1.5);
-  EXPECT_FALSE(within(1.01e7));
-}
-
-// Turns of 0.75 + 0.25 * 5 for each, of which the limit is a whole number.
-TEST(PairExpectation, OfAPathFollowsAsManyTurnsAsItMay) {
-  sphere_problem site{none, 0, 3, none, {0, 0, 0.75}}, other = site;
-  other.radius = 4;
-  const auto after = [&](double time) {
-    return pair_expectations({{site, other}, 0.25}, both({0, 0, 3}, {0, 0, 4}), time, 8)
-        .of({.site = 1, .axis = 2, .power = 1}, 1e-9)
-        .value;
-  };
-  EXPECT_EQ(after(2.5e6), 4);
-  EXPECT_FALSE(after(2.5e6 + 1));
 }
 
 TEST(PairExpectation, NoiseOnOneOfThemIsNoise) {
