@@ -77,5 +77,33 @@ TYPED_TEST(LocalError, FallsAsTheStrongOrderSaysWhereNoiseDependsOnTheState) {
   }
 }
 
+/// As one is that brings no flow of its noise: the mean of both ends of a step is taken.
+struct without_own_flow : varying_spin {
+  explicit without_own_flow(const varying_spin& s) : varying_spin(s) {}
+  void noise_flow(const vec<double, 3>&, const wiener<double, 3>&) const = delete;
+};
+
+template <class Scheme>
+struct LocalErrorOfSplittings : testing::Test {};
+using splittings = testing::Types<strang, lie_trotter>;
+TYPED_TEST_SUITE(LocalErrorOfSplittings, splittings);
+
+TYPED_TEST(LocalErrorOfSplittings, FallsAsTheStrongOrderSaysWithoutAFlowOfNoiseThatDependsOnTheState) {
+  for (const auto form : {state_noise::damped, state_noise::quadratic}) {
+    const without_own_flow many(varying(form, 3)), one(varying(form, 1));
+    expect_local_order<TypeParam>(many, paper_momentum, TypeParam::info.strong_order.general);
+    expect_local_order<TypeParam>(one, paper_momentum, TypeParam::info.strong_order.commuting);
+  }
+}
+
+TEST(VaryingSpin, HasNoNoiseOneVectorOrNoiseThatDependsOnTheState) {
+  for (const auto form : {state_noise::damped, state_noise::quadratic}) {
+    EXPECT_EQ(varying(form, 0).classify(), noise_class::none);
+    EXPECT_EQ(varying(form, 1).classify(), noise_class::one_vector);
+    EXPECT_EQ(varying(form, 2).classify(), noise_class::state_dependent);
+    EXPECT_EQ(varying(form, 3).classify(), noise_class::state_dependent);
+  }
+}
+
 }  // namespace
 }  // namespace polhode::test

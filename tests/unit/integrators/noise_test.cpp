@@ -20,6 +20,21 @@ four_words philox4x32_10(const four_words& counter, std::uint64_t seed) {
   return out;
 }
 
+// The format of docs/reproducibility.md: with another one every seed would have other noise.
+TEST(NoiseAddress, IsTwoHalvesOfStepAndBlockAndOfPathKindAndUse) {
+  const std::uint64_t step = 0x0123'4567'89AB, path = 0xBA98'7654'3210;
+  const std::pair<noise_kind, std::uint64_t> kinds[] = {
+      {noise_kind::increment, 0}, {noise_kind::area, 1}, {noise_kind::initial_state, 2}, {noise_kind::resampling, 3}};
+  const std::pair<block_use, std::uint64_t> uses[] = {
+      {block_use::precise, 0}, {block_use::fast, 0x8000}, {block_use::fast_tail, 0x4000}};
+  for (const auto& [kind, of_kind] : kinds)
+    for (const auto& [use, of_use] : uses) {
+      const auto c = counter<std::uint64_t>({7, kind, 99, step}, path, 5, use);
+      EXPECT_EQ(c[0], step + (std::uint64_t{5} << 48));
+      EXPECT_EQ(c[1], path + ((of_kind + of_use) << 48));
+    }
+}
+
 // Known answers of the Random123 distribution (kat_vectors, philox4x32-10).
 TEST(Philox, KnownAnswers) {
   EXPECT_EQ(philox4x32_10({0, 0, 0, 0}, 0), (four_words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
