@@ -2,7 +2,9 @@
 // What every Lie algebra of lie/ must do, against matrices. A new one adds its name and a state.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <complex>
+#include <numbers>
 
 #include <polhode/dual.hpp>
 #include <polhode/lie/se2.hpp>
@@ -147,6 +149,23 @@ TYPED_TEST(LieAlgebra, DexpInvIsItsSeries) {
     }
     EXPECT_LE(on::distance(algebra::dexp_inv(u, v), sum), 2e-15) << size;
   }
+}
+
+/// As far as its series is used: B_2k / (2k)! = 2 (-1)^(k+1) zeta(2k) / (2 pi)^2k, to k = 15.
+TYPED_TEST(LieAlgebra, DexpInvIsItsSeriesAsFarAsThatReaches) {
+  using on = TypeParam;
+  using algebra = typename on::algebra;
+  const auto u = on::some(5, 0.6), v = on::some(6, 1.0);
+  auto term = algebra::bracket(u, v);
+  auto sum = v - 0.5 * term;
+  double power = 1;
+  for (int k = 1; k <= 15; ++k) {
+    power /= -4 * std::numbers::pi * std::numbers::pi;
+    term = algebra::bracket(u, term);
+    sum = sum + (-2 * power * std::riemann_zeta(2.0 * k)) * term;
+    term = algebra::bracket(u, term);
+  }
+  EXPECT_LE(on::distance(algebra::dexp_inv(u, v), sum), 1e-13);
 }
 
 TYPED_TEST(LieAlgebra, ProjectionPutsAStateBackOntoItsOrbit) {
