@@ -3,13 +3,13 @@
 // of bodies, one as the spin, the body in three dimensions as the rigid body, that in four as a pair.
 #include <gtest/gtest.h>
 
-#include <polhode/dual.hpp>
 #include <polhode/integrate.hpp>
 #include <polhode/systems/sine_euler.hpp>
 #include <polhode/systems/son_body.hpp>
 #include <polhode/systems/spins.hpp>
 
 #include "references/wong_zakai_equation.hpp"
+#include "support/dual_step.hpp"
 #include "support/schemes.hpp"
 #include "support/spin.hpp"
 
@@ -18,6 +18,8 @@ namespace {
 
 using group = spins::group;
 constexpr double coupling = 0.3, theta = 0.4, strength = 0.3;
+const Eigen::Matrix3d quadratic{{1, 0.3, -0.2}, {0.3, -0.5, 0.1}, {-0.2, 0.1, 0.2}};
+constexpr std::array<double, 3> field{0.3, -0.2, 0.5};
 
 template <int Most, class V>
 vec<double, Most> sized(const V& v) {
@@ -46,8 +48,8 @@ auto sized_increment(std::uint64_t step) {
 }
 
 spins two_spins() {
-  const Eigen::Matrix3d quadratic = Eigen::Vector3d(1, 1.0 / 2, 1.0 / 3).asDiagonal();
-  return {quadratic, {0, 0, 0}, Eigen::Matrix2d::Constant(coupling), theta, spins::isotropic(strength, 6)};
+  const Eigen::Matrix3d inverse_inertia = Eigen::Vector3d(1, 1.0 / 2, 1.0 / 3).asDiagonal();
+  return {inverse_inertia, {0, 0, 0}, Eigen::Matrix2d::Constant(coupling), theta, spins::isotropic(strength, 6)};
 }
 so4_body two_bodies() { return {{1, 2, 3, 1, 2, 3}, coupling, theta, so4_body::isotropic(strength)}; }
 
@@ -93,53 +95,19 @@ TYPED_TEST(SizedSystems, TwoSpinsMoveAsThePairOfBodies) {
 
 /// The same system in registers: one spin a part of so(4), in a field that is not along an axis.
 TYPED_TEST(SizedSystems, TwoSpinsMoveAsThePairOfSpins) {
-  Eigen::Matrix3d quadratic;
-  quadratic << 1, 0.3, -0.2, 0.3, -0.5, 0.1, -0.2, 0.1, 0.2;
-  const std::array<double, 3> field{0.3, -0.2, 0.5};
   const Eigen::Matrix2d exchange = Eigen::Matrix2d::Constant(coupling);
   const spin_pair fixed(quadratic, field, exchange, theta, spin_pair::isotropic(strength));
   const spins open(quadratic, field, exchange, theta, spins::isotropic(strength, 6));
   EXPECT_LE(apart<TypeParam>(fixed, open, pair_state, 0.05, 200), 1e-12);
 }
 
-/// The step with dual numbers against differences of the step with doubles, along a tangent of the orbit, and its value
-/// against that step.
-template <class Scheme, class System, int N>
-void duals_give_the_derivative(const System& system, const vec<double, N>& start) {
-  using number = dual<double, 1>;
-  constexpr double h = 1e-5;
-  const auto w = sized_increment<System, N>(0);
-  const auto stepped = prepared<Scheme>(system, w.dt);
-  wiener_levy<number, System::channels> constant;
-  constant.dt = w.dt;
-  constant.dw = zeros<vec<number, System::channels>>(w.dw.size);
-  constant.area = zeros<vec<number, pairs_of<System::channels>>>(w.area.size);
-  for (int k = 0; k < w.dw.size; ++k) constant.dw[k] = w.dw[k];
-  for (int k = 0; k < w.area.size; ++k) constant.area[k] = w.area[k];
-  const auto mu = sized<System::dimension>(start);
-  auto xi = mu;
-  for (int k = 0; k < N; ++k) xi[k] = 0.5 - 0.3 * (k % 3);
-  const auto tangent = System::algebra::coad(xi, mu);
-  vec<number, System::dimension> x(N);
-  for (int k = 0; k < N; ++k) x[k] = number(mu[k], {{tangent[k]}});
-  x = Scheme::step(stepped, x, constant);
-  const auto here = Scheme::step(stepped, mu, w), ahead = Scheme::step(stepped, mu + h * tangent, w),
-             behind = Scheme::step(stepped, mu - h * tangent, w);
-  for (int k = 0; k < N; ++k) {
-    EXPECT_NEAR(x[k].value, here[k], 1e-13) << k;
-    EXPECT_NEAR(x[k].slope[0], (ahead[k] - behind[k]) / (2 * h), 1e-8) << k;
-  }
-}
-
 TYPED_TEST(SizedSystems, DualNumbersGiveTheDerivative) {
-  duals_give_the_derivative<TypeParam>(two_spins(), pair_state);
-  duals_give_the_derivative<TypeParam>(son_body({2, 1, 0}, theta, son_body::isotropic(strength, 3)), paper_momentum);
+  duals_give_the_derivative<TypeParam>(two_spins(), sized<spins::dimension>(pair_state), sized_increment<spins, 6>(0));
+  duals_give_the_derivative<TypeParam>(son_body({2, 1, 0}, theta, son_body::isotropic(strength, 3)),
+                                       sized<son_body::dimension>(paper_momentum), sized_increment<son_body, 3>(0));
 }
 
 TYPED_TEST(SizedSystems, OneSpinMovesAsTheSpin) {
-  Eigen::Matrix3d quadratic;
-  quadratic << 1, 0.3, -0.2, 0.3, -0.5, 0.1, -0.2, 0.1, 0.2;
-  const std::array<double, 3> field{0.3, -0.2, 0.5};
   const spin fixed(quadratic, field, theta, spin::isotropic(strength));
   const spins open(quadratic, field, Eigen::MatrixXd::Zero(1, 1), theta, spins::isotropic(strength, 3));
   if (TypeParam::info.name.find("strang") == 0 || TypeParam::info.name == "lie_trotter")
