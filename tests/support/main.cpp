@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests keep freed memory as the command does: what is measured is what ships, and a fifth of their time is saved.
+#include <gtest/gtest.h>
+
+#include "cli/freed_memory.hpp"
+
+int main(int argc, char** argv) {
+  polhode::cli::keep_freed_memory();
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
