@@ -94,8 +94,8 @@ TEST(Matrices, RealProductsAndTransposes) {
   const auto s = of<real_fixed>(real_skew(3)), t = of<real_fixed>(real_skew(4));
   const complex_dense u = real_skew(3), v = real_skew(4);
   expect_near(dense(skew_commutator(s, t)), u * v - v * u, 1e-15);
-  const auto square = s * s, cube = product_of_sign<-1>(square, s);
-  expect_near(dense(product_of_sign<1>(s, s)), u * u, 1e-15);
+  const auto square = s * s, cube = skew_product(square, s);
+  expect_near(dense(self_adjoint_product(s, s)), u * u, 1e-15);
   expect_near(dense(cube), u * u * u, 1e-15);
 }
 
@@ -116,8 +116,8 @@ TEST(Matrices, ComplexProductsAndAdjoints) {
   EXPECT_NEAR(a.square(), x.squaredNorm(), 1e-14);
   const complex_dense u = skew_hermitian(3);
   const auto s = of<complex_fixed>(u);
-  expect_near(dense(product_of_sign<1>(s, s)), u * u, 1e-15);
-  expect_near(dense(product_of_sign<-1>(s * s, s)), u * u * u, 1e-15);
+  expect_near(dense(self_adjoint_product(s, s)), u * u, 1e-15);
+  expect_near(dense(skew_product(s * s, s)), u * u * u, 1e-15);
 }
 
 using c = complex_number<double>;
@@ -217,6 +217,16 @@ TEST(SkewProjection, HasTheEigenvaluesOfTheOther) {
     EXPECT_LE(added.norm(), 10 * away);
     EXPECT_LE((found * x - x * found).norm(), 1e-13 * x.squaredNorm());  // M times a polynomial of M^T M
   }
+}
+
+// Of any size: a corrected step of a body a thousandth as large is a thousandth as large.
+TEST(SkewProjection, ScalesWithTheMatrix) {
+  const complex_dense x = real_skew(9), way = 0.05 * real_skew(10);
+  const auto added_of = [&](double scale) {
+    return dense(
+        skew_projection(of<real_fixed>(scale * x), of<real_fixed>(scale * (x + way)), of<real_fixed>(scale * way)));
+  };
+  EXPECT_LE((1e3 * added_of(1e-3) - added_of(1)).norm(), 1e-14);
 }
 
 /// Of any number of rows.

@@ -128,18 +128,42 @@ struct complex_matrix {
   }
 };
 
-/// a b where it is known to be Hermitian (sign 1) or skew-Hermitian (sign -1): half of the entries are computed.
-template <int sign, class S, int n>
-POLHODE_CALLED complex_matrix<S, n> product_of_sign(const complex_matrix<S, n>& a, const complex_matrix<S, n>& b) {
+namespace detail {
+
+/// Row i of a b from column i on.
+template <class S, int n>
+[[gnu::always_inline]] inline void upper_row(const complex_matrix<S, n>& a, const complex_matrix<S, n>& b, int i,
+                                             complex_matrix<S, n>& out) {
+  for (int j = i; j < n; ++j) {
+    auto sum = a(i, 0) * b(0, j);
+    for (int k = 1; k < n; ++k) sum = plus_product(sum, a(i, k), b(k, j));
+    out(i, j) = sum;
+  }
+}
+
+}  // namespace detail
+
+/// a b where it is known to be Hermitian: half of the entries are computed.
+template <class S, int n>
+POLHODE_CALLED complex_matrix<S, n> self_adjoint_product(const complex_matrix<S, n>& a, const complex_matrix<S, n>& b) {
   complex_matrix<S, n> out;
-  for (int i = 0; i < n; ++i)
-    for (int j = i; j < n; ++j) {
-      auto sum = a(i, 0) * b(0, j);
-      for (int k = 1; k < n; ++k) sum = plus_product(sum, a(i, k), b(k, j));
-      if (i == j) (sign > 0 ? sum.imaginary : sum.real) = S(0.0);
-      out(i, j) = sum;
-      if (i != j) out(j, i) = sign > 0 ? conjugate(sum) : -conjugate(sum);
-    }
+  for (int i = 0; i < n; ++i) {
+    detail::upper_row(a, b, i, out);
+    out(i, i).imaginary = S(0.0);
+    for (int j = i + 1; j < n; ++j) out(j, i) = conjugate(out(i, j));
+  }
+  return out;
+}
+
+/// a b where it is known to be skew-Hermitian.
+template <class S, int n>
+POLHODE_CALLED complex_matrix<S, n> skew_product(const complex_matrix<S, n>& a, const complex_matrix<S, n>& b) {
+  complex_matrix<S, n> out;
+  for (int i = 0; i < n; ++i) {
+    detail::upper_row(a, b, i, out);
+    out(i, i).real = S(0.0);
+    for (int j = i + 1; j < n; ++j) out(j, i) = -conjugate(out(i, j));
+  }
   return out;
 }
 

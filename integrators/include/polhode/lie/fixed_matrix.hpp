@@ -66,15 +66,26 @@ POLHODE_CALLED fixed_matrix<S, n> operator*(const fixed_matrix<S, n>& a, const f
   return out;
 }
 
-/// a b where it is known to be symmetric (sign 1) or skew (sign -1): half of the entries are computed.
-template <int sign, class S, int n>
-POLHODE_CALLED fixed_matrix<S, n> product_of_sign(const fixed_matrix<S, n>& a, const fixed_matrix<S, n>& b) {
+/// a b where it is known to be symmetric: half of the entries are computed.
+template <class S, int n>
+POLHODE_CALLED fixed_matrix<S, n> self_adjoint_product(const fixed_matrix<S, n>& a, const fixed_matrix<S, n>& b) {
   fixed_matrix<S, n> out;
-  [&]<int... i>(std::integer_sequence<int, i...>) { (detail::product_row<(sign > 0 ? i : i + 1)>(a, b, i, out), ...); }
+  [&]<int... i>(std::integer_sequence<int, i...>) { (detail::product_row<i>(a, b, i, out), ...); }
+  (std::make_integer_sequence<int, n>());
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j) out(j, i) = out(i, j);
+  return out;
+}
+
+/// a b where it is known to be skew.
+template <class S, int n>
+POLHODE_CALLED fixed_matrix<S, n> skew_product(const fixed_matrix<S, n>& a, const fixed_matrix<S, n>& b) {
+  fixed_matrix<S, n> out;
+  [&]<int... i>(std::integer_sequence<int, i...>) { (detail::product_row<i + 1>(a, b, i, out), ...); }
   (std::make_integer_sequence<int, n>());
   for (int i = 0; i < n; ++i) {
-    if (sign < 0) out(i, i) = S(0.0);
-    for (int j = i + 1; j < n; ++j) out(j, i) = sign > 0 ? out(i, j) : S(-out(i, j));
+    out(i, i) = S(0.0);
+    for (int j = i + 1; j < n; ++j) out(j, i) = -out(i, j);
   }
   return out;
 }

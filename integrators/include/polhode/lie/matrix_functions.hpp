@@ -34,7 +34,7 @@ POLHODE_CALLED matrix exponential_less_one(matrix x) {
   }
   x = scale * x;
   // sum of x^k / k!, four terms at a time: rest + a + b x + c x^2 + d x^3, entry by entry.
-  const matrix x2 = product_of_sign<1>(x, x), x3 = product_of_sign<-1>(x2, x), x4 = product_of_sign<1>(x2, x2);
+  const matrix x2 = self_adjoint_product(x, x), x3 = skew_product(x2, x), x4 = self_adjoint_product(x2, x2);
   const auto plus_terms = [&](matrix rest, double a, double b, double c, double d) {
     for (int row = 0; row < x.n; ++row) {
       for (int k = 0; k < x.n; ++k)
@@ -86,10 +86,10 @@ POLHODE_CALLED matrix cayley_less_one(const matrix& x) {
 template <class matrix>
 POLHODE_CALLED matrix conjugation(const matrix& v, const matrix& m) {
   using S = typename matrix::scalar;
-  const matrix back = adjoint(v), excess = v + back + product_of_sign<1>(back, v);
+  const matrix back = adjoint(v), excess = v + back + self_adjoint_product(back, v);
   const matrix better = v + S(-0.5) * (excess + v * excess);
   const matrix half = m * better;
-  return half + adjoint(half) + product_of_sign<1>(adjoint(better), half);
+  return half + adjoint(half) + self_adjoint_product(adjoint(better), half);
 }
 
 }  // namespace polhode

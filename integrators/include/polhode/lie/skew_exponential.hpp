@@ -100,19 +100,19 @@ POLHODE_CALLED fixed_matrix<S, n> skew_exponential_less_one(fixed_matrix<S, n> x
   }
   if (far) x = scale * x;
 
-  const auto y = product_of_sign<1>(x, x);
+  const auto y = self_adjoint_product(x, x);
   fixed_matrix<S, n> y2;
-  if constexpr (n > 3) y2 = product_of_sign<1>(y, y);
+  if constexpr (n > 3) y2 = self_adjoint_product(y, y);
   const auto e = detail::chi_of(y, y2);
   const auto sine = detail::reduced_series<1>(e), cosine = detail::reduced_series<2>(e);
-  auto out = product_of_sign<-1>(x, detail::polynomial_of(sine, y, y2));
+  auto out = skew_product(x, detail::polynomial_of(sine, y, y2));
   if constexpr (n < 6) {
     for (std::size_t k = 0; k < out.entries.size(); ++k) {
       out.entries[k] = out.entries[k] + cosine[0] * y.entries[k];
       if constexpr (n > 3) out.entries[k] = out.entries[k] + cosine[1] * y2.entries[k];
     }
   } else {
-    out = out + product_of_sign<1>(y, detail::polynomial_of(cosine, y, y2));
+    out = out + self_adjoint_product(y, detail::polynomial_of(cosine, y, y2));
   }
 
   for (int i = 0; i < most_halvings && far; ++i) {
@@ -130,13 +130,13 @@ POLHODE_CALLED fixed_matrix<S, n> skew_exponential_less_one(fixed_matrix<S, n> x
 /// / 2, leaves rounding of the next order: what V brings would let the Casimirs drift.
 template <class S, int n>
 POLHODE_CALLED fixed_matrix<S, n> skew_conjugation(const fixed_matrix<S, n>& v, const fixed_matrix<S, n>& m) {
-  auto excess = product_of_sign<1>(transposed(v), v);
+  auto excess = self_adjoint_product(transposed(v), v);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) excess(i, j) = excess(i, j) + (v(i, j) + v(j, i));
   const auto better = v + S(-0.5) * (excess + v * excess);
   // V^T M V + M V + V^T M, the last two the skew part of 2 M V.
   const auto half = m * better;
-  auto out = product_of_sign<-1>(transposed(better), half);
+  auto out = skew_product(transposed(better), half);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) out(i, j) = out(i, j) + (half(i, j) - half(j, i));
   return out;

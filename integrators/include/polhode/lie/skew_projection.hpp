@@ -27,8 +27,8 @@ namespace detail {
 template <int m, class S, int n>
 std::array<fixed_matrix<S, n>, m> skew_powers(const fixed_matrix<S, n>& x) {
   std::array<fixed_matrix<S, n>, m> out;
-  out[0] = S(-1.0) * product_of_sign<1>(x, x);
-  for (std::size_t k = 1; k < out.size(); ++k) out[k] = product_of_sign<1>(out[k - 1], out[0]);
+  out[0] = S(-1.0) * self_adjoint_product(x, x);
+  for (std::size_t k = 1; k < out.size(); ++k) out[k] = self_adjoint_product(out[k - 1], out[0]);
   return out;
 }
 
@@ -100,7 +100,7 @@ POLHODE_CALLED fixed_matrix<S, n> skew_projection(const fixed_matrix<S, n>& x, c
   constexpr double last = 1e-10;
   const auto wanted = detail::skew_powers<m>(onto);
   auto added = S(0.0) * x;
-  auto pending = magnitude(x(0, 0)) >= S(0.0);  // not where it is no number
+  auto pending = inner_product(x, x) >= S(0.0);  // not where it is no number
   for (int i = 0; i < most_corrections && any(S(0.0), pending); ++i) {
     const auto now = x + added;
     const auto powers = detail::skew_powers<m>(now);
@@ -113,7 +113,7 @@ POLHODE_CALLED fixed_matrix<S, n> skew_projection(const fixed_matrix<S, n>& x, c
         for (int j = 1; j < m; ++j)
           factor(row, k) = factor(row, k) + by.c[j] * powers[static_cast<std::size_t>(j - 1)](row, k);
       }
-    const auto change = product_of_sign<-1>(now, factor);
+    const auto change = skew_product(now, factor);
     for (std::size_t k = 0; k < added.entries.size(); ++k)
       added.entries[k] = select(pending, S(added.entries[k] + change.entries[k]), added.entries[k]);
     pending = pending && !(by.size <= S(last));

@@ -112,7 +112,7 @@ struct son {
   POLHODE_CALLED static element<S> sandwich(const element<S>& xi, const element<S>& mu) {
     return of_rows(xi.size, [&]<int n>(std::integral_constant<int, n>) {
       const auto x = skew<n>(xi);
-      return -above_diagonal(product_of_sign<-1>(x * skew<n>(mu), x));
+      return -above_diagonal(skew_product(x * skew<n>(mu), x));
     });
   }
 

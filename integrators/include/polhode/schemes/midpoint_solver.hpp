@@ -80,30 +80,14 @@ struct midpoint_solver {
     return solution<decltype(m), decltype(pending)>{m, pending};
   }
 
-  /// Of duals the values are solved for alone: F(m, mu, dW) = 0 then gives the slopes, DF dm = -dF at constant m.
+  /// Of duals the values are solved for alone, then the slopes.
   template <class System, class V, int slopes>
   requires(System::dimension > 0) static auto midpoint(const System& system,
                                                        const vec<dual<V, slopes>, System::dimension>& mu,
                                                        const wiener<dual<V, slopes>, System::channels>& w) {
-    constexpr int n = System::dimension;
-    using number = dual<V, slopes>;
-    vec<V, n> value;
-    for (int k = 0; k < n; ++k) value[k] = mu[k].value;
-    wiener<V, System::channels> increment;
-    increment.dt = w.dt;
-    for (int k = 0; k < System::channels; ++k) increment.dw[k] = w.dw[k].value;
-    const auto solved = midpoint(system, value, increment);
-    const auto back = inverse_derivative<quotient::exact>(Rule::linearised_motion(system, solved.m, increment));
-    vec<number, n> m;
-    for (int k = 0; k < n; ++k) m[k].value = solved.m[k];
-    const auto f = m - mu - number(0.5) * Rule::motion(system, m, w);
-    for (int t = 0; t < slopes; ++t) {
-      vec<V, n> moved;
-      for (int k = 0; k < n; ++k) moved[k] = f[k].slope[t];
-      const auto way = times(back, moved);
-      for (int k = 0; k < n; ++k) m[k].slope[t] = -way[k];
-    }
-    return solution<vec<number, n>, decltype(solved.failed)>{m, solved.failed};
+    const auto solved = midpoint(system, values_of(mu), values_of(w));
+    const auto m = with_slopes(system, mu, solved.m, w);
+    return solution<std::remove_const_t<decltype(m)>, decltype(solved.failed)>{m, solved.failed};
   }
 
   /// Where the number of components is not known to the compiler: m = mu + motion(m) / 2 repeated, as no matrix pays;
@@ -113,7 +97,7 @@ struct midpoint_solver {
                                                        const wiener<S, System::channels>& w) {
     const S size = dot(mu, mu);
     auto m = mu;
-    auto pending = size == size;
+    auto pending = size >= S(0.0);  // not where it is no number
     for (int i = 0; i < most_repetitions && any(S(0.0), pending); ++i) {
       const auto next = mu + S(0.5) * Rule::motion(system, m, w);
       const auto change = next - m;
@@ -124,29 +108,58 @@ struct midpoint_solver {
       iterate(system, mu, w, m, pending);
     return solution<decltype(m), decltype(pending)>{m, pending};
   }
-  /// The same of duals: values first, then slopes, which settle at the same rate.
+  /// The same of duals: values first, then slopes, which settle at the same rate or not at all.
   template <class System, class V, int slopes>
   requires(System::dimension < 0) static auto midpoint(const System& system,
                                                        const vec<dual<V, slopes>, System::dimension>& mu,
                                                        const wiener<dual<V, slopes>, System::channels>& w) {
     using number = dual<V, slopes>;
-    const auto values = [](const auto& of) {
-      auto out = zeros<vec<V, System::dimension>>(of.size);
-      for (int k = 0; k < of.size; ++k) out[k] = of[k].value;
-      return out;
-    };
-    const auto solved = midpoint(system, values(mu), wiener<V, System::channels>{w.dt, values(w.dw)});
+    const auto solved = midpoint(system, values_of(mu), values_of(w));
     auto m = mu;
     for (int k = 0; k < m.size; ++k) m[k].value = solved.m[k];
+    const auto take = [&](const auto& lanes, const auto& from) {
+      for (int k = 0; k < m.size; ++k)
+        for (int t = 0; t < slopes; ++t) m[k].slope[t] = select(lanes, from[k].slope[t], m[k].slope[t]);
+    };
     auto pending = !solved.failed;
     for (int i = 0; i < most_repetitions && any(V(0.0), pending); ++i) {
       const auto next = mu + number(0.5) * Rule::motion(system, m, w);
       const auto open = pending && !slopes_settled(m, next);
-      for (int k = 0; k < m.size; ++k)
-        for (int t = 0; t < slopes; ++t) m[k].slope[t] = select(pending, next[k].slope[t], m[k].slope[t]);
+      take(pending, next);
       pending = open;
     }
+    if (any(V(0.0), pending)) [[unlikely]]
+      take(pending, with_slopes(system, mu, solved.m, w));
     return solution<decltype(m), decltype(solved.failed)>{m, solved.failed};
+  }
+
+  template <class V, int slopes, int N>
+  static auto values_of(const vec<dual<V, slopes>, N>& of) {
+    auto out = zeros<vec<V, N>>(of.size);
+    for (int k = 0; k < of.size; ++k) out[k] = of[k].value;
+    return out;
+  }
+  template <class V, int slopes, int M>
+  static auto values_of(const wiener<dual<V, slopes>, M>& w) {
+    return wiener<V, M>{w.dt, values_of(w.dw)};
+  }
+
+  /// m with the slopes that F(m, mu, dW) = 0 gives: DF dm = -dF at constant m.
+  template <class System, class V, int slopes, int N>
+  static auto with_slopes(const System& system, const vec<dual<V, slopes>, N>& mu, const vec<V, N>& solved,
+                          const wiener<dual<V, slopes>, System::channels>& w) {
+    using number = dual<V, slopes>;
+    const auto back = inverse_derivative<quotient::exact>(Rule::linearised_motion(system, solved, values_of(w)));
+    auto m = zeros<vec<number, N>>(mu.size);
+    for (int k = 0; k < m.size; ++k) m[k].value = solved[k];
+    const auto f = m - mu - number(0.5) * Rule::motion(system, m, w);
+    for (int t = 0; t < slopes; ++t) {
+      auto moved = solved;
+      for (int k = 0; k < moved.size; ++k) moved[k] = f[k].slope[t];
+      const auto way = times(back, moved);
+      for (int k = 0; k < m.size; ++k) m[k].slope[t] = -way[k];
+    }
+    return m;
   }
 
   /// Whether no direction has changed by more than rounding.
