@@ -116,19 +116,19 @@ class Limits(Writing):
 
 
 class Removed(Writing):
-    def removed_while_it_runs(self, out, gone, aside):
-        """Exit code and complaints."""
+    def removed_while_it_runs(self, out, gone, aside, pause=0):
+        """So many seconds after the first line of progress: exit code and complaints."""
         p = self.start('verify', 'single', '--experiments', 'casimir,energy,strong', '--schemes', 'heun', '--effort', 'quick', '--progress', 'lines', '--out', out,
                        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-        p.stderr.readline()
+        p.stderr.readline(); time.sleep(pause)
         os.rename(os.path.join(self.folder.name, gone), os.path.join(self.given, aside))
         said = p.communicate(timeout=100)[1].decode()
         return p.returncode, [line for line in said.splitlines() if line.startswith('polhode: ')]
 
     def test_the_output_folder_is_made_again(self):
         for out, gone in (('report', 'report'), ('deep/er/report', 'deep')):
-            for i in range(5):  # it may go in the middle of a write, which then fails
-                code, complaints = self.removed_while_it_runs(out, gone, f'gone with {out.count("/")} {i}')
+            for i in range(20):  # it may go in the middle of a write, which then fails: a long one where others write, too
+                code, complaints = self.removed_while_it_runs(out, gone, f'gone with {out.count("/")} {i}', 0.01 * (i % 5))
                 if code != 4: break
                 self.assertEqual(len(complaints), 1); self.assertRegex(complaints[0], f"cannot write '{out}[^']*': No such file or directory")
                 shutil.rmtree(os.path.join(self.folder.name, gone), ignore_errors=True)
