@@ -10,6 +10,7 @@ namespace polhode {
 namespace {
 
 constexpr std::ptrdiff_t least_levels = 3;
+constexpr double prefactor = 7;  // of folded curves: 5.4 to 6.6 on the sphere of the paper
 
 box_level level_of(const std::vector<std::uint32_t>& counts, int side) {
   double points = 0, occupied = 0, entropy = 0, pairs = 0;
@@ -55,7 +56,11 @@ std::vector<box_level> count_boxes(std::span<const std::uint32_t> counts, int ch
   return levels;
 }
 
-std::vector<bool> usable_levels(std::span<const std::vector<box_level>> clouds) {
+int finest_side(double points, double dimension) {
+  return static_cast<int>(std::exp2(std::floor(std::log2(points / least_fill / prefactor) / dimension)));
+}
+
+std::vector<bool> usable_levels(std::span<const std::vector<box_level>> clouds, int finest) {
   std::vector<bool> usable(clouds.front().size());
   for (std::size_t i = 0; i < usable.size(); ++i) {
     double points = 0, occupied = 0;
@@ -63,7 +68,7 @@ std::vector<bool> usable_levels(std::span<const std::vector<box_level>> clouds) 
       points += cloud[i].fill * cloud[i].boxes[0];
       occupied += cloud[i].boxes[0];
     }
-    usable[i] = points >= least_fill * occupied;
+    usable[i] = clouds.front()[i].side <= finest && points >= least_fill * occupied;
   }
   return usable;
 }

@@ -40,10 +40,16 @@ struct dimension_estimate {
   double boxes_at_one = 0;  ///< of the mean line: boxes = boxes_at_one side^value
 };
 
-/// Which levels count, fixed in advance: those on which, over all clouds, an occupied box holds at least `least_fill`
-/// points. Fewer than three: nothing can be said.
-inline constexpr double least_fill = 16;
-std::vector<bool> usable_levels(std::span<const std::vector<box_level>> clouds);
+inline constexpr double least_fill = 16;  ///< points an occupied box, over all clouds
+
+/// Boxes a side of the finest level to count, fixed before a cloud is seen, lest the choice follow chance that the
+/// interval does not know of: the largest power of two of which `points` fill the boxes of a set of that dimension, on
+/// a sphere some 7 side^dimension.
+int finest_side(double points, double dimension);
+
+/// Which levels count: those up to `finest` on which an occupied box holds at least `least_fill` points. Fewer than
+/// three: nothing can be said.
+std::vector<bool> usable_levels(std::span<const std::vector<box_level>> clouds, int finest);
 
 /// At least two clouds with the same levels; nothing where fewer than three levels are usable.
 std::optional<dimension_estimate> fit_dimension(std::span<const std::vector<box_level>> clouds, box_kind,

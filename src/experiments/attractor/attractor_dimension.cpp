@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "ensemble/observing/sphere_bins.hpp"
 #include "experiments/attractor/attractor.hpp"
@@ -55,9 +56,16 @@ std::vector<cloud> clouds_of(const context& c, const dimension_plan& plan, const
 /// What is seen of one kind of dimension.
 struct seen_dimension {
   box_kind kind;
+  int finest;
   std::vector<bool> usable;
   std::optional<dimension_estimate> found;
 };
+
+/// Why a size of boxes has no part in the line.
+std::string why_not(int side, int finest) {
+  if (side > finest) return "finer than fixed in advance";
+  return fmt::format("an occupied box holds fewer than {:g} bodies", least_fill);
+}
 
 /// The numbers of boxes and the dimension.
 void report_boxes(const seen_dimension& seen, std::span<const cloud> clouds, recorder& record) {
@@ -68,8 +76,7 @@ void report_boxes(const seen_dimension& seen, std::span<const cloud> clouds, rec
     for (const auto& one : clouds) log_sum += std::log(one[i].boxes[k]);
     boxes.add(side_of(clouds.front()[i].side), std::exp(log_sum / static_cast<double>(clouds.size())));
     boxes.points.back().used = seen.usable[i];
-    if (!seen.usable[i])
-      boxes.points.back().status = fmt::format("an occupied box holds fewer than {:g} bodies", least_fill);
+    if (!seen.usable[i]) boxes.points.back().status = why_not(clouds.front()[i].side, seen.finest);
   }
   const auto counted = record.series(boxes);
   if (!seen.found) return;
@@ -101,8 +108,10 @@ void report_dimensions(const context& c, const attractor_frame& f, noise_log& lo
   const auto part = log.open({"dimensions"}, blocks_of(plan.paths));
   const auto clouds =
       clouds_of(c, plan, [&](int path, const increment_view& v) { log.add_path(path, v, plan.dt, part); });
-  const auto usable = usable_levels(clouds);
-  for (const auto kind : box_kinds) report_boxes({kind, usable, fit_dimension(clouds, kind, usable)}, clouds, record);
+  const int finest = finest_side(static_cast<double>(plan.bodies), exact);
+  const auto usable = usable_levels(clouds, finest);
+  for (const auto kind : box_kinds)
+    report_boxes({kind, finest, usable, fit_dimension(clouds, kind, usable)}, clouds, record);
 }
 
 }  // namespace polhode

@@ -42,7 +42,7 @@ std::vector<std::vector<box_level>> clouds_of(const sampler& sample) {
 
 std::array<double, 3> dimensions(const sampler& sample) {
   const auto clouds = clouds_of(sample);
-  const auto usable = usable_levels(clouds);
+  const auto usable = usable_levels(clouds, hemisphere_bins::side);
   std::array<double, 3> out{};
   for (const auto kind : box_kinds) {
     const auto found = fit_dimension(clouds, kind, usable);
@@ -105,7 +105,7 @@ TEST(BoxDimension, AFewPointsSayNothing) {
   std::vector<std::uint32_t> counts(hemisphere_bins::count);
   for (std::size_t i = 0; i < counts.size(); i += 1001) ++counts[i];
   const std::vector clouds(2, count_boxes(counts, 2, hemisphere_bins::side, 16));
-  EXPECT_FALSE(fit_dimension(clouds, box_kind::information, usable_levels(clouds)));
+  EXPECT_FALSE(fit_dimension(clouds, box_kind::information, usable_levels(clouds, hemisphere_bins::side)));
 }
 
 TEST(BoxDimension, CountsByHand) {
@@ -132,7 +132,7 @@ TEST(BoxDimension, IsTheSlopeOfTheLineAndItsValueAtOne) {
     }
   }
   clouds[1][3].fill = 15.9;  // both together hold too few
-  const auto usable = usable_levels(clouds);
+  const auto usable = usable_levels(clouds, hemisphere_bins::side);
   EXPECT_EQ(usable, (std::vector{true, true, true, false}));
   const auto fit = fit_dimension(clouds, box_kind::information, usable);
   ASSERT_TRUE(fit);
@@ -169,11 +169,26 @@ TEST(BoxDimension, EveryUsableLevelHasAPartInTheLineAndNoOther) {
   EXPECT_NEAR(fit->boxes_at_one, std::exp2(intercept), 1e-11);
 }
 
+TEST(BoxDimension, NoLevelFinerThanFixedIsUsable) {
+  const std::vector<std::vector<box_level>> clouds(2, {{16, 90, {4, 4, 4}}, {32, 90, {4, 4, 4}}, {64, 90, {4, 4, 4}}});
+  EXPECT_EQ(usable_levels(clouds, 32), (std::vector{true, true, false}));
+}
+
+// points = 16 x 7 side^dimension fill that side, one fewer do not.
+TEST(BoxDimension, TheFinestSideIsTheLargestThatPointsFill) {
+  for (const double dimension : {1.0, 1.5, 2.0})
+    for (const int side : {16, 64, 256}) {
+      const double points = 16 * 7 * std::pow(side, dimension);
+      EXPECT_EQ(finest_side(points + 1, dimension), side);
+      EXPECT_EQ(finest_side(points - 1, dimension), side / 2);
+    }
+}
+
 // 63 and 64 points in four boxes each are one too few, 64 and 64 are enough.
 TEST(BoxDimension, ALevelThatLacksOnePointIsNotUsable) {
   const std::vector<std::vector<box_level>> clouds{{{2, 15.75, {4, 4, 4}}, {4, 16, {4, 4, 4}}},
                                                    {{2, 16, {4, 4, 4}}, {4, 16, {4, 4, 4}}}};
-  EXPECT_EQ(usable_levels(clouds), (std::vector{false, true}));
+  EXPECT_EQ(usable_levels(clouds, hemisphere_bins::side), (std::vector{false, true}));
 }
 
 }  // namespace
