@@ -20,8 +20,7 @@
 namespace polhode {
 namespace {
 
-constexpr int chunk = 16;                       // steps of a block's own increments: they stay in the nearest caches
-constexpr std::int64_t longest_slice = 65'536;  // steps between two words on progress, and two chances to save
+constexpr int chunk = 16;  // steps of a block's own increments: they stay in the nearest caches
 
 std::int64_t blocks_of(const simulation_plan& p) { return (p.bodies + block_lanes - 1) / block_lanes; }
 
@@ -105,7 +104,7 @@ class ensemble_run {
 
   /// After `step`: the next record or snapshot, the end of a slice, or of the run.
   std::int64_t next_stop(std::int64_t step, std::size_t snapshot) const {
-    auto stop = std::min(plan_.steps, step + longest_slice);
+    auto stop = std::min(plan_.steps, step + plan_.slice);
     if (snapshot < plan_.snapshots.size()) stop = std::min(stop, plan_.snapshots[snapshot]);
     if (plan_.record_every > 0) stop = std::min(stop, (step / plan_.record_every + 1) * plan_.record_every);
     return stop;

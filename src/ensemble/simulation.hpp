@@ -32,12 +32,13 @@ struct simulation_plan {
   std::uint64_t seed = 0;
   std::uint64_t path = 0;  ///< whose noise is common to all
   int threads = 1;
-  std::function<void(const increment_view&)> hear = {};     ///< is told of a common noise before it is used
-  std::int64_t record_every = 0;                            ///< steps; 0: nothing is recorded. The start is record 0
-  record_sink record = {};                                  ///< by several threads at once, each of other bodies
-  bool keep_states = true;                                  ///< false: of the states at the end only what is observed
-  std::function<void(ensemble_progress&)> resume = {};      ///< may set how far the run is; nothing is recorded then
-  std::function<bool()> save_due = {};                      ///< asked often, by any thread
+  std::function<void(const increment_view&)> hear = {};  ///< is told of a common noise before it is used
+  std::int64_t record_every = 0;                         ///< steps; 0: nothing is recorded. The start is record 0
+  record_sink record = {};                               ///< by several threads at once, each of other bodies
+  bool keep_states = true;                               ///< false: of the states at the end only what is observed
+  std::int64_t slice = 65'536;                           ///< steps between two words on progress, two chances to save
+  std::function<void(ensemble_progress&)> resume = {};   ///< may set how far the run is; nothing is recorded then
+  std::function<bool()> save_due = {};                   ///< asked often, by any thread
   std::function<void(const ensemble_progress&)> save = {};  ///< called by one thread while the others wait
   int rank = 0, ranks = 1;                                  ///< this process runs the pieces of its rank
   std::function<void(ensemble_progress&)> join = {};        ///< joins what the other ranks have done

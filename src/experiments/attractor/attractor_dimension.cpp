@@ -83,7 +83,7 @@ void report_boxes(const seen_dimension& seen, std::span<const cloud> clouds, rec
   const auto& d = seen.found->value;
   const double at_one = seen.found->boxes_at_one * std::pow(side_of(1), d.value);
   record.fit(counted, -d.value, -d.high, -d.low, at_one,
-             fmt::format("{} sizes of boxes in which an occupied one holds {:g} bodies or more",
+             fmt::format("{} sizes of boxes fixed in advance, in which an occupied one holds {:g} bodies or more",
                          std::ranges::count(seen.usable, true), least_fill));
   record.value({fmt::format("{} dimension", names[k]), "", "", "sampled"}, d);
 }

@@ -42,9 +42,10 @@ struct ensemble {
     plan.noise = noise;
     plan.start = s.sphere() ? ensemble_start::uniform : ensemble_start::orbit;
     plan.momentum = s.scene.momentum;
-    plan.steps = 70'000;  // more than a slice
-    plan.bodies = 150;    // three blocks, the last one short
-    if (s.sphere()) plan.snapshots = {7, 66'000, 70'000};
+    plan.steps = 1100;
+    plan.slice = 1000;
+    plan.bodies = 150;  // three blocks, the last one short
+    if (s.sphere()) plan.snapshots = {7, 1050, 1100};
     plan.seed = 5;
     plan.threads = threads;
     plan.with_areas = scheme.needs_areas;
