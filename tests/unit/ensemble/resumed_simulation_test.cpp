@@ -91,10 +91,11 @@ int run_in_pieces(ensemble e, simulated& out) {
   e.plan.resume = [&](ensemble_progress& at) {
     if (!saved.empty()) read_into(at, saved);
   };
-  for (int kills = 0;; ++kills) try {
+  for (int kills = 0;;) try {
       out = e.run();
       return kills;
     } catch (const killed&) {
+      ++kills;
     }
 }
 

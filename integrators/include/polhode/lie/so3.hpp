@@ -93,11 +93,6 @@ struct so3 {
     return out;
   }
 
-  template <class S>
-  static vec<S, 3> cayley_action(zero_vector, const vec<S, 3>& mu) {
-    return mu;
-  }
-
  private:
   static constexpr double near_orbit = 1e-3;  ///< the next term is 2e-20: what all steps leave out adds up, unrounded
   template <class S>
