@@ -10,7 +10,6 @@ namespace polhode {
 namespace {
 
 constexpr std::ptrdiff_t least_levels = 3;
-constexpr double prefactor = 7;  // of folded curves: 5.4 to 6.6 on the sphere of the paper
 
 box_level level_of(const std::vector<std::uint32_t>& counts, int side) {
   double points = 0, occupied = 0, entropy = 0, pairs = 0;
@@ -57,7 +56,7 @@ std::vector<box_level> count_boxes(std::span<const std::uint32_t> counts, int ch
 }
 
 int finest_side(double points, double dimension) {
-  return static_cast<int>(std::exp2(std::floor(std::log2(points / least_fill / prefactor) / dimension)));
+  return static_cast<int>(std::exp2(std::floor(std::log2(points / least_fill / box_prefactor) / dimension)));
 }
 
 std::vector<bool> usable_levels(std::span<const std::vector<box_level>> clouds, int finest) {

@@ -40,11 +40,11 @@ struct dimension_estimate {
   double boxes_at_one = 0;  ///< of the mean line: boxes = boxes_at_one side^value
 };
 
-inline constexpr double least_fill = 16;  ///< points an occupied box, over all clouds
+inline constexpr double least_fill = 16;    ///< points an occupied box, over all clouds
+inline constexpr double box_prefactor = 7;  ///< of boxes against side^dimension on a sphere: the paper's are 5.4 to 6.6
 
 /// Boxes a side of the finest level to count, fixed before a cloud is seen, lest the choice follow chance that the
-/// interval does not know of: the largest power of two of which `points` fill the boxes of a set of that dimension, on
-/// a sphere some 7 side^dimension.
+/// interval does not know of: the largest power of two at which `points` fill box_prefactor side^dimension boxes.
 int finest_side(double points, double dimension);
 
 /// Which levels count: those up to `finest` on which an occupied box holds at least `least_fill` points. Fewer than

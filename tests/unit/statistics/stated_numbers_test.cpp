@@ -31,6 +31,7 @@ TEST(StatedNumbers, LevelsOfAFit) {
   EXPECT_EQ(response_levels, 4);
   EXPECT_EQ(off_the_line, 0.05);
   EXPECT_EQ(least_fill, 16);
+  EXPECT_EQ(box_prefactor, 7);
   EXPECT_EQ(most_time_scales, 1e5);
   EXPECT_EQ(bootstrap_replicates, 400);
 }
