@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 
 #include "reports/writers/numbers.hpp"
 #include "reports/writers/text.hpp"
@@ -35,9 +36,9 @@ axis axis_over(const std::vector<double>& values, bool logarithmic, double from,
 
 /// Powers of ten, each `every`-th of them; over few of them 2 and 5 times these as well.
 std::vector<double> logarithmic_ticks(const axis& a) {
-  const double every = std::max(1.0, std::ceil((a.high - a.low) / 5));
+  const int every = std::max(1, static_cast<int>(std::ceil((a.high - a.low) / 5)));
   std::vector<double> out;
-  for (double power = std::floor(a.low); power <= a.high; power += every)
+  for (int power = static_cast<int>(std::floor(a.low)); power <= a.high; power += every)
     for (const double times : {1.0, 2.0, 5.0}) {
       const double t = times * std::pow(10, power), at = a.value_of(t);
       if (at >= a.low && at <= a.high && (times == 1 || a.high - a.low < 2)) out.push_back(t);
@@ -53,7 +54,9 @@ std::vector<double> ticks_of(const axis& a) {
   for (const double s : {5.0, 2.0, 1.0})
     if (s * power >= rough) step = s * power;
   std::vector<double> out;
-  for (double t = std::ceil(a.low / step) * step; t <= a.high + 1e-9 * step; t += step) out.push_back(t);
+  const auto last = static_cast<std::int64_t>(std::floor(a.high / step + 1e-9));
+  for (auto k = static_cast<std::int64_t>(std::ceil(a.low / step)); k <= last; ++k)
+    out.push_back(static_cast<double>(k) * step);
   return out;
 }
 
@@ -62,12 +65,12 @@ std::string frame_of(const axis& x, const axis& y, const reproduced_curve& c) {
       fmt::format("<path class=\"axis\" d=\"M{0} {1}V{2}H{3}\"/>", left, top, height - bottom, width - right);
   for (const double t : ticks_of(x))
     out += fmt::format("<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", x.at(t),
-                       height - bottom + 16, shown(std::fabs(t) < 1e-12 ? 0 : t));
+                       height - bottom + 16, shown(t));
   for (const double t : ticks_of(y))
     out += fmt::format(
         "<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text><path class=\"grid\" d=\"M{} "
         "{:.1f}H{}\"/>",
-        left - 6, y.at(t) + 4, shown(std::fabs(t) < 1e-12 ? 0 : t), left, y.at(t), width - right);
+        left - 6, y.at(t) + 4, shown(t), left, y.at(t), width - right);
   out += fmt::format("<text class=\"name\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
                      (left + width - right) / 2, height - 6, escape_html(c.x));
   return out +

@@ -2,6 +2,7 @@
 #include "algebra/banded_solve.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 #include "algebra/dense_algebra.hpp"
 
@@ -57,11 +58,11 @@ std::optional<Eigen::VectorXd> banded_solve(const sparse_matrix& a, const Eigen:
   }
   Eigen::VectorXd x(a.cols());
   Eigen::Index at = a.cols(), next = 0;
-  for (auto known = eliminated.rbegin(); known != eliminated.rend(); ++known) {
+  for (const auto& known : std::views::reverse(eliminated)) {
     const Eigen::VectorXd later = x.segment(at, next);
-    at -= known->rows();
-    x.segment(at, known->rows()) = known->col(0) - known->rightCols(next) * later;
-    next = known->rows();
+    at -= known.rows();
+    x.segment(at, known.rows()) = known.col(0) - known.rightCols(next) * later;
+    next = known.rows();
   }
   if (!x.allFinite()) return std::nullopt;
   return x;

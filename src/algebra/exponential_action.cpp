@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace polhode {
@@ -13,7 +14,7 @@ constexpr double reach = 9.9;  // theta_55 of the source: the norm that 55 terms
 
 double shift_of(const Eigen::SparseMatrix<double>& a) { return a.diagonal().sum() / static_cast<double>(a.rows()); }
 
-double steps_needed(const Eigen::SparseMatrix<double>& a, double t) {
+std::int64_t steps_needed(const Eigen::SparseMatrix<double>& a, double t) {
   const double shift = shift_of(a);
   double norm = 0;  // of A - shift, largest column sum
   for (int column = 0; column < a.outerSize(); ++column) {
@@ -22,7 +23,7 @@ double steps_needed(const Eigen::SparseMatrix<double>& a, double t) {
       (entry.row() == column ? diagonal : sum) += entry.row() == column ? entry.value() : std::fabs(entry.value());
     norm = std::max(norm, sum + std::fabs(diagonal - shift));
   }
-  return std::max(1.0, std::ceil(t * norm / reach));
+  return static_cast<std::int64_t>(std::min(std::max(1.0, std::ceil(t * norm / reach)), 0x1p53));
 }
 
 }  // namespace
@@ -30,9 +31,10 @@ double steps_needed(const Eigen::SparseMatrix<double>& a, double t) {
 Eigen::VectorXd exponential_action(const Eigen::SparseMatrix<double>& a, double t, Eigen::VectorXd b,
                                    const std::function<bool(const Eigen::VectorXd&, double dt)>& watch) {
   const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = a;  // a row times a vector is the faster product
-  const double shift = shift_of(a), steps = steps_needed(a, t), dt = t / steps;
+  const std::int64_t steps = steps_needed(a, t);
+  const double shift = shift_of(a), dt = t / static_cast<double>(steps);
   Eigen::VectorXd term, next;
-  for (double step = 0; step < steps; ++step) {
+  for (std::int64_t step = 0; step < steps; ++step) {
     term = b;
     double before = term.lpNorm<Eigen::Infinity>();
     for (int k = 1; k <= terms; ++k) {
@@ -51,7 +53,7 @@ Eigen::VectorXd exponential_action(const Eigen::SparseMatrix<double>& a, double 
 }
 
 double exponential_action_products(const Eigen::SparseMatrix<double>& a, double t) {
-  return 40 * steps_needed(a, t);  // the series ends before its last term
+  return 40 * static_cast<double>(steps_needed(a, t));  // the series ends before its last term
 }
 
 }  // namespace polhode

@@ -13,7 +13,7 @@ namespace polhode::cli {
 class together {
  public:
   together(int* argc, char*** argv);
-  ~together();
+  ~together();  // NOLINT(performance-trivially-destructible): it is with MPI that it has something to do
   together(const together&) = delete;
   together& operator=(const together&) = delete;
 };

@@ -28,6 +28,8 @@ std::string scene_of(problem p) {
 }
 
 struct told_process {
+  told_process(const std::vector<std::string>& words, double deadline) : talk(words, deadline) {}
+
   dialogue talk;
   std::string scene;  ///< that it has been told last
 };
@@ -61,9 +63,7 @@ class processes {
   }
 
  private:
-  std::unique_ptr<told_process> started() const {
-    return std::unique_ptr<told_process>(new told_process{dialogue(words_, deadline_), ""});
-  }
+  std::unique_ptr<told_process> started() const { return std::make_unique<told_process>(words_, deadline_); }
   /// If there is, one that knows the scene; null: all are busy.
   std::unique_ptr<told_process> waiting(const std::string& scene) {
     const std::lock_guard lock(guard_);

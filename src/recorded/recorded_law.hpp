@@ -34,7 +34,7 @@ class recorded_law {
     double mean = 0, low = 0, high = 0, exact = 0, deviation = 0, p = 1;
   };
   void close(piece&);
-  std::optional<finding> find(std::size_t observable) const;
+  std::optional<finding> find(std::size_t k) const;
 
   const subject& subject_;
   std::vector<observable> observables_;

@@ -28,8 +28,8 @@ class sampled_weak_goal final : public sampled_averages {
   sampled_weak_goal(const context& c, const goal_question& q) : sampled_averages(c, q) {
     const auto truth = truth_at(pilot_steps(), context_.seed);
     sizes_ = largest_in_time(truth->sizes(first_paths / block_lanes));
-    for (std::size_t f = 0; f < sizes_.size(); ++f)
-      if (!std::isfinite(sizes_[f]))
+    for (const double size : sizes_)
+      if (!std::isfinite(size))
         throw input_error(fmt::format("scene {}: --goal weak: paths of the driven equation are lost before t = {:g}",
                                       context_.subject.scene.name, q.time));
     const auto all = candidates(c.subject);

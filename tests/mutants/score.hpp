@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mutants/table.hpp"
+#include "reports/model/results.hpp"
 
 namespace polhode::test {
 

@@ -3,6 +3,7 @@
 // there is one, and by a projection on higher degrees.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <optional>
 #include <vector>
 

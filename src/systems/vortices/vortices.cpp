@@ -99,9 +99,9 @@ capabilities offers(const report::scene& s) {
     const double product = strengths[0] * strengths[1], beta = 2 * dissipation_of(s) / (strength * strength);
     if (const auto mean = mean_energy_of_two(product, beta)) {
       out.gibbs_marginals = {energy_of_two(product, beta)};
-      out.gibbs_mean = [=](std::string_view observable) -> std::optional<reference_value> {
+      out.gibbs_mean = [product, mean = *mean](std::string_view observable) -> std::optional<reference_value> {
         if (observable != "energy") return std::nullopt;
-        return reference_value{*mean, 1e-15 * std::fabs(product)};
+        return reference_value{mean, 1e-15 * std::fabs(product)};
       };
     }
   }

@@ -14,8 +14,8 @@ error_table table(const std::vector<double>& error, const std::vector<double>& u
   error_table t;
   for (std::size_t i = 0; i < error.size(); ++i) {
     t.dt.push_back(std::ldexp(1.0, -static_cast<int>(i)));
-    t.error.push_back(Eigen::VectorXd::Constant(1, error[i]));
-    t.uncertainty.push_back(Eigen::VectorXd::Constant(1, uncertainty[i]));
+    t.error.emplace_back(Eigen::VectorXd::Constant(1, error[i]));
+    t.uncertainty.emplace_back(Eigen::VectorXd::Constant(1, uncertainty[i]));
   }
   return t;
 }

@@ -49,7 +49,8 @@ TEST(NoiseAudit, LanesAreComparedByOneNumberIn64StepsOfOneChannelAfterTheOther) 
         }
         largest = std::max(largest, std::fabs(product) / std::sqrt(square));
       }
-    const double share = lanes * (lanes - 1) / 2 * std::erfc(largest / std::sqrt(2.0));
+    const auto pairs = lanes * (lanes - 1) / 2;
+    const double share = pairs * std::erfc(largest / std::sqrt(2.0));
     ASSERT_LT(share, 1e-3);
     EXPECT_NEAR(stated(audit, "product of two lanes"), quantile(complement(boost::math::normal(), share / 2)), 1e-9);
   }

@@ -83,7 +83,8 @@ TEST(PathStarts, PathsAreAlikeAsRarelyAsTheirNumbersAndTheirHashes) {
 }
 
 double share_of(double largest) {
-  return path_audit::lanes * (path_audit::lanes - 1) / 2 * std::erfc(largest / std::sqrt(2.0));
+  constexpr int pairs = path_audit::lanes * (path_audit::lanes - 1) / 2;
+  return pairs * std::erfc(largest / std::sqrt(2.0));
 }
 
 // Two lanes follow each other and all others are nothing: the first, the last, neighbours, and far apart.

@@ -53,7 +53,7 @@ class slope_test : public answer {
              double claim, double margin, double alpha)
       : claim_(claim), margin_(margin), alpha_(alpha) {
     check(dt);
-    if (errors.size() != dt.size() || (standard_errors.size() && standard_errors.size() != dt.size()))
+    if (errors.size() != dt.size() || (!standard_errors.empty() && standard_errors.size() != dt.size()))
       refuse<std::invalid_argument>(
           text("%zu dt, %zu errors, %zu standard errors: accepted: as many of each, or no "
                "standard errors",
@@ -136,7 +136,7 @@ class slope_test : public answer {
       influence.add(sum);
     }
     const auto [half, distrust] = student_width{}.width_at(influence, alpha_);
-    if (distrust.size())
+    if (!distrust.empty())
       return say(verdict::inconclusive, text("slope %.4f of %zu paths: %s", fit.slope, paths, distrust.c_str()));
     finish(fit.slope, half + l.bend(fit.slope), text("%zu dt of %zu paths", count, paths));
   }
