@@ -130,6 +130,12 @@ class Ranks(Case):
         rc, out, err = self.run_them(2, 'verify', 'single', '--budget', '5')
         self.assertEqual((rc, 'accepted in a run of one process' in err), (2, True), err)
 
+    def test_the_other_program_says_once_that_its_processes_share_nothing(self):
+        rc, out, err = self.ended(lambda: self.start_words(MPIRUN, '-q', '-n', '2', EXE, 'list', 'schemes'))
+        self.assertEqual((rc, out), (0, 2 * self.run_them(0, 'list', 'schemes')[1]))
+        self.assertEqual(err, 'polhode: note: one of 2 processes that do all of the work each; polhode-mpi would share it\n')
+        self.assertEqual(self.ended(lambda: self.start_words(MPIRUN, '-q', '-n', '1', EXE, 'list', 'schemes'))[2], '')
+
     def test_one_that_fails_alone_says_which_it_is_and_ends_all(self):
         words = [MPIRUN, '-q', '-n', '1', TOGETHER, 'verify', 'paper', '--no-cache', '--threads', '1', ':', '-n', '1', TOGETHER, 'verify', 'papr']
         rc, out, err = self.ended(lambda: self.start_words(*words))
