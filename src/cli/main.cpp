@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/freed_memory.hpp"
+#include "cli/missing_memory.hpp"
 #include "cli/terminal/signals.hpp"
 #include "cli/terminal/terminal.hpp"
 #include "cli/together.hpp"
@@ -62,6 +63,7 @@ int main(int argc, char** argv) {
   std::set_terminate(polhode::cli::end_by_fault);
   polhode::cli::keep_freed_memory();
   polhode::cli::hold_standard_streams();
+  polhode::cli::end_where_memory_ends(polhode::cli::cannot_run);
   const polhode::cli::together all(&argc, &argv);
   polhode::cli::install_signal_handlers();
   return polhode::cli::guarded(argc, argv);
