@@ -71,28 +71,34 @@ void remember_staged(const fs::path& directory) {
     return true;
   };
   is_staged = false;
-  const auto name = directory.filename().string();
-  const auto emptied = directory.parent_path() /
-                       fmt::format("{}.ended{}", name.substr(0, name.rfind(mark)), name.substr(name.rfind(mark)));
+  const auto& name = directory.native();
+  const auto emptied = name + name.substr(name.rfind(mark));  // twice its maker: stale where it is
   is_staged = keep(directory, staged_path) && keep(emptied, emptied_path);
+}
+
+// By system calls alone: nothing of the standard library may be asked in a handler.
+void remove_folder(int where, const char* name) noexcept {
+  const int folder = ::openat(where, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (folder < 0) return;
+  alignas(dirent64) std::array<char, 4096> entries;
+  for (ssize_t count; (count = ::getdents64(folder, entries.data(), entries.size())) > 0;)
+    for (ssize_t at = 0; at < count;) {
+      const auto* entry = reinterpret_cast<const dirent64*>(entries.data() + at);
+      at += entry->d_reclen;
+      if (::unlinkat(folder, entry->d_name, 0) == 0) continue;
+      if (std::strcmp(entry->d_name, ".") != 0 && std::strcmp(entry->d_name, "..") != 0)
+        remove_folder(folder, entry->d_name);
+    }
+  ::close(folder);
+  ::unlinkat(where, name, AT_REMOVEDIR);
 }
 
 }  // namespace
 
-// By system calls alone: nothing of the standard library may be asked in a handler. Under its own name another thread
-// could still put it in place, half empty.
+// Under its own name another thread could still put it in place, half empty.
 void remove_last_staged() noexcept {
   if (!is_staged.exchange(false) || ::rename(staged_path.data(), emptied_path.data()) != 0) return;
-  const int directory = ::open(emptied_path.data(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-  if (directory < 0) return;
-  alignas(dirent64) std::array<char, 4096> entries;
-  for (ssize_t count; (count = ::getdents64(directory, entries.data(), entries.size())) > 0;)
-    for (ssize_t at = 0; at < count;) {
-      const auto* entry = reinterpret_cast<const dirent64*>(entries.data() + at);
-      ::unlinkat(directory, entry->d_name, 0);
-      at += entry->d_reclen;
-    }
-  ::rmdir(emptied_path.data());
+  remove_folder(AT_FDCWD, emptied_path.data());
 }
 
 void fail(const fs::path& known_as, int error) {

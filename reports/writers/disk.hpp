@@ -43,8 +43,8 @@ class staging {
   int lock_ = -1;
 };
 
-/// Removes what stands in the directory that was staged last, and itself: for the handler of a signal that ends the
-/// program while its other threads go on. Of nested directories nothing; the next run removes those.
+/// Removes the directory that was staged last with all that it holds: for the handler of a signal that ends the program
+/// while its other threads go on.
 void remove_last_staged() noexcept;
 
 /// ".<name>.partial-<pid>" of this process.
