@@ -171,8 +171,6 @@ int run(const verify_arguments& given) {
   const auto scenes = checked_scenes(given);
   for (const auto& scene : scenes) check_options(scene, options);
   options.among = others();
-  if (options.among != nullptr && given.budget)
-    throw input_error(fmt::format("--budget '{}': accepted in a run of one process", one_line(*given.budget, 60)));
   if (!speaks()) return given.forecast ? 0 : take_part(scenes, options);
   if (given.out.empty()) throw input_error("--out '': accepted: the folder to be written");
   const std::filesystem::path out{given.out};

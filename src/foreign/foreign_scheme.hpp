@@ -31,6 +31,7 @@ class foreign_scheme {
   void try_on(const subject&);
   /// Why it does not run on the scene on which it was tried; empty: it does.
   const std::string& refusal() const { return refusal_; }
+  void refuse(const std::string& why) { refusal_ = why; }
 
   /// Nanoseconds of a step of one path, as it was tried.
   double cost() const { return cost_; }

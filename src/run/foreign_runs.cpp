@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <iterator>
 #include <optional>
 #include <string_view>
@@ -58,6 +59,20 @@ part alone(experiment e, subject s) {
 bool is_reported(const report::results& so_far, std::string_view scheme) {
   return std::ranges::any_of(so_far.verdicts,
                              [&](const report::verdict& v) { return v.scheme == scheme && v.claim == works; });
+}
+
+/// Of the first that says something.
+std::string said_by_any(const std::string& mine, const ranks& among) {
+  for (const auto& words : among.told_by_all(mine))
+    if (!words.empty()) return words;
+  return "";
+}
+
+foreign::claims of_the_first(const foreign::claims& mine, const ranks& among) {
+  using bytes = std::array<char, sizeof mine>;
+  auto told = std::bit_cast<bytes>(mine);
+  std::ranges::copy(among.told_by_all({told.begin(), told.end()}).front(), told.begin());
+  return std::bit_cast<foreign::claims>(told);
 }
 
 }  // namespace
@@ -129,6 +144,15 @@ void report_failures(const experiment& e, const subject& s, const foreign::forei
     v.kind = report::verdict_kind::refuted;
     v.reason = *why;
     out.verdicts.push_back(v);
+  }
+}
+
+void agree(const foreign::foreign_schemes& all, const ranks* among) {
+  if (among == nullptr) return;
+  for (const auto& one : all) {
+    if (const auto why = said_by_any(one->failure().value_or(""), *among); !why.empty()) one->fail(why);
+    if (const auto why = said_by_any(one->refusal(), *among); !why.empty()) one->refuse(why);
+    one->take_as_claimed(of_the_first(one->about().claims, *among));
   }
 }
 

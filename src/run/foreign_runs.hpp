@@ -7,6 +7,7 @@
 #include "experiments/common/experiment.hpp"
 #include "foreign/foreign_scheme.hpp"
 #include "reports/model/results.hpp"
+#include "run/ranks.hpp"
 
 namespace polhode {
 
@@ -27,5 +28,9 @@ void append_of_schemes(const subject& part, report::results more, report::result
 /// Of integrators that have failed in this experiment: all that it says of them gives way to one verdict with the
 /// reason.
 void report_failures(const experiment&, const subject&, const foreign::foreign_schemes&, report::results&);
+
+/// What one process has found of an integrator, that it has failed or does not run here, all know: in the words of the
+/// first that has any. Its claims are those that the first has measured. Null: this process is alone.
+void agree(const foreign::foreign_schemes&, const ranks* among);
 
 }  // namespace polhode

@@ -17,6 +17,8 @@ class ranks {
   virtual ~ranks() = default;
   virtual int rank() const = 0;
   virtual int size() const = 0;
+  /// What everybody says, by rank, everywhere.
+  virtual std::vector<std::string> told_by_all(const std::string& mine) const = 0;
   /// The first one's, everywhere.
   virtual std::optional<report::results> of_the_first(const std::optional<report::results>&) const = 0;
   /// Everybody's, by rank.

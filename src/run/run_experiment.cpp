@@ -111,17 +111,40 @@ const dealt_schemes* dealt_before(const experiment& e, const shared_work* shared
   return all == std::set<std::string>(missing.begin(), missing.end()) ? &dealt : nullptr;
 }
 
+/// This rank's part, which it may have found already; nothing where its time was up.
+std::optional<report::results> own_part(const experiment& e, const context& c, const kept_results& kept,
+                                        const names& mine, bool dealt_before) {
+  report::results out;
+  if (mine.empty()) return out;
+  if (dealt_before) {
+    const auto found = kept.shared->found.find(e.info.name);
+    return found != kept.shared->found.end() ? std::optional(found->second) : std::nullopt;
+  }
+  if (!within(kept.budget, [&] { out = computed(e, c, mine); })) return std::nullopt;
+  return out;
+}
+
+/// By rank; where one of them had no time left there is nothing for any.
+std::vector<report::results> parts_of_all(const std::optional<report::results>& mine, const kept_results& kept) {
+  const auto ready = [](const std::string& word) { return word == "ready"; };
+  if (kept.budget != nullptr && !std::ranges::all_of(kept.among->told_by_all(mine ? "ready" : "out of time"), ready))
+    throw out_of_time();
+  return kept.among->of_all(*mine);
+}
+
 /// One run of all, or one of each rank that has some of them, which say the same of the noise.
 std::vector<joint_run> compute_all(const experiment& e, const context& c, const kept_results& kept,
                                    const names& schemes) {
   const auto* among = kept.among;
-  if (among == nullptr || among->size() == 1) return {{schemes, computed(e, c, schemes)}};
+  if (among == nullptr || among->size() == 1) {
+    auto all = own_part(e, c, kept, schemes, false);
+    if (!all) throw out_of_time();
+    return {{schemes, std::move(*all)}};
+  }
   const auto* before = dealt_before(e, kept.shared, schemes);
   const auto dealt = before != nullptr ? *before : dealt_in_turn(among->size(), schemes);
   const auto& mine = dealt[static_cast<std::size_t>(among->rank())];
-  auto found = among->of_all(mine.empty()        ? report::results{}
-                             : before != nullptr ? kept.shared->found.at(e.info.name)
-                                                 : computed(e, c, mine));
+  auto found = parts_of_all(own_part(e, c, kept, mine, before != nullptr), kept);
   const auto audits = as_of_one_run(found, c.subject.schemes);
   std::vector<joint_run> runs;
   for (std::size_t i = 0; i < dealt.size(); ++i) {
@@ -195,8 +218,8 @@ report::results computed(const experiment& e, const context& c, const names& sch
 }
 
 void run_experiment(const experiment& e, const context& c, const kept_results& kept, report::results& out) {
-  auto* store = e.kept ? kept.store : nullptr;
-  const kept_results here{store, kept.but_of, kept.among, kept.shared};
+  auto here = kept;
+  if (!e.kept) here.store = nullptr;
   auto entries = ask(e, c, here);
   for (const auto& one : entries)
     if (one.part) out.reused.push_back(reused(e, one));

@@ -110,7 +110,7 @@ shared_work sharing::computed_now(std::span<const experiment> these, const conte
     const double cost = cost_of(costs, e.info.name, schemes);
     auto here = c;
     here.progress = [&](double share) { tell((before + share * cost) / own * total_of(costs)); };
-    out.found[e.info.name] = computed(e, here, schemes);
+    if (!within(budget_, [&] { out.found[e.info.name] = computed(e, here, schemes); })) break;
     before += cost;
   }
   return out;

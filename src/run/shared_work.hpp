@@ -12,6 +12,7 @@
 
 #include "experiments/common/experiment.hpp"
 #include "run/ranks.hpp"
+#include "run/time_budget.hpp"
 
 namespace polhode {
 
@@ -28,7 +29,7 @@ using dealt_schemes = std::vector<std::vector<std::string>>;
 /// whole. Among these its schemes in the same way.
 std::map<std::string, dealt_schemes> deal(std::span<const scheme_cost>, int ranks);
 
-/// What was dealt, and what this process has found of its part.
+/// What was dealt, and what this process has found of its part, as far as its time reached.
 struct shared_work {
   std::map<std::string, dealt_schemes> dealt;
   std::map<std::string, report::results> found;
@@ -42,8 +43,9 @@ std::vector<scheme_cost> agreed(const std::vector<scheme_cost>&, const ranks&);
 class sharing {
  public:
   /// Null or one rank: nothing is shared. The rest outlives it.
-  sharing(std::span<const experiment> experiments, std::span<const scheme_cost> costs, const ranks* among)
-      : experiments_(experiments), costs_(costs), among_(among) {}
+  sharing(std::span<const experiment> experiments, std::span<const scheme_cost> costs, const ranks* among,
+          const time_budget* budget)
+      : experiments_(experiments), costs_(costs), among_(among), budget_(budget) {}
 
   /// The share with experiment i in it, computed now where it begins one; null: it is in none. Tells the processor
   /// seconds of the share that are done, all processes together, as far as this one knows.
@@ -56,6 +58,7 @@ class sharing {
   std::span<const experiment> experiments_;
   std::span<const scheme_cost> costs_;
   const ranks* among_;
+  const time_budget* budget_;
   shared_work now_;
   std::size_t end_ = 0;  ///< of the share
 };

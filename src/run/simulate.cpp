@@ -20,6 +20,7 @@
 #include "reports/model/errors.hpp"
 #include "run/bind_scene.hpp"
 #include "run/cache_key.hpp"
+#include "run/foreign_runs.hpp"
 #include "run/machine_options.hpp"
 #include "run/provenance.hpp"
 #include "scene/nearest.hpp"
@@ -279,6 +280,7 @@ report::simulation simulate(const scene& s, const simulate_options& o, const pro
   const auto begun = std::chrono::steady_clock::now();
   const auto cpu_begun = std::clock();
   take_over(simulate_ensemble(*r.subject.model, *r.scheme->make(o.dt), r.plan, tell), r, out);
+  agree(o.foreign, o.among);
   for (const auto& one : o.foreign)
     if (const auto why = one->failure(); why && one->about().name == o.scheme)
       throw output_error(fmt::format("{}: {}", o.scheme, *why));

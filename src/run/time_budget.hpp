@@ -10,6 +10,9 @@
 
 namespace polhode {
 
+/// Thrown where the time of a run is up, for any of the processes that share it, and work is not done.
+struct out_of_time {};
+
 /// Of so many seconds from now on.
 class time_budget {
  public:

@@ -66,7 +66,7 @@ report::results finished(report::results out, const stopwatch& watch) {
 /// On the schemes by how they may be asked.
 void run_on_parts(const experiment& e, const context& c, const verify_options& options, const shared_work* shared,
                   report::results& out) {
-  kept_results kept{options.store, {}, options.among, shared};
+  kept_results kept{options.store, {}, options.among, shared, options.budget.get()};
   for (const auto& one : options.foreign) kept.but_of.push_back(one->about().name);
   const auto parts = parts_for(e, c.subject, options.foreign, out);
   for (const auto& part : parts) {
@@ -79,6 +79,7 @@ void run_on_parts(const experiment& e, const context& c, const verify_options& o
     run_experiment(part.experiment, on_part, kept, more);
     append_of_schemes(part.subject, std::move(more), out);
   }
+  agree(options.foreign, options.among);
   report_failures(e, c.subject, options.foreign, out);
   excuse_unclaimed(options.foreign, c.subject.model->noise(), out);
 }
@@ -90,16 +91,20 @@ bool run_in_time(const experiment& e, const context& c, const verify_options& op
     out.skipped.push_back({e.info.name, "", *reason});
     return true;
   }
-  const auto work = [&] { run_on_parts(e, c, options, shared, out); };
-  if (!options.budget) return work(), true;
-  const bool begun = !options.budget->used_up();
+  const auto* when = shared != nullptr                             ? ""  // begun by some of the processes
+                     : options.budget && options.budget->used_up() ? " before"
+                                                                   : " meanwhile";
   auto before = out;
-  if (within(options.budget.get(), work)) return true;
-  out = std::move(before);
-  out.skipped.push_back({e.info.name, "",
-                         fmt::format("the budget of {:g} s was used up {} (--budget)", options.budget->seconds(),
-                                     begun ? "meanwhile" : "before")});
-  return false;
+  try {
+    run_on_parts(e, c, options, shared, out);
+    return true;
+  } catch (const out_of_time&) {
+    out = std::move(before);
+    out.skipped.push_back(
+        {e.info.name, "",
+         fmt::format("the budget of {:g} s was used up{} (--budget)", options.budget->seconds(), when)});
+    return false;
+  }
 }
 
 bool is_wanted(std::string_view scheme, const verify_options& options) {
@@ -125,7 +130,7 @@ void run_experiments(const subject& s, const std::vector<experiment>& experiment
   };
   experiment_profile profile(options.profile);
   // One from elsewhere is asked in a form of its own, so nothing is shared beforehand.
-  sharing shares(experiments, of_schemes, options.foreign.empty() ? options.among : nullptr);
+  sharing shares(experiments, of_schemes, options.foreign.empty() ? options.among : nullptr, options.budget.get());
   for (std::size_t i = 0; i < experiments.size(); ++i) {
     const auto& e = experiments[i];
     const double weight = weight_of(costs[i]);
@@ -196,6 +201,7 @@ report::results verify(const scene& s, const verify_options& options, const prog
   for (const auto& one : options.foreign)
     if (is_wanted(one->about().name, options))
       within(options.budget.get(), [&] { measure_claims(s, one, options.experiments, options.threads, options.seed); });
+  agree(options.foreign, options.among);
   return verify_subject(bind_scene(s, options.foreign), options, progress);
 }
 

@@ -41,7 +41,7 @@ struct verify_options {
   bool profile = false;                   ///< say where the processor time went
   report::result_store* store = nullptr;  ///< keeps results from run to run; for schemes that are ours only
   foreign::foreign_schemes foreign = {};  ///< integrators from elsewhere, beside ours
-  const ranks* among = nullptr;           ///< processes that share the work, without a budget; null: this one alone
+  const ranks* among = nullptr;           ///< processes that share the work; null: this one alone
   std::shared_ptr<const time_budget> budget =
       nullptr;  ///< what it ends is named in `skipped`; null: as long as it takes
 };

@@ -9,7 +9,6 @@
 #include <boost/crc.hpp>
 #include <cerrno>
 #include <fstream>
-#include <new>
 #include <stdexcept>
 #include <system_error>
 
@@ -99,8 +98,6 @@ void checkpoint_folder::save(const std::string& key, const std::function<void(co
       fs::rename(partial, path, error);
     } catch (const std::system_error& e) {
       error = e.code();
-    } catch (const std::bad_alloc&) {
-      error = std::make_error_code(std::errc::not_enough_memory);
     }
   if (!error) return found(path);
   if (trouble_.empty()) trouble_ = error.message();
