@@ -25,8 +25,8 @@ class Configuration(unittest.TestCase):
 
     def configured(self, *options):
         """One folder: the compiler is looked at once."""
-        done = subprocess.run(["cmake", "-S", ROOT, "-B", self.folder.name, *self.options, *options], capture_output=True,
-                              text=True)
+        words = ["cmake", "-G", "Ninja", "-S", ROOT, "-B", self.folder.name, *self.options, *options]
+        done = subprocess.run(words, capture_output=True, text=True)
         return done.returncode, " ".join(done.stderr.split())
 
     def test_a_missing_library_is_named_with_its_package(self):
