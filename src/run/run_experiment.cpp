@@ -82,7 +82,7 @@ std::vector<entry> ask(const experiment& e, const context& c, const kept_results
   for (const auto& scheme : c.subject.schemes) {
     const bool asks = first && kept.store != nullptr && !contains(kept.but_of, scheme.info.name);
     entry one{std::string(scheme.info.name), asks ? cache_key(c, e.info.name, scheme.info.name) : "", {}};
-    if (!one.key.empty()) one.part = kept.store->load(one.key);
+    if (asks && !one.key.empty()) one.part = kept.store->load(one.key);
     if (kept.among != nullptr) one.part = kept.among->of_the_first(one.part);
     entries.push_back(std::move(one));
   }
