@@ -99,6 +99,7 @@ bool run_in_time(const experiment& e, const context& c, const verify_options& op
     run_on_parts(e, c, options, shared, out);
     return true;
   } catch (const out_of_time&) {
+    agree(options.foreign, options.among);  // on what one has found before its time was up
     out = std::move(before);
     out.skipped.push_back(
         {e.info.name, "",
