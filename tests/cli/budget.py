@@ -5,8 +5,9 @@ import json, os, time, unittest
 
 from case import Case
 from formats import read
+from patience import within
 
-SLACK = 3  # seconds: what is under way ends, and the report is written
+SLACK = within(3)  # seconds: what is under way ends, and the report is written
 
 
 class Budget(Case):

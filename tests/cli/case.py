@@ -2,6 +2,8 @@
 """What tests of the polhode binary share: the binary, which is the first argument, a folder and a cache of its own."""
 import json, os, signal, subprocess, sys, tempfile, unittest
 
+from patience import within
+
 EXE = os.path.abspath(sys.argv.pop(1)) if len(sys.argv) > 1 else 'polhode'
 FAST = ('--effort', 'quick', '--experiments', 'casimir', '--schemes', 'heun,lie_heun', '--threads', '2')
 GOOD = dict(name='given', system='rigid_body', inertia=[1., 2., 3.], theta=.5, sigma=.5, momentum=[.6, .48, .64], horizon=2., steps=[4, 8, 16, 32])
@@ -23,7 +25,7 @@ class Case(unittest.TestCase):
 
     def run_it(self, *args, stdout=subprocess.PIPE, **env):
         p = subprocess.run([EXE, *args], stdout=stdout, stderr=subprocess.PIPE, text=True, cwd=self.folder.name,
-                           env=environment(**dict(POLHODE_CACHE=self.cache) | env), timeout=300)
+                           env=environment(**dict(POLHODE_CACHE=self.cache) | env), timeout=within(300))
         return p.returncode, p.stdout, p.stderr
 
     def start(self, *args, **streams):

@@ -5,6 +5,7 @@ import glob, json, os, signal, subprocess, time, unittest
 
 from case import Case, environment, EXE
 from formats import read
+from patience import within
 
 RUN = ('simulate', 'paper', '--scheme', 'lie_heun', '--dt', '1e-6', '--bodies', '66', '--noise', 'independent', '--snapshots', '0.5,2', '--checkpoint', '0.05', '--out', 'out')
 
@@ -16,7 +17,7 @@ class Checkpoints(Case):
 
     def finished(self, *more, cache=None):
         process = self.simulate(*more, cache=cache)
-        out, err = process.communicate(timeout=300)
+        out, err = process.communicate(timeout=within(300))
         self.assertEqual((process.returncode, err), (0, ''))
         return out
 
@@ -60,7 +61,7 @@ class Checkpoints(Case):
             if when(): break
             self.assertIsNone(process.poll(), 'ended before')
         process.send_signal(signal.SIGTERM)
-        err = process.communicate(timeout=60)[1]
+        err = process.communicate(timeout=within(60))[1]
         self.assertEqual(process.returncode, 143)
         self.assertEqual(self.left_behind(), [])
         return err
@@ -91,7 +92,7 @@ class Checkpoints(Case):
         occupied = os.path.join(self.cache, 'file')
         open(occupied, 'w').close()
         process = self.simulate(cache=os.path.join(occupied, 'below'))
-        out, err = process.communicate(timeout=300)
+        out, err = process.communicate(timeout=within(300))
         self.assertEqual(process.returncode, 0)
         self.assertRegex(err, r'\Apolhode: no checkpoint of this run was kept: [^\n]+: Not a directory\n\Z')
         self.assertIn('final states', out)

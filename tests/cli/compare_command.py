@@ -3,6 +3,8 @@
 """Drives `polhode compare` and the baselines of `verify` as a user does.   usage: compare_command.py POLHODE"""
 import json, os, re, subprocess, sys, tempfile, unittest
 
+from patience import within
+
 EXE = sys.argv.pop(1)
 
 
@@ -23,7 +25,7 @@ class Compare(unittest.TestCase):
 
     @classmethod
     def run_it(cls, *args):
-        p = subprocess.run([EXE, *args], capture_output=True, text=True, timeout=300, env=cls.env)
+        p = subprocess.run([EXE, *args], capture_output=True, text=True, timeout=within(300), env=cls.env)
         return p.returncode, p.stdout, p.stderr
 
     def changed(self, change):

@@ -5,6 +5,7 @@ import concurrent.futures, functools, json, os, re, resource, shlex, shutil, sub
 
 import diagnostics as rows
 from case import EXE, Case, environment
+from patience import within
 
 SAMPLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../golden/data/results.json')
 QUICK = ('--effort', 'quick', '--experiments', 'casimir', '--schemes', 'heun', '--threads', '1')
@@ -55,7 +56,7 @@ class Arguments(Said):
 
     def test_no_more_files(self):
         few = lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (5, 5))
-        p = subprocess.run([EXE, 'verify', '--with', 'true'], capture_output=True, text=True, preexec_fn=few, cwd=self.folder.name, env=environment(), timeout=60)
+        p = subprocess.run([EXE, 'verify', '--with', 'true'], capture_output=True, text=True, preexec_fn=few, cwd=self.folder.name, env=environment(), timeout=within(60))
         self.assertEqual((p.returncode, p.stdout, p.stderr), (2, '', "polhode: --with 'true': no pipe: Too many open files\n"))
 
     def test_no_place_for_baselines(self):

@@ -5,6 +5,7 @@ import concurrent.futures, json, os, shutil, signal, subprocess, sys, time, unit
 
 EXAMPLES, CC = os.path.abspath(sys.argv.pop(2)), sys.argv.pop(2)
 import case
+from patience import within
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FAST = ('--effort', 'quick', '--experiments', 'casimir', '--threads', '2', '--no-cache')
@@ -85,7 +86,7 @@ class Running(Case):
         while not os.path.exists(os.path.join(self.folder.name, 'pids.hangs')): time.sleep(.02)
         time.sleep(.3)
         p.send_signal(signal.SIGINT)
-        self.assertEqual(p.wait(timeout=5), 130)
+        self.assertEqual(p.wait(timeout=within(5)), 130)
         self.assert_none_left('hangs')
 
 

@@ -4,6 +4,7 @@
 import fcntl, json, os, pty, select, signal, struct, subprocess, termios, time, unittest
 
 from case import FAST, Case
+from patience import within
 
 SLOW = ('--effort', 'thorough', '--experiments', 'strong', '--threads', '2')
 
@@ -15,7 +16,7 @@ class Growing(Case):
         p = self.start('verify', *self.LONG, '--progress', 'lines', stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         self.assertRegex(p.stderr.readline().decode(), r'\Aenergy: 1 of 2 experiments after [\d.]+ (m?s|min)')
         p.send_signal(signal.SIGINT)
-        self.assertEqual((p.communicate(timeout=60)[1], p.returncode), (b'polhode: stopped: report holds what was finished by then\n', 130))
+        self.assertEqual((p.communicate(timeout=within(60))[1], p.returncode), (b'polhode: stopped: report holds what was finished by then\n', 130))
         folder = os.path.join(self.folder.name, 'report', 'paper')
         read = lambda name: open(os.path.join(folder, name), encoding='utf-8').read()
         results = json.loads(read('results.json'))
@@ -49,14 +50,14 @@ class Terminal(Case):
         master, slave = pty.openpty()
         fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack('HHHH', 24, columns, 0, 0))
         p = self.start('verify', *args, stdout=subprocess.DEVNULL, stderr=slave); os.close(slave)
-        seen, until = b'', time.time() + 300
+        seen, until = b'', time.time() + within(300)
         while time.time() < until:
             if not select.select([master], [], [], 1)[0]: continue
             try: chunk = os.read(master, 4096)
             except OSError: break
             if not chunk: break
             seen += chunk
-        os.close(master); p.wait(timeout=60)
+        os.close(master); p.wait(timeout=within(60))
         return seen.decode()
 
     def test_progress(self):
@@ -69,8 +70,8 @@ class Terminal(Case):
         for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
             p = self.start('verify', *SLOW, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
             time.sleep(.7); sent = time.time(); p.send_signal(number)
-            err = p.communicate(timeout=60)[1]
-            self.assertEqual((p.returncode, err), (code, b'polhode: stopped before anything was finished\n')); self.assertLess(time.time() - sent, 5)
+            err = p.communicate(timeout=within(60))[1]
+            self.assertEqual((p.returncode, err), (code, b'polhode: stopped before anything was finished\n')); self.assertLess(time.time() - sent, within(5))
             self.assertEqual(self.left_behind(), [])
 
     def test_scenes_that_were_not_begun_are_named(self):
@@ -78,14 +79,14 @@ class Terminal(Case):
         p = self.start('verify', *scenes, *SLOW, '--schemes', 'heun', '--progress', 'lines', stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         self.assertRegex(p.stderr.readline().decode(), r'\Afree: strong: 1 of 1 experiments')
         time.sleep(.1); p.send_signal(signal.SIGTERM)
-        err = p.communicate(timeout=60)[1].decode()
+        err = p.communicate(timeout=within(60))[1].decode()
         self.assertEqual((p.returncode, err), (143, 'polhode: stopped: report holds what was finished by then, nothing yet of so4, spin; the same command goes on from there\n'))
         self.assertEqual(sorted(os.listdir(os.path.join(self.folder.name, 'report'))), ['free'])
 
     def test_quiet_is_quiet(self):
         p = self.start('verify', *SLOW, '--quiet', stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         time.sleep(.7); p.send_signal(signal.SIGINT)
-        self.assertEqual((p.communicate(timeout=60)[1], p.returncode), (b'', 130))
+        self.assertEqual((p.communicate(timeout=within(60))[1], p.returncode), (b'', 130))
 
 
 if __name__ == '__main__':

@@ -6,9 +6,10 @@ import concurrent.futures, os, subprocess, time, unittest
 import bad_scenes
 from bad_scenes import GOOD, KEYS
 from case import EXE, Case, environment
+from patience import within
 
 READ = '--quantity is missing; accepted: expectation, gibbs, lyapunov, gap'  # what `reference` says of a good scene
-IN_TIME = 2  # seconds
+IN_TIME = within(2)
 
 
 def lines_of(keys): return [f'{k} = {v}' for k, v in keys.items()]
@@ -55,7 +56,7 @@ class Files(Case):
     def read(self, path, number=0):
         """What `reference` says of a file, and the seconds it takes."""
         begun = time.monotonic()
-        p = subprocess.run([EXE, 'reference', path], capture_output=True, text=True, cwd=self.folder.name, env=environment(), timeout=60)
+        p = subprocess.run([EXE, 'reference', path], capture_output=True, text=True, cwd=self.folder.name, env=environment(), timeout=within(60))
         return p.returncode, p.stdout, p.stderr, time.monotonic() - begun
 
     def hold(self, scenes):
@@ -132,7 +133,7 @@ class Places(Files):
         text = bytes_of(lines_of(GOOD['rigid_body']))
         p = subprocess.Popen([EXE, 'reference', '/dev/stdin'], stdin=subprocess.PIPE, stderr=subprocess.PIPE, cwd=self.folder.name)
         time.sleep(.2)  # it waits
-        self.assertEqual(p.communicate(text, timeout=60)[1].decode(), f'polhode: {READ}\n')
+        self.assertEqual(p.communicate(text, timeout=within(60))[1].decode(), f'polhode: {READ}\n')
 
     def test_names_of_no_scene(self):
         for name, shown in (('', "''"), ('papr', 'papr'), (100_000 * 'x', 199 * 'x' + '…')):

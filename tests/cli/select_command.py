@@ -5,12 +5,14 @@
 Exit codes, errors of one line, the fields of JSON, and snippets that compile and run."""
 import json, os, subprocess, sys, tempfile, unittest
 
+from patience import within
+
 EXE, CXX, *INCLUDES = sys.argv[1:] if len(sys.argv) > 3 else ('polhode', 'c++', '/usr/include')
 sys.argv[1:] = []
 
 
 def run_it(*args):
-    p = subprocess.run([EXE, 'select', *args], capture_output=True, text=True, timeout=300)
+    p = subprocess.run([EXE, 'select', *args], capture_output=True, text=True, timeout=within(300))
     return p.returncode, p.stdout, p.stderr
 
 

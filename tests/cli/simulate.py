@@ -4,6 +4,7 @@
 import csv, json, math, os, struct, subprocess, sys, tempfile, unittest
 
 from formats import read, read_npy, read_png
+from patience import within
 
 EXE = os.path.abspath(sys.argv.pop(1)) if len(sys.argv) > 1 else 'polhode'
 GOOD = {'--scheme': 'strang', '--dt': '0.05', '--bodies': '100', '--noise': 'common', '--out': 'out'}
@@ -20,7 +21,7 @@ class Case(unittest.TestCase):
         """Options by name, a dash as _; None leaves one out."""
         given = GOOD | {'--' + k: v for k, v in options.items()}
         words = [w for k, v in given.items() if v is not None for w in (k, str(v))]
-        p = subprocess.run([EXE, 'simulate', scene, *words], capture_output=True, text=True, cwd=self.folder.name, timeout=300)
+        p = subprocess.run([EXE, 'simulate', scene, *words], capture_output=True, text=True, cwd=self.folder.name, timeout=within(300))
         return p.returncode, p.stdout, p.stderr
 
     def good(self, scene='paper', **options):
