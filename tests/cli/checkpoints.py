@@ -23,15 +23,20 @@ class Checkpoints(Case):
 
     def kept(self): return glob.glob(os.path.join(self.cache, '*.checkpoint'))
 
+    def a_save(self):
+        """Whether there is a checkpoint that is not there now."""
+        stamps = lambda: [os.stat(f).st_mtime_ns for f in self.kept()]
+        before = stamps()
+        def saved():
+            try: return stamps() != before
+            except FileNotFoundError: return False  # being replaced
+        return saved
+
     def killed_after_a_save(self):
-        """Of a run: it is killed once there is a checkpoint that was not there before."""
-        before = [os.stat(f).st_mtime_ns for f in self.kept()]
-        process = self.simulate()
+        saved, process = self.a_save(), self.simulate()
         for _ in range(3000):
             time.sleep(0.01)
-            try: now = [os.stat(f).st_mtime_ns for f in self.kept()]
-            except FileNotFoundError: continue  # being replaced
-            if now != before: break
+            if saved(): break
             self.assertIsNone(process.poll(), 'ended before it was saved once')
         process.send_signal(signal.SIGKILL)
         process.communicate()
@@ -67,10 +72,10 @@ class Checkpoints(Case):
         return err
 
     def test_stopped_it_says_what_is_kept(self):
-        self.assertEqual(self.stopped(when=self.kept), 'polhode: stopped: the same command goes on from the last checkpoint\n')
-        self.assertEqual(self.stopped('--quiet', when=self.kept), '')
+        self.assertEqual(self.stopped(when=self.a_save()), 'polhode: stopped: the same command goes on from the last checkpoint\n')
+        self.assertEqual(self.stopped('--quiet', when=self.a_save()), '')
         begun = time.monotonic()
-        self.assertEqual(self.stopped('--no-cache', when=lambda: time.monotonic() > begun + .3), 'polhode: stopped before any checkpoint: nothing is written\n')
+        self.assertEqual(self.stopped('--no-cache', when=lambda: time.monotonic() > begun + within(.3)), 'polhode: stopped before any checkpoint: nothing is written\n')
 
     def test_a_recording_that_is_stopped_leaves_nothing(self):
         hidden = lambda: [f for f in os.listdir(self.folder.name) if f.startswith('.out.partial-') and os.listdir(os.path.join(self.folder.name, f))]
