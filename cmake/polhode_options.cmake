@@ -17,7 +17,8 @@ endif()
 
 # A pack is an object of a class: under all checks of the address and undefined-behaviour sanitizers each intermediate value
 # of a step lies in memory, its scope watched, also after the return, and its references held against null, and a step takes
-# many times as long. Where steps are taken by the million it is watched when it is stored. Tests of the schemes themselves have every check.
+# many times as long. Where steps are taken by the million it is watched when it is stored. Tests of the schemes themselves
+# have every check.
 set(POLHODE_PACKS_AS_NUMBERS)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=address")
   set(POLHODE_PACKS_AS_NUMBERS -fno-sanitize=null,alignment -fno-sanitize-address-use-after-scope
