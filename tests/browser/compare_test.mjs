@@ -3,7 +3,7 @@
 //
 //   node compare_test.mjs POLHODE [FOLDER]
 //
-// Screenshots go to FOLDER. POLHODE_BEFORE and POLHODE_AFTER name two results.json to look at instead.
+// Screenshots go to FOLDER (pictures). POLHODE_BEFORE and POLHODE_AFTER name two results.json to look at instead.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -14,7 +14,7 @@ import { scratch } from './pages.mjs';
 import { key, numbersIn, until } from './plots.mjs';
 import { atEnd, downloaded, drawAll, open } from './visit.mjs';
 
-const [polhode, pictures = join(scratch, 'pictures')] = process.argv.slice(2);
+const [polhode, pictures = 'pictures'] = process.argv.slice(2);
 const hostile = '</script><img src=x onerror=alert(1)>';
 let old;
 

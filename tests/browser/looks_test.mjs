@@ -3,17 +3,17 @@
 //
 //   node looks_test.mjs POLHODE [FOLDER]
 //
-// Screenshots go to FOLDER. POLHODE_RESULTS names a results.json to look at instead of a short run of the scene `paper`.
+// Screenshots go to FOLDER (pictures). POLHODE_RESULTS names a results.json to look at instead of a short run of the scene `paper`.
 import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { pageOf, scratch } from './pages.mjs';
+import { pageOf } from './pages.mjs';
 import { until } from './plots.mjs';
 import { richResults } from './rich.mjs';
 import { atEnd, downloaded, open } from './visit.mjs';
 
-const [polhode, pictures = join(scratch, 'pictures')] = process.argv.slice(2);
+const [polhode, pictures = 'pictures'] = process.argv.slice(2);
 mkdirSync(pictures, { recursive: true });
 const rich = richResults(polhode);
 
