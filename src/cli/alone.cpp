@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -34,6 +35,7 @@ together::~together() = default;
 const ranks* others() { return nullptr; }
 bool speaks() { return true; }
 int processes_here() { return 1; }
+std::string signature() { return ""; }
 void fail(std::string_view fault, int /*code*/) { print_error(fault); }
 
 }  // namespace polhode::cli

@@ -63,8 +63,8 @@ int main(int argc, char** argv) {
   std::set_terminate(polhode::cli::end_by_fault);
   polhode::cli::keep_freed_memory();
   polhode::cli::hold_standard_streams();
-  polhode::cli::end_where_memory_ends(polhode::cli::cannot_run);
   const polhode::cli::together all(&argc, &argv);
+  polhode::cli::end_where_memory_ends(polhode::cli::cannot_run, polhode::cli::signature());
   polhode::cli::install_signal_handlers();
   return polhode::cli::guarded(argc, argv);
 }

@@ -3,6 +3,9 @@
 
 #include <unistd.h>
 
+#include <fmt/format.h>
+
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <new>
@@ -16,6 +19,7 @@ namespace polhode::cli {
 namespace {
 
 std::atomic<int> exit_code = 0;  // 0: exceptions are passed on
+std::array<char, 80> line{};     // written beforehand
 
 /// By the first thread that comes here; others wait for the end.
 [[noreturn]] void end() {
@@ -23,7 +27,7 @@ std::atomic<int> exit_code = 0;  // 0: exceptions are passed on
   while (begun.test_and_set()) ::pause();
   clear_progress();
   report::disk::remove_last_staged();
-  print_aside("polhode: out of memory\n");
+  print_aside(line.data());
   end_at_once(exit_code);
 }
 
@@ -34,7 +38,8 @@ void* there(void* block, bool asked) {
 
 }  // namespace
 
-void end_where_memory_ends(int code) {
+void end_where_memory_ends(int code, std::string_view signature) {
+  fmt::format_to_n(line.begin(), line.size() - 1, "polhode: {}out of memory\n", signature);
   exit_code = code;
   std::set_new_handler(end);
 }

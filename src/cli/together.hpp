@@ -3,6 +3,7 @@
 // src/mpi knows them.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "run/ranks.hpp"
@@ -24,9 +25,10 @@ const ranks* others();
 bool speaks();
 /// Of those, on this machine.
 int processes_here();
+/// What comes before what this process alone has to say: "rank 1 of 3: "; nothing of the first, or alone.
+std::string signature();
 /// Says what has failed. Where all processes come here within a second they have found the same: the first one says it,
-/// and each returns, to end in order. Else who has failed says it, with its number if it is not the first ("rank 1 of
-/// 3: "), and ends all of them with that code.
+/// and each returns, to end in order. Else who has failed says it, signed, and ends all of them with that code.
 void fail(std::string_view fault, int code);
 
 }  // namespace polhode::cli

@@ -124,10 +124,12 @@ int processes_here() {
   return size;
 }
 
+std::string signature() { return speaks() ? "" : fmt::format("rank {} of {}: ", world->rank(), world->size()); }
+
 void fail(std::string_view fault, int code) {
   if (speaks()) print_error(fault);
   if (others() == nullptr || all_come()) return;
-  if (!speaks()) print_error(fmt::format("rank {} of {}: {}", world->rank(), world->size(), fault));
+  if (!speaks()) print_error(signature().append(fault));
   MPI_Abort(MPI_COMM_WORLD, code);
 }
 

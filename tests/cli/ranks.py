@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The same answer from any number of processes and threads.   usage: ranks.py POLHODE MPIRUN POLHODE-MPI"""
+"""The same answer from any number of processes and threads.   usage: ranks.py POLHODE MPIRUN POLHODE-MPI FAULTY.SO"""
 import hashlib, json, os, signal, subprocess, sys, time, unittest
 
-MPIRUN, TOGETHER = sys.argv.pop(2), sys.argv.pop(2)
+MPIRUN, TOGETHER, FAULTY = sys.argv.pop(2), sys.argv.pop(2), sys.argv.pop(2)
 from case import Case, EXE, environment
 from formats import read
 
@@ -188,6 +188,14 @@ class Ranks(Case):
         rc, out, err = self.ended(lambda: self.start_words(*words))
         self.assertEqual((rc, out), (2, ''))
         self.assertRegex(err, r'(?m)^polhode: rank 1 of 2: papr: no such scene')
+
+    def test_one_without_memory_says_which_it_is_and_ends_all(self):
+        asked = [TOGETHER, 'simulate', 'paper', '--scheme', 'strang', '--dt', '0.1', '--bodies', '1000000', '--noise', 'independent', '--out', 'out', '--threads', '1']
+        at_the_states = ['env', f'LD_PRELOAD={FAULTY}', 'POLHODE_FAULT=m 1 on 12 8000000']  # the first eight megabytes asked for at once
+        rc, out, err = self.ended(lambda: self.start_words(MPIRUN, '-q', '-n', '1', *asked, ':', '-n', '1', *at_the_states, *asked))
+        self.assertEqual((rc, out), (4, ''), err)
+        self.assertRegex(err, r'(?m)^polhode: rank 1 of 2: out of memory$')
+        self.assertEqual(os.listdir(self.folder.name), [])
 
     def test_a_rank_that_dies_ends_the_run_and_the_cache_is_kept(self):
         # What is dealt together is kept when all of it is done; work_precision comes after it.
