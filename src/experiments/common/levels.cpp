@@ -59,11 +59,11 @@ level_grid scene_levels(const subject& s) {
   constexpr std::size_t fewest_levels = 5;
   level_grid grid{beyond_reach(s) ? most_time_scales / fastest_rate(s) : s.scene.horizon,
                   {s.scene.steps.begin(), s.scene.steps.end()}};
-  const double time_scales = fastest_rate(s) * grid.horizon;
+  const double scales = fastest_rate(s) * grid.horizon;
   auto& steps = grid.steps;
-  while (steps.size() < fewest_levels && steps.front() % 2 == 0 && steps.front() >= 2 * time_scales)
+  while (steps.size() < fewest_levels && steps.front() % 2 == 0 && steps.front() >= 2 * scales)
     steps.insert(steps.begin(), steps.front() / 2);
-  while (steps.size() < fewest_levels || steps.back() < resolution * time_scales) steps.push_back(2 * steps.back());
+  while (steps.size() < fewest_levels || steps.back() < resolution * scales) steps.push_back(2 * steps.back());
   return grid;
 }
 
