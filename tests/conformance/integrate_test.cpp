@@ -105,8 +105,7 @@ TEST(WienerAt, IsTheNormalsOfItsAddress) {
   for (const int active : {0, 1, 2, 4, 5}) {
     const auto w = wiener_at<5>(address, 0.04, active);
     EXPECT_EQ(w.dt, 0.04);
-    for (int k = 0; k < 5; ++k)
-      EXPECT_DOUBLE_EQ(w.dw[k], k < active ? 0.2 * z[static_cast<std::size_t>(k)] : 0) << active << ' ' << k;
+    for (int k = 0; k < 5; ++k) EXPECT_DOUBLE_EQ(w.dw[k], k < active ? 0.2 * z[k] : 0) << active << ' ' << k;
   }
 }
 

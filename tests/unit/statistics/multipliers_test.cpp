@@ -151,8 +151,8 @@ void expect_sums_over_paths(double bend) {
     g[at] = d.gram_of(p)[0] = 1 + z[0] * z[0];
     gram += g[at] / paths;
     for (int l = 0; l < 4; ++l) {
-      const double r = d.response_of(p, l)[0] = (0.3 + bend * std::pow(dt[static_cast<std::size_t>(l)], 2)) * g[at] +
-                                                0.02 * z[static_cast<std::size_t>(l + 1)];
+      const double r = d.response_of(p, l)[0] =
+          (0.3 + bend * std::pow(dt[static_cast<std::size_t>(l)], 2)) * g[at] + 0.02 * z[l + 1];
       limit[at] += quadratic[l] * r;
       line[at] += linear[l] * r;
       finest[at] = r;
