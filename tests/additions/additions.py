@@ -81,9 +81,9 @@ def check_compiles(words, source, copy, like, name):
     for word in words:
         if skip or word.endswith('ccache'):
             skip = False
-        elif word in ('-o', '-include', '-MF', '-MT'):
+        elif word in ('-o', '-MF', '-MT'):
             skip = True
-        elif word not in ('-c', '-MD', '-Winvalid-pch'):
+        elif word not in ('-c', '-MD', '-Winvalid-pch', '-Xclang', '-include', '-include-pch') and 'cmake_pch' not in word:
             kept.append(word)
     run([*kept, '-fsyntax-only'], copy)
     print(f'{name} compiles')
