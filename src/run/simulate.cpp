@@ -8,7 +8,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <ctime>
 
 #include "ensemble/coadjoint_matrices.hpp"
@@ -213,7 +212,7 @@ void share(simulation_plan& plan, const ranks& among) {
       auto other = at;
       other.read([&](void* bytes, std::size_t count) {
         if (count > theirs.size() - next) throw output_error("another rank's bodies do not fit to this one's");
-        std::memcpy(bytes, theirs.data() + next, count);
+        theirs.copy(static_cast<char*>(bytes), count, next);  // count may be 0, and bytes null
         next += count;
       });
       at.join(other);
