@@ -8,14 +8,15 @@ set_property(CACHE POLHODE_ISA_LEVELS PROPERTY STRINGS ON NATIVE OFF)
 
 set(POLHODE_ISA_SOURCES
   transfer/isa/basis_sums.cpp algebra/isa/dense_algebra.cpp ensemble/observing/isa/direction_bins.cpp transfer/isa/frame_sums.cpp
-  ensemble/noise/isa/normal_block.cpp ensemble/isa/tangent_controls.cpp ensemble/isa/yardstick.cpp systems/rigid_body/isa/rigid_body.cpp
-  systems/rigid_body/isa/rigid_body_rotations.cpp systems/rigid_body/isa/rigid_body_splittings.cpp)
+  ensemble/noise/isa/normal_block.cpp ensemble/isa/tangent_controls.cpp ensemble/isa/yardstick.cpp ensemble/isa/chen.cpp
+  ensemble/tapes/isa/tape_player.cpp systems/rigid_body/isa/rigid_body.cpp)
 file(GLOB POLHODE_SYSTEM_SOURCES CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/../src ${CMAKE_CURRENT_LIST_DIR}/../src/systems/*.cpp)
-list(REMOVE_ITEM POLHODE_SYSTEM_SOURCES systems/systems.cpp)
+list(REMOVE_ITEM POLHODE_SYSTEM_SOURCES systems/systems.cpp systems/scheme_table.cpp systems/faced_system.cpp)
 list(APPEND POLHODE_ISA_SOURCES ${POLHODE_SYSTEM_SOURCES})
 set(POLHODE_ISA_CALLERS
   transfer/basis_sums.cpp algebra/dense_algebra.cpp ensemble/observing/direction_bins.cpp transfer/frame_sums.cpp platform/isa.cpp
-  ensemble/noise/normal_block.cpp ensemble/tangent_controls.cpp ensemble/yardstick.cpp systems/rigid_body/rigid_body.cpp systems/vortices/vortices.cpp
+  ensemble/noise/normal_block.cpp ensemble/tangent_controls.cpp ensemble/yardstick.cpp ensemble/chen.cpp
+  ensemble/tapes/tape_kernel.cpp systems/rigid_body/rigid_body.cpp systems/vortices/vortices.cpp
   ${POLHODE_SYSTEM_SOURCES})
 set(POLHODE_AES_SOURCES ensemble/noise/isa/normal_block_ars.cpp)  # with AES besides, which no level implies
 set(POLHODE_UNCONTRACTED  # the same bits on every instruction set

@@ -47,6 +47,15 @@ struct diagonal_noise {
   }
 };
 
+/// Any constant noise, of which sum sigma_i dW^i stands in the place of the increment.
+struct summed_noise {
+  static constexpr bool shared = false;
+  template <class S>
+  vec<S, 3> noise(const vec<S, 3>& b) const {
+    return b;
+  }
+};
+
 /// What all paths share of one step: computed once, not once a path.
 struct shared_step {
   vec<double, 3> b, area;                          ///< sum sigma_i dW^i and sum A^ij [sigma_i, sigma_j]

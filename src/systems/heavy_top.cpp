@@ -17,8 +17,8 @@
 #include "systems/systems.hpp"
 
 #if defined(POLHODE_ISA)
+#include "ensemble/faces/face_with_flows.hpp"
 #include "systems/heavy_top/heavy_top_at.hpp"
-#include "systems/kernels_in_registers.hpp"
 #endif
 
 namespace polhode {
@@ -34,16 +34,17 @@ namespace {
 }  // namespace
 
 #if defined(POLHODE_ISA)
-template <class Scheme>
-std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const heavy_top& system, const std::vector<double>& momentum,
-                                   double dt) {
-  return kernel_in_registers<Scheme, heavy_top_at>(system, momentum, dt);
-}
+template <>
+struct faces_for<heavy_top> : faces_for<void> {
+  static std::shared_ptr<const face> values(const heavy_top& system, std::span<const double> momentum, double dt) {
+    return bound_where_it_fits<heavy_top, heavy_top_at>(system, momentum, dt);
+  }
+};
 #endif
 
 }  // namespace polhode
 
-POLHODE_MEETS_SCHEMES(heavy_top, polhode::make_heavy_top);
+POLHODE_BEHIND_FACES(heavy_top, polhode::make_heavy_top);
 
 #if POLHODE_COMPILED_ONCE
 namespace polhode {
@@ -155,7 +156,7 @@ system_entry heavy_top_system() {
                          dissipation_strength("time / inertia", "dissipation: dh/dt = -theta |ad*_Omega mu|^2"),
                          noise_vectors(6, "1 / time^(1/2)")},
           .observables = observables(),
-          .bind = POLHODE_BOUND_BY_ISA(heavy_top),
+          .bind = POLHODE_BOUND_TO_SCHEMES(heavy_top),
           .offers = offers,
           .momentum = momentum_and_vertical()};
 }

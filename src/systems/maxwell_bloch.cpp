@@ -28,7 +28,7 @@ namespace {
 }  // namespace
 }  // namespace polhode
 
-POLHODE_MEETS_SCHEMES(maxwell_bloch, polhode::make_maxwell_bloch);
+POLHODE_BEHIND_FACES(maxwell_bloch, polhode::make_maxwell_bloch);
 
 #if POLHODE_COMPILED_ONCE
 namespace polhode {
@@ -130,7 +130,7 @@ system_entry maxwell_bloch_system() {
                       {"x1^2", "x_1^2"},
                       {"x2^2", "x_2^2"},
                       {"x3^2", "x_3^2"}},
-      .bind = POLHODE_BOUND_BY_ISA(maxwell_bloch),
+      .bind = POLHODE_BOUND_TO_SCHEMES(maxwell_bloch),
       .offers = offers,
       .momentum = start_rule()};
 }

@@ -27,7 +27,7 @@ namespace {
 }  // namespace
 }  // namespace polhode
 
-POLHODE_MEETS_SCHEMES(sine_euler, polhode::make_sine_euler);
+POLHODE_BEHIND_FACES(sine_euler, polhode::make_sine_euler);
 
 #if POLHODE_COMPILED_ONCE
 namespace polhode {
@@ -118,7 +118,7 @@ system_entry sine_euler_system() {
           .parameters = {rows_rule(), dissipation_strength("time", "dissipation: dh/dt = -theta |ad*_Omega mu|^2"),
                          by_rows(noise_for, "a finite number, n^2 - 1 of them, or a list of such vectors")},
           .observables = {{"energy", "h"}, {"mu_1", "first component; so for every one"}},
-          .bind = POLHODE_BOUND_BY_ISA(sine_euler),
+          .bind = POLHODE_BOUND_TO_SCHEMES(sine_euler),
           .offers = offers,
           .momentum = by_rows(states_for, "n^2 - 1 finite numbers, not all zero")};
 }

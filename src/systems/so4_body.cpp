@@ -18,7 +18,7 @@
 #include "systems/systems.hpp"
 
 #if defined(POLHODE_ISA)
-#include "systems/kernels_in_registers.hpp"
+#include "ensemble/faces/face_with_flows.hpp"
 #include "systems/so4_body/so4_body_at.hpp"
 #endif
 
@@ -36,16 +36,17 @@ namespace {
 }  // namespace
 
 #if defined(POLHODE_ISA)
-template <class Scheme>
-std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const so4_body& system, const std::vector<double>& momentum,
-                                   double dt) {
-  return kernel_in_registers<Scheme, so4_body_at>(system, momentum, dt);
-}
+template <>
+struct faces_for<so4_body> : faces_for<void> {
+  static std::shared_ptr<const face> values(const so4_body& system, std::span<const double> momentum, double dt) {
+    return bound_where_it_fits<so4_body, so4_body_at>(system, momentum, dt);
+  }
+};
 #endif
 
 }  // namespace polhode
 
-POLHODE_MEETS_SCHEMES(so4_body, polhode::make_so4_body);
+POLHODE_BEHIND_FACES(so4_body, polhode::make_so4_body);
 
 #if POLHODE_COMPILED_ONCE
 namespace polhode {
@@ -128,7 +129,7 @@ system_entry so4_body_system() {
                          dissipation_strength("time / inertia", "dissipation: dh/dt = -theta |ad*_Omega mu|^2"),
                          noise_vectors(6, "1 / time^(1/2)")},
           .observables = observables(),
-          .bind = POLHODE_BOUND_BY_ISA(so4_body),
+          .bind = POLHODE_BOUND_TO_SCHEMES(so4_body),
           .offers = offers};
 }
 

@@ -25,7 +25,7 @@ namespace {
 }  // namespace
 }  // namespace polhode
 
-POLHODE_MEETS_SCHEMES(son_body, polhode::make_son_body);
+POLHODE_BEHIND_FACES(son_body, polhode::make_son_body);
 
 #if POLHODE_COMPILED_ONCE
 namespace polhode {
@@ -114,7 +114,7 @@ system_entry son_body_system() {
                          dissipation_strength("time / inertia", "dissipation: dh/dt = -theta |ad*_Omega mu|^2"),
                          by_rows(noise_for, "a finite number, n (n - 1) / 2 of them, or a list of such vectors")},
           .observables = {{"energy", "h"}, {"mu_1", "first component; so for every one"}},
-          .bind = POLHODE_BOUND_BY_ISA(son_body),
+          .bind = POLHODE_BOUND_TO_SCHEMES(son_body),
           .offers = offers,
           .momentum = by_rows(states_for, "n (n - 1) / 2 finite numbers, not all zero")};
 }

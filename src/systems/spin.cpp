@@ -37,7 +37,7 @@ Eigen::Matrix3d matrix_of(const report::number_rows& rows) {
 }  // namespace
 }  // namespace polhode
 
-POLHODE_MEETS_SCHEMES(spin, polhode::make_spin);
+POLHODE_BEHIND_FACES(spin, polhode::make_spin);
 
 #if POLHODE_COMPILED_ONCE
 namespace polhode {
@@ -181,7 +181,7 @@ system_entry spin_system() {
       .observables = named_observables(),
       .bind =
           [](const report::scene& s) {
-            return has_state_noise(s) ? bind_varying_spin(s) : POLHODE_BOUND_BY_ISA(spin)(s);
+            return has_state_noise(s) ? bind_varying_spin(s) : POLHODE_BOUND_TO_SCHEMES(spin)(s);
           },
       .offers = offers,
       .own_units = {anisotropy_rule(), field_rule("B in E = -S.K S - B.S"),

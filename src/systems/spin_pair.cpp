@@ -10,7 +10,7 @@
 #include "systems/system_source.hpp"
 
 #if defined(POLHODE_ISA)
-#include "systems/kernels_in_registers.hpp"
+#include "ensemble/faces/face_with_flows.hpp"
 #include "systems/spins/spin_pair_at.hpp"
 #endif
 
@@ -26,13 +26,14 @@ namespace {
 }  // namespace
 
 #if defined(POLHODE_ISA)
-template <class Scheme>
-std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const spin_pair& system, const std::vector<double>& momentum,
-                                   double dt) {
-  return kernel_in_registers<Scheme, spin_pair_at>(system, momentum, dt);
-}
+template <>
+struct faces_for<spin_pair> : faces_for<void> {
+  static std::shared_ptr<const face> values(const spin_pair& system, std::span<const double> momentum, double dt) {
+    return bound_where_it_fits<spin_pair, spin_pair_at>(system, momentum, dt);
+  }
+};
 #endif
 
 }  // namespace polhode
 
-POLHODE_MEETS_SCHEMES(spin_pair, polhode::make_spin_pair);
+POLHODE_BEHIND_FACES(spin_pair, polhode::make_spin_pair);

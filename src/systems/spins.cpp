@@ -36,9 +36,9 @@ namespace {
 }  // namespace
 }  // namespace polhode
 
-POLHODE_MEETS_SCHEMES(spins, polhode::make_spins);
-POLHODE_MEETS_SCHEMES(vortices, polhode::make_vortices);
-POLHODE_DECLARE_ENTRIES(polhode_bind_spin_pair_, const polhode::report::scene&, polhode::subject&);
+POLHODE_BEHIND_FACES(spins, polhode::make_spins);
+POLHODE_BEHIND_FACES(vortices, polhode::make_vortices);
+POLHODE_FACED_ELSEWHERE(spin_pair);  // in spin_pair.cpp
 
 #if POLHODE_COMPILED_ONCE
 namespace polhode {
@@ -212,10 +212,8 @@ std::vector<observable_entry> observables() {
 }
 
 subject bind_to_schemes(const report::scene& s) {
-  subject out;
   const bool pair = s.momentum.size() == 6;
-  (pair ? by_isa(POLHODE_ENTRIES(polhode_bind_spin_pair_)) : by_isa(POLHODE_ENTRIES(polhode_bind_spins_)))(s, out);
-  return out;
+  return pair ? POLHODE_BOUND_TO_SCHEMES(spin_pair)(s) : POLHODE_BOUND_TO_SCHEMES(spins)(s);
 }
 
 }  // namespace

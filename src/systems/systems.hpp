@@ -35,4 +35,7 @@ parameter_rule momentum_rule(const system_entry&);
 /// Nothing where there is no such system.
 const system_entry* find_system(std::string_view name);
 
+/// What the system that the scene names offers there; nothing where it names none.
+std::shared_ptr<const capabilities> offers_of(const report::scene&);
+
 }  // namespace polhode

@@ -37,7 +37,7 @@ state_noise form_of(const report::scene& s) {
 }  // namespace
 }  // namespace polhode
 
-POLHODE_MEETS_SCHEMES(varying_spin, polhode::make_varying_spin);
+POLHODE_BEHIND_FACES(varying_spin, polhode::make_varying_spin);
 
 #if POLHODE_COMPILED_ONCE
 namespace polhode {
@@ -110,7 +110,7 @@ std::string varying_in_cpp(const report::scene& s, const sphere_problem& p) {
       form_of(s) == state_noise::damped ? "damped" : "quadratic");
 }
 
-subject bind_varying_spin(const report::scene& s) { return POLHODE_BOUND_BY_ISA(varying_spin)(s); }
+subject bind_varying_spin(const report::scene& s) { return POLHODE_BOUND_TO_SCHEMES(varying_spin)(s); }
 
 }  // namespace polhode
 #endif

@@ -8,13 +8,15 @@
 #include <array>
 #include <cmath>
 
-#include "platform/isa_entry.hpp"
 #include "problem/noise_covariance.hpp"
 #include "problem/vectors.hpp"
 #include "references/free_rotation.hpp"
 #include "sphere/harmonics/backward_operator.hpp"
+#include "systems/system_source.hpp"
 #include "systems/systems.hpp"
 #include "systems/varying_spin.hpp"
+
+POLHODE_FACED_ELSEWHERE(rigid_body);  // in isa/rigid_body.cpp
 
 namespace polhode {
 namespace {
@@ -87,9 +89,7 @@ capabilities offers(const report::scene& s) {
 
 subject bind_to_schemes(const report::scene& scene) {
   if (has_state_noise(scene)) return bind_varying_spin(scene);
-  subject out;
-  by_isa(POLHODE_ENTRIES(polhode_bind_rigid_body_))(scene, out);
-  return out;
+  return POLHODE_BOUND_TO_SCHEMES(rigid_body)(scene);
 }
 
 }  // namespace

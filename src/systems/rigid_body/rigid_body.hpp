@@ -6,7 +6,6 @@
 
 #include <polhode/systems/rigid_body.hpp>
 
-#include "platform/isa_entry.hpp"
 #include "problem/subject.hpp"
 #include "problem/vectors.hpp"
 
@@ -19,6 +18,3 @@ inline rigid_body make_rigid_body(const report::scene& s) {
 }
 
 }  // namespace polhode
-
-// The rigid body bound to every scheme, once per instruction set (isa/rigid_body.cpp).
-POLHODE_DECLARE_ENTRIES(polhode_bind_rigid_body_, const polhode::report::scene&, polhode::subject&);

@@ -158,7 +158,7 @@ parameter_rule noise_rule() {
 }  // namespace
 }  // namespace polhode
 
-POLHODE_DECLARE_ENTRIES(polhode_bind_vortices_, const polhode::report::scene&, polhode::subject&);
+POLHODE_FACED_ELSEWHERE(vortices);  // in spins.cpp
 
 namespace polhode {
 
@@ -174,7 +174,7 @@ system_entry vortices_system() {
       .parameters = {strengths_rule(),
                      dissipation_strength("time", "dissipation: dh/dt = -theta sum |mu_i x Omega_i|^2"), noise_rule()},
       .observables = {{"energy", "h"}},
-      .bind = POLHODE_BOUND_BY_ISA(vortices),
+      .bind = POLHODE_BOUND_TO_SCHEMES(vortices),
       .offers = offers,
       .momentum = states_rule()};
 }

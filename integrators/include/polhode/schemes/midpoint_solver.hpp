@@ -18,6 +18,25 @@
 
 namespace polhode {
 
+/// (1 - slope / 2)^-1: DF(m)^-1 of F(m) = m - mu - motion(m) / 2.
+template <quotient q, class S, int n>
+matrix<S, n> inverse_derivative(const linearised<S, n>& motion_at) {
+  auto out = zeros<matrix<S, n>>(motion_at.value.size);
+  for (int k = 0; k < out.size; ++k) {
+    out[k] = S(-0.5) * motion_at.slope[k];
+    out[k][k] = S(1.0) + out[k][k];
+  }
+  return inverse<q>(out);
+}
+
+/// Takes c = back residual from way. Returns c.c.
+template <class S, int n>
+S correct(vec<S, n>& way, const matrix<S, n>& back, const vec<S, n>& residual) {
+  const auto c = times(back, residual);
+  way = way - c;
+  return dot(c, c);
+}
+
 template <class Rule>
 struct midpoint_solver {
   static constexpr int most_corrections = 8;   ///< by the derivative at mu
@@ -52,7 +71,7 @@ struct midpoint_solver {
     const auto back = inverse_derivative<quotient::truncated>(at);
     const S size = dot(mu, mu);
     auto way = times(back, S(0.5) * at.value);  // m - mu
-    const auto correction = [&] { return times(back, way - S(0.5) * Rule::motion(system, mu + way, w)); };
+    const auto residual = [&] { return way - S(0.5) * Rule::motion(system, mu + way, w); };
     // What is left is about the last correction times its ratio to the one before, which where corrections run away to
     // infinity is none.
     const auto done = [&](const S& last, const S& before) {
@@ -61,14 +80,12 @@ struct midpoint_solver {
     };
     S before = size, last = size;
     for (int i = 0; i < usual_corrections<System, S>; ++i) {
-      const auto c = correction();
-      way = way - c;
       before = last;
-      last = dot(c, c);
+      last = correct(way, back, residual());
     }
     auto pending = !done(last, before);
     for (int i = usual_corrections<System, S>; i < most_corrections && any(S(0.0), pending); ++i) {
-      const auto c = correction();
+      const auto c = times(back, residual());
       for (int k = 0; k < n; ++k) way[k] = select(pending, S(way[k] - c[k]), way[k]);
       before = last;
       last = dot(c, c);
@@ -184,17 +201,6 @@ struct midpoint_solver {
                    zero_vector>
           ? 2
           : 3;
-
-  /// DF(m)^-1.
-  template <quotient q, class S, int n>
-  static auto inverse_derivative(const linearised<S, n>& motion_at) {
-    auto out = zeros<matrix<S, n>>(motion_at.value.size);
-    for (int k = 0; k < out.size; ++k) {
-      out[k] = S(-0.5) * motion_at.slope[k];
-      out[k][k] = S(1.0) + out[k][k];
-    }
-    return inverse<q>(out);
-  }
 
   /// DF(m)^-1 F(m).
   template <class System, class S>

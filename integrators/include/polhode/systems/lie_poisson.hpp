@@ -127,13 +127,17 @@ auto area_noise(const System& system, const state_of<System, S>& mu, const wiene
 /// ad*_{Db[B]} mu besides.
 template <bracketed_noise_system System, class S>
 auto noise_twice(const System& system, const state_of<System, S>& mu, const wiener<S, System::channels>& w) {
-  using g = typename System::algebra;
-  const auto b = noise(system, mu, w);
-  const auto once = g::coad(b, mu);
-  if constexpr (constant_noise_system<System>)
-    return g::coad(b, once);
-  else
-    return g::coad(b, once) + g::coad(system.noise_slope_at(mu, w, once), mu);
+  if constexpr (requires { system.noise_twice_over(mu, w); }) {
+    return system.noise_twice_over(mu, w);
+  } else {
+    using g = typename System::algebra;
+    const auto b = noise(system, mu, w);
+    const auto once = g::coad(b, mu);
+    if constexpr (constant_noise_system<System>)
+      return g::coad(b, once);
+    else
+      return g::coad(b, once) + g::coad(system.noise_slope_at(mu, w, once), mu);
+  }
 }
 
 /// xi = a(mu) dt + sum sigma_i dW^i over one step, both taken at mu.

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled once per instruction set: the rigid body meets its schemes. The costliest kernels are in sources of their
-// own, so that several processors compile them.
+// Compiled once per instruction set: the rigid body's faces, and kernels of its own.
 #include "systems/rigid_body/rigid_body.hpp"
 
-#include "platform/isa_entry.hpp"
+#include <cmath>
+
+#include "systems/rigid_body/rigid_body_face.hpp"
 #include "systems/rigid_body/rigid_body_kernels.hpp"
-#include "systems/rigid_body/rigid_body_parties.hpp"
 #include "systems/schemes.hpp"
+#include "systems/system_source.hpp"
 
 namespace polhode {
 
-#define POLHODE_ELSEWHERE(scheme) extern POLHODE_MEETS_RIGID_BODY(scheme)
-POLHODE_SPLITTINGS(POLHODE_ELSEWHERE)
-POLHODE_ROTATIONS(POLHODE_ELSEWHERE)
+template <>
+struct faces_for<rigid_body> : faces_for<void> {
+  static std::shared_ptr<const face> values(const rigid_body& body, std::span<const double> momentum, double dt) {
+    if (momentum.empty()) return std::make_shared<face_of<rigid_body>>(body, dt);
+    return bound_face_of(body, std::hypot(momentum[0], momentum[1], momentum[2]), dt);
+  }
+};
 
 }  // namespace polhode
 
-extern "C" void POLHODE_ENTRY(polhode_bind_rigid_body_)(const polhode::report::scene& scene, polhode::subject& out) {
-  out = polhode::bind(scene, polhode::make_rigid_body, polhode::all_schemes{});
-}
+POLHODE_BEHIND_FACES(rigid_body, polhode::make_rigid_body);

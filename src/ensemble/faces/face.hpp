@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// A Lie-Poisson system behind virtual functions, each called once for a group of lanes. Whatever a step asks of its
+// system is one of them, so a scheme is compiled once for all systems and a system once for all schemes.
+//
+// A state is [row][lane]: a row for each component and, on a face of tangents, for each component of each tangent, which
+// the functions carry along by their derivatives. Every function reads all that it needs of a pack of lanes before it
+// writes there: its result may take the place of an argument.
+#pragma once
+
+#include "ensemble/kernel.hpp"
+
+namespace polhode {
+
+/// How long a flow runs: t, and the part of the step 1/parts that this is; 0 parts: some other time.
+struct flow_time {
+  double t;
+  int parts;
+};
+
+/// Increments of one step for a group of lanes, as they are drawn: [channel][lane], rows block_lanes apart.
+struct drawn_increments {
+  const double* dw = nullptr;
+  const float* singles = nullptr;  ///< in place of dw: dw = scale * single
+  double scale = 1;
+};
+
+/// The noise of one step, in a form that belongs to the face.
+struct step_noise {
+  enum class kind { none, own, shared };
+  kind of = kind::none;
+  const double* rows = nullptr;  ///< own: what `take` has written; shared: a row of the table that `share` has made
+  const double* area = nullptr;  ///< own: [pair][lane], rows block_lanes apart
+};
+
+class face {
+ public:
+  virtual ~face() = default;
+
+  virtual double dt() const = 0;
+  virtual int components() const = 0;
+  virtual int tangents() const = 0;  ///< carried along with each state
+  virtual int lanes() const = 0;     ///< of a group; divides block_lanes
+  int rows() const { return components() * (1 + tangents()); }
+
+  /// [row][lane] that `take` writes; what a step of common noise takes in the table.
+  virtual int noise_rows() const = 0;
+  virtual void take(const drawn_increments&, double* rows) const = 0;
+  virtual shared_steps share(const increment_view& one_path) const = 0;
+
+  // What a step is built of (polhode/systems/lie_poisson.hpp).
+  virtual void generator(const double* mu, const step_noise&, double* xi) const = 0;
+  virtual void drift(const double* mu, double* xi) const = 0;
+  virtual void motion(const double* mu, const step_noise&, double* out) const = 0;
+  /// c[0] mu + c[1] x + c[2] motion(mu + c[3] x): a stage with its motion in one pass.
+  virtual void stage(const double* mu, const double* x, const double* c, const step_noise&, double* out) const = 0;
+  virtual void noise(const double* mu, const step_noise&, double* out) const = 0;
+  virtual void noise_slope(const double* mu, const double* by, const step_noise&, double* out) const = 0;
+  virtual void noise_twice(const double* mu, const step_noise&, double* out) const = 0;
+  virtual void area_noise(const double* mu, const step_noise&, double* out) const = 0;
+  virtual void ito_drift(const double* mu, double* out) const = 0;
+  /// `motion` and its derivative by the components, [row][column][lane]; of a face without tangents and of at most six
+  /// components. Others are differentiated along tangents.
+  virtual void linearised_motion(const double* mu, const step_noise&, double* value, double* slope) const = 0;
+
+  // The algebra.
+  virtual void bracket(const double* xi, const double* eta, double* out) const = 0;
+  virtual void coad(const double* xi, const double* mu, double* out) const = 0;
+  virtual void exp_action(const double* xi, const double* mu, double* out) const = 0;
+  virtual void cayley_action(const double* xi, const double* mu, double* out) const = 0;
+  virtual void dexp_inv(const double* u, const double* v, double* out) const = 0;
+  virtual void orbit_projection(const double* mu, const double* onto, double* out) const = 0;
+  virtual void sandwich(const double* xi, const double* mu, double* out) const = 0;
+
+  // Flows.
+  virtual void free_flow(const double* mu, flow_time, double* out) const = 0;
+  virtual void dissipation_flow(const double* mu, flow_time, double* out) const = 0;
+  virtual void first_turn(const double* mu, flow_time, double* out) const = 0;
+  virtual void last_turn(const double* mu, flow_time, double* out) const = 0;
+  virtual void noise_flow(const double* mu, const step_noise&, double* out) const = 0;
+  virtual void damped_noise_flow(const double* mu, const step_noise&, double* out) const = 0;
+};
+
+}  // namespace polhode

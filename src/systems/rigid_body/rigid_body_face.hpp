@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rigid body's face, bound to its step size and orbit: what does not change from step to step is computed once, and
+// rotations are polynomials of the degree that the step size asks for.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "ensemble/faces/face_of.hpp"
+#include "systems/rigid_body/rigid_body_choice.hpp"
+#include "systems/rigid_body/rigid_body_forms.hpp"
+
+namespace polhode {
+
+/// What does not depend on the size of rotations: a(Pi) with the Casimir shift.
+class bound_body_motion : public face_of<rigid_body> {
+  using base = face_of<rigid_body>;
+  template <bool dissipation>
+  using bound = rigid_body_at<body_parts{true, true, dissipation}, rotation_size::any, summed_noise>;
+
+ public:
+  bound_body_motion(const rigid_body& body, double dt, double radius)
+      : base(body, dt),
+        damped_(constants_of(body, dt, radius, 0, rotation_size::any), {}),
+        undamped_(constants_of(body, dt, radius, 0, rotation_size::any), {}),
+        dissipates_(parts_of(body).dissipation) {}
+
+  void generator(const double* mu, const step_noise& w, double* xi) const override {
+    with_body(w, [&](const auto& body, auto noise) {
+      each(mu, xi, [&](const state& x, int lane) { return body.generator_over(x, noise(lane)); });
+    });
+  }
+  void drift(const double* mu, double* xi) const override {
+    with_body({}, [&](const auto& body, auto noise) {
+      each(mu, xi, [&](const state& x, int lane) { return body.generator_over(x, noise(lane)); });
+    });
+  }
+  void motion(const double* mu, const step_noise& w, double* out) const override {
+    with_body(w, [&](const auto& body, auto noise) {
+      each(mu, out, [&](const state& x, int lane) { return body.motion_over(x, noise(lane)); });
+    });
+  }
+  void stage(const double* mu, const double* by, const double* c, const step_noise& w, double* out) const override {
+    with_body(w, [&](const auto& body, auto noise) {
+      each(mu, out, [&](const state& x, int lane) {
+        const auto y = load(by + lane);
+        return pack(c[0]) * x + pack(c[1]) * y + pack(c[2]) * body.motion_over(x + pack(c[3]) * y, noise(lane));
+      });
+    });
+  }
+  void linearised_motion(const double* mu, const step_noise& w, double* value, double* slope) const override {
+    with_body(w, [&](const auto& body, auto noise) {
+      each(mu, value, [&](const state& x, int lane) {
+        const auto moved = body.linearised_motion_over(x, noise(lane));
+        for (int row = 0; row < 3; ++row)
+          lane_rows<pack>::store(moved.slope[row], slope + 3 * row * block_lanes + lane, block_lanes);
+        return moved.value;
+      });
+    });
+  }
+
+ protected:
+  bool dissipates() const { return dissipates_; }
+
+  /// sum sigma_i dW^i of a pack of lanes.
+  static vec<pack, 3> sum_of(const step_noise& w, int lane) {
+    return w.of == kind::own ? lane_rows<pack>::load<3>(w.rows + lane, block_lanes, 3)
+                             : detail::lifted<vec<pack, 3>>(w.rows, 3);
+  }
+
+ private:
+  /// f(body, noise), noise(lane) the increment of a pack of lanes in the form that this body expects.
+  template <class F>
+  void with_body(const step_noise& w, F f) const {
+    const auto by_noise = [&](const auto& body) {
+      const auto increment = [&](const vec<pack, 3>& b) { return wiener<pack, 3>{dt(), b}; };
+      if (w.of == kind::none) return f(body.with(no_noise{}), [&](int) { return increment({}); });
+      if (w.of == kind::shared) return f(body, [&](int) { return increment(detail::lifted<vec<pack, 3>>(w.rows, 3)); });
+      f(body, [&](int lane) { return increment(lane_rows<pack>::load<3>(w.rows + lane, block_lanes, 3)); });
+    };
+    if (dissipates_)
+      by_noise(damped_);
+    else
+      by_noise(undamped_);
+  }
+
+  bound<true> damped_;
+  bound<false> undamped_;
+  bool dissipates_;
+};
+
+/// symmetric: two moments of inertia are equal, and the odd axis is numbered 3.
+template <rotation_size size, bool symmetric>
+class bound_body final : public bound_body_motion {
+  using bound = rigid_body_at<body_parts{true, !symmetric, true}, size, summed_noise>;
+  using scalar = std::conditional_t<size == rotation_size::any, pack, loop_pack>;
+  using vector = vec<scalar, 3>;
+  using algebra = typename rotations<size>::algebra;
+
+ public:
+  bound_body(const rigid_body& body, double dt, double radius)
+      : bound_body_motion(body, dt, radius),
+        first_axis_(symmetric ? first_axis_of(body) : 0),
+        turns_(parts_of(body).first_turn),
+        body_(constants_of(body, dt, radius, first_axis_, size), {}) {}
+
+  shared_steps share(const increment_view& path) const override {
+    constexpr std::size_t words = sizeof(shared_step) / sizeof(double);
+    shared_steps out{words, std::vector<double>(static_cast<std::size_t>(path.steps) * words)};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(path.steps); ++i) {
+      const auto row = [&](std::span<const double> all) {
+        return all.empty() ? vec<double, 3>{} : vec<double, 3>{{all[3 * i], all[3 * i + 1], all[3 * i + 2]}};
+      };
+      const auto b = system().noise(row(path.dw)), area = system().area_noise(row(path.area));
+      auto step = body_.share(numbered(b), numbered(area));
+      step.b = b;
+      step.area = area;
+      std::ranges::copy(std::bit_cast<std::array<double, words>>(step), out.table.data() + i * words);
+    }
+    return out;
+  }
+
+  void exp_action(const double* xi, const double* mu, double* out) const override {
+    lanes_of<loop_pack>(mu, out, [&](const auto& x, int lane) {
+      using S = typename std::remove_cvref_t<decltype(x)>::scalar;
+      return algebra::exp_action(lane_rows<S>::template load<3>(xi + lane, block_lanes, 3), x);
+    });
+  }
+  void free_flow(const double* mu, flow_time t, double* out) const override {
+    by_parts(mu, t, out, turns_, [&](const vector& x, auto part) { return body_.free_flow(x, part); });
+  }
+  void first_turn(const double* mu, flow_time t, double* out) const override {
+    by_parts(mu, t, out, turns_, [&](const vector& x, auto part) { return body_.first_turn(x, part); });
+  }
+  void last_turn(const double* mu, flow_time t, double* out) const override {
+    by_parts(mu, t, out, turns_ && !symmetric, [&](const vector& x, auto part) { return body_.last_turn(x, part); });
+  }
+  void dissipation_flow(const double* mu, flow_time t, double* out) const override {
+    by_parts(mu, t, out, dissipates(), [&](const vector& x, auto part) { return body_.dissipation_flow(x, part); });
+  }
+  void noise_flow(const double* mu, const step_noise& w, double* out) const override {
+    with_noise(w, [&](const auto& body, auto noise) {
+      numbered_lanes(mu, out, [&](const vector& x, int lane) { return body.noise_flow(x, noise(lane)); });
+    });
+  }
+  void damped_noise_flow(const double* mu, const step_noise& w, double* out) const override {
+    if (w.of == kind::none) return dissipation_flow(mu, {dt(), 1}, out);
+    if (!dissipates()) return noise_flow(mu, w, out);
+    with_noise(w, [&](const auto& body, auto noise) {
+      numbered_lanes(mu, out, [&](const vector& x, int lane) { return body.damped_noise_flow(x, noise(lane)); });
+    });
+  }
+
+ private:
+  int axis(int k) const { return symmetric ? (k + first_axis_) % 3 : k; }
+  template <class S>
+  vec<S, 3> numbered(const vec<S, 3>& v) const {
+    return {{v[axis(0)], v[axis(1)], v[axis(2)]}};
+  }
+
+  template <class S, class F>
+  POLHODE_FLATTEN static void lanes_of(const double* mu, double* out, F f) {
+#pragma GCC unroll 1
+    for (int lane = 0; lane < block_lanes; lane += lane_rows<S>::width)
+      lane_rows<S>::store(f(lane_rows<S>::template load<3>(mu + lane, block_lanes, 3), lane), out + lane, block_lanes);
+  }
+  /// The same in the numbering of the axes that the flows have.
+  template <class F>
+  POLHODE_FLATTEN void numbered_lanes(const double* mu, double* out, F f) const {
+    const std::array<int, 3> row{axis(0) * block_lanes, axis(1) * block_lanes, axis(2) * block_lanes};
+#pragma GCC unroll 1
+    for (int lane = 0; lane < block_lanes; lane += lane_rows<scalar>::width) {
+      vector x;
+      for (int k = 0; k < 3; ++k) x[k].copy_from(mu + row[static_cast<std::size_t>(k)] + lane, stdx::element_aligned);
+      x = f(x, lane);
+      for (int k = 0; k < 3; ++k) x[k].copy_to(out + row[static_cast<std::size_t>(k)] + lane, stdx::element_aligned);
+    }
+  }
+
+  /// flow(x, part of the step); where it is not there the state stays.
+  template <class Flow>
+  void by_parts(const double* mu, flow_time t, double* out, bool there, Flow flow) const {
+    if (!there)
+      lanes_of<pack>(mu, out, [](const auto& x, int) { return x; });
+    else if (t.parts == 1)
+      numbered_lanes(mu, out, [&](const vector& x, int) { return flow(x, whole_step{}); });
+    else if (t.parts == 2)
+      numbered_lanes(mu, out, [&](const vector& x, int) { return flow(x, half_step{}); });
+    else
+      throw std::logic_error("a rigid body bound to its step flows through the whole of it or half of it");
+  }
+
+  /// f(body, noise) as in bound_body_motion, in the numbering of the flows.
+  template <class F>
+  void with_noise(const step_noise& w, F f) const {
+    const auto increment = [&](const vector& b) { return wiener<scalar, 3>{dt(), b}; };
+    if (w.of == kind::own)
+      return f(body_, [&](int lane) {
+        return increment(numbered(lane_rows<scalar>::template load<3>(w.rows + lane, block_lanes, 3)));
+      });
+    shared_noise shared;
+    std::array<double, sizeof(shared_step) / sizeof(double)> raw{};
+    if (w.of == kind::shared) std::copy_n(w.rows, raw.size(), raw.begin());
+    shared.step = std::bit_cast<shared_step>(raw);
+    f(body_.with(shared), [&](int) { return increment({}); });
+  }
+
+  int first_axis_;
+  bool turns_;
+  bound body_;
+};
+
+/// For states on the orbit of the momentum.
+inline std::shared_ptr<const face> bound_face_of(const rigid_body& body, double radius, double dt) {
+  const auto made = [&]<rotation_size size>() -> std::shared_ptr<const face> {
+    if (parts_of(body).last_turn) return std::make_shared<bound_body<size, false>>(body, dt, radius);
+    return std::make_shared<bound_body<size, true>>(body, dt, radius);
+  };
+  switch (rotation_size_of(body, radius, dt)) {
+    case rotation_size::tiny:
+      if (parts_of(body).dissipation) return made.template operator()<rotation_size::tiny>();
+      [[fallthrough]];
+    case rotation_size::small: return made.template operator()<rotation_size::small>();
+    case rotation_size::moderate: return made.template operator()<rotation_size::moderate>();
+    default: return made.template operator()<rotation_size::any>();
+  }
+}
+
+}  // namespace polhode
