@@ -45,6 +45,8 @@ function(polhode_isa_objects target level objects sources)
     # A vector of packs is taken apart into registers however large it is. Else its copies stay on the stack, dead ones
     # too, and a step of six components waits for its stores: with one pack Heun and Lie-Heun take a sixth to a half longer.
     target_compile_options(${objects} PRIVATE "SHELL:--param sra-max-scalarization-size-Ospeed=8192")
+    # The compiler collects its own garbage later: a tenth of its time, for a tenth of memory more.
+    target_compile_options(${objects} PRIVATE --param=ggc-min-expand=1000 --param=ggc-min-heapsize=4000000)
   endif()
   if(level STREQUAL v2)  # processors of before 2013 are owed the same results, not speed: two thirds of the compiler's time
     target_compile_options(${objects} PRIVATE $<$<CONFIG:Release>:-O1>)

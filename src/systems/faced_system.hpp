@@ -8,7 +8,7 @@
 
 #include "ensemble/faces/face.hpp"
 #include "ensemble/model.hpp"
-#include "ensemble/tapes/taped.hpp"
+#include "ensemble/tapes/taped_traits.hpp"
 #include "problem/subject.hpp"
 
 namespace polhode {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "ensemble/tapes/taped.hpp"
 #include "references/wong_zakai_equation.hpp"
 #include "systems/schemes.hpp"
 

@@ -8,7 +8,7 @@
 #include <polhode/schemes/scheme_info.hpp>
 
 #include "ensemble/tapes/tape.hpp"
-#include "ensemble/tapes/taped.hpp"
+#include "ensemble/tapes/taped_traits.hpp"
 
 namespace polhode {
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The spin: its table, what it offers, and its meeting with the schemes.
+#if defined(POLHODE_ISA)
+#define POLHODE_CALLED  // a face inlines the flows, as it compiles each of them once
+#endif
 #include <polhode/systems/spin.hpp>
 
 #include <fmt/format.h>

@@ -9,6 +9,13 @@
 
 namespace polhode {
 
+/// Component by component: yes where the condition holds, no elsewhere.
+template <class Mask, class S, int N>
+vec<S, N> select(const Mask& condition, const vec<S, N>& yes, vec<S, N> no) {
+  for (int k = 0; k < no.size; ++k) no[k] = select(condition, yes[k], no[k]);
+  return no;
+}
+
 /// rows[i] is row i.
 template <class S, int N>
 using matrix = vec<vec<S, N>, N>;

@@ -61,6 +61,9 @@ class face {
   /// `motion` and its derivative by the components, [row][column][lane]; of a face without tangents and of at most six
   /// components. Others are differentiated along tangents.
   virtual void linearised_motion(const double* mu, const step_noise&, double* value, double* slope) const = 0;
+  virtual void contracted_motion(const double* m, const step_noise&, double* out) const = 0;
+  virtual void linearised_contracted_motion(const double* m, const step_noise&, double* value,
+                                            double* slope) const = 0;
 
   // The algebra.
   virtual void bracket(const double* xi, const double* eta, double* out) const = 0;
@@ -78,6 +81,7 @@ class face {
   virtual void last_turn(const double* mu, flow_time, double* out) const = 0;
   virtual void noise_flow(const double* mu, const step_noise&, double* out) const = 0;
   virtual void damped_noise_flow(const double* mu, const step_noise&, double* out) const = 0;
+  virtual void turned_noise_flow(const double* mu, const step_noise&, double* out) const = 0;
 };
 
 }  // namespace polhode

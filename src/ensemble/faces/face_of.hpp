@@ -3,7 +3,9 @@
 // system for packs, and once for packs with tangents.
 #pragma once
 
+#include <array>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <polhode/dual.hpp>
@@ -73,6 +75,7 @@ class face_of : public face {
   static constexpr int N = System::dimension, M = System::channels, P = pairs_of<M>;
   static constexpr bool fixed_noise = constant_noise_system<System>;
   using g = typename System::algebra;
+  static constexpr bool matrices = requires(const vec<S, N>& a) { g::sandwich(a, a); };
   using io = lane_rows<S>;
 
  protected:
@@ -89,7 +92,7 @@ class face_of : public face {
 
   int noise_rows() const final { return fixed_noise ? components() : channels_of(s_); }
   /// sum sigma_i dW^i; where the vectors depend on the state, dW as it is.
-  void take(const drawn_increments& w, double* rows) const final {
+  POLHODE_FLATTEN void take(const drawn_increments& w, double* rows) const final {
     const int channels = channels_of(s_);
     packs([&](int lane) {
       const auto dw = w.singles == nullptr ? load_lanes<pack, M>(w.dw + lane, channels)
@@ -102,34 +105,40 @@ class face_of : public face {
   }
   shared_steps share(const increment_view& path) const override { return plain_forms<System, true>(s_).share(path); }
 
-  void generator(const double* mu, const step_noise& w, double* xi) const override {
+  POLHODE_FLATTEN void generator(const double* mu, const step_noise& w, double* xi) const override {
+    const auto& s = held();
     with_noise(w, [&](auto noise) {
-      each(mu, xi, [&](const state& x, int lane) -> state { return S(dt_) * s_.generator(x) + noise(x, lane); });
+      each(mu, xi, [&](const state& x, int lane) -> state { return S(dt_) * s.generator(x) + noise(x, lane); });
     });
   }
-  void drift(const double* mu, double* xi) const override {
-    each(mu, xi, [&](const state& x, int) -> state { return S(dt_) * s_.generator(x); });
+  POLHODE_FLATTEN void drift(const double* mu, double* xi) const override {
+    const auto& s = held();
+    each(mu, xi, [&](const state& x, int) -> state { return S(dt_) * s.generator(x); });
   }
-  void motion(const double* mu, const step_noise& w, double* out) const override {
+  POLHODE_FLATTEN void motion(const double* mu, const step_noise& w, double* out) const override {
+    const auto& s = held();
     with_noise(w, [&](auto noise) {
-      each(mu, out, [&](const state& x, int lane) -> state { return moved(x, noise(x, lane)); });
+      each(mu, out, [&](const state& x, int lane) -> state { return moved(s, x, noise(x, lane)); });
     });
   }
-  void stage(const double* mu, const double* by, const double* c, const step_noise& w,
+  POLHODE_FLATTEN void stage(const double* mu, const double* by, const double* c, const step_noise& w,
                              double* out) const override {
+    if constexpr (io::tangents > 0) absent("a stage in one pass");
+    const auto& s = held();
+    const std::array<S, 4> a{S(c[0]), S(c[1]), S(c[2]), S(c[3])};
     with_noise(w, [&](auto noise) {
       each(mu, out, [&](const state& x, int lane) -> state {
         const auto y = load(by + lane);
-        const state at = x + S(c[3]) * y;
-        return S(c[0]) * x + S(c[1]) * y + S(c[2]) * moved(at, noise(at, lane));
+        const state at = x + a[3] * y;
+        return a[0] * x + a[1] * y + a[2] * moved(s, at, noise(at, lane));
       });
     });
   }
 
-  void noise(const double* mu, const step_noise& w, double* out) const override {
+  POLHODE_FLATTEN void noise(const double* mu, const step_noise& w, double* out) const override {
     each(mu, out, [&](const state& x, int lane) { return noise_at(w, x, lane); });
   }
-  void noise_slope([[maybe_unused]] const double* mu, [[maybe_unused]] const double* by,
+  POLHODE_FLATTEN void noise_slope([[maybe_unused]] const double* mu, [[maybe_unused]] const double* by,
                                    [[maybe_unused]] const step_noise& w, double* out) const override {
     if constexpr (!fixed_noise && bracketed_noise_system<System>)
       each(mu, out, [&](const state& x, int lane) -> state {
@@ -138,7 +147,7 @@ class face_of : public face {
     else
       each(mu, out, [&](const state& x, int) { return zeros<state>(x.size); });
   }
-  void noise_twice(const double* mu, const step_noise& w, double* out) const override {
+  POLHODE_FLATTEN void noise_twice(const double* mu, const step_noise& w, double* out) const override {
     each(mu, out, [&](const state& x, int lane) -> state {
       if constexpr (fixed_noise) {
         const auto b = noise_at(w, x, lane);
@@ -150,7 +159,7 @@ class face_of : public face {
       }
     });
   }
-  void area_noise(const double* mu, const step_noise& w, double* out) const override {
+  POLHODE_FLATTEN void area_noise(const double* mu, const step_noise& w, double* out) const override {
     const int pairs = pairs_among(channels_of(s_));
     each(mu, out, [&](const state& x, int lane) -> state {
       if (w.of == kind::none) return zeros<state>(x.size);
@@ -166,42 +175,47 @@ class face_of : public face {
       }
     });
   }
-  void ito_drift(const double* mu, double* out) const override {
+  POLHODE_FLATTEN void ito_drift(const double* mu, double* out) const override {
     each(mu, out, [&](const state& x, int) -> state { return zeros<state>(x.size) + s_.ito_drift(x); });
   }
-  void linearised_motion([[maybe_unused]] const double* mu, [[maybe_unused]] const step_noise& w,
-                                         [[maybe_unused]] double* value,
-                                         [[maybe_unused]] double* slope) const override {
-    if constexpr (N > 0 && N <= 6 && io::tangents == 0) {
-      using number = dual<S, N>;
-      each(mu, value, [&](const state& at, int lane) {
-        const auto x = seeded(at);
-        const auto m = moved(x, noise_at<number>(w, x, lane));
-        state out;
-        for (int i = 0; i < N; ++i) {
-          out[i] = m[i].value;
-          io::store(m[i].slope, slope + i * N * K + lane, K);
-        }
-        return out;
-      });
-    } else {
-      absent("a linearised motion");
-    }
+  POLHODE_FLATTEN void linearised_motion(const double* mu, const step_noise& w, double* value,
+                                         double* slope) const override {
+    differentiate(mu, w, value, slope,
+                  [&](const System& s, const auto& x, const auto& b) { return moved(s, x, b); });
+  }
+  POLHODE_FLATTEN void contracted_motion(const double* m, const step_noise& w, double* out) const override {
+    const auto& s = held();
+    each(m, out, [&](const state& x, int lane) -> state {
+      if constexpr (matrices)
+        return contracted(s, x, noise_at(w, x, lane));
+      else
+        return absent("sandwich");
+    });
+  }
+  POLHODE_FLATTEN void linearised_contracted_motion([[maybe_unused]] const double* m,
+                                                    [[maybe_unused]] const step_noise& w,
+                                                    [[maybe_unused]] double* value,
+                                                    [[maybe_unused]] double* slope) const override {
+    if constexpr (matrices)
+      differentiate(m, w, value, slope,
+                    [&](const System& s, const auto& x, const auto& b) { return contracted(s, x, b); });
+    else
+      absent("sandwich");
   }
 
-  void bracket(const double* xi, const double* eta, double* out) const override {
+  POLHODE_FLATTEN void bracket(const double* xi, const double* eta, double* out) const override {
     each(xi, eta, out, [](const state& a, const state& b) { return g::bracket(a, b); });
   }
-  void coad(const double* xi, const double* mu, double* out) const override {
+  POLHODE_FLATTEN void coad(const double* xi, const double* mu, double* out) const override {
     each(xi, mu, out, [](const state& a, const state& b) { return g::coad(a, b); });
   }
-  void exp_action(const double* xi, const double* mu, double* out) const override {
+  POLHODE_FLATTEN void exp_action(const double* xi, const double* mu, double* out) const override {
     each(xi, mu, out, [](const state& a, const state& b) { return g::exp_action(a, b); });
   }
-  void cayley_action(const double* xi, const double* mu, double* out) const override {
+  POLHODE_FLATTEN void cayley_action(const double* xi, const double* mu, double* out) const override {
     each(xi, mu, out, [](const state& a, const state& b) { return g::cayley_action(a, b); });
   }
-  void dexp_inv(const double* u, const double* v, double* out) const override {
+  POLHODE_FLATTEN void dexp_inv(const double* u, const double* v, double* out) const override {
     each(u, v, out, [](const state& a, const state& b) -> state {
       if constexpr (requires { g::dexp_inv(a, b); })
         return g::dexp_inv(a, b);
@@ -209,19 +223,19 @@ class face_of : public face {
         return absent("dexp_inv");
     });
   }
-  void orbit_projection(const double* mu, const double* onto, double* out) const override {
+  POLHODE_FLATTEN void orbit_projection(const double* mu, const double* onto, double* out) const override {
     each(mu, onto, out, [](const state& a, const state& b) { return g::orbit_projection(a, b); });
   }
-  void sandwich(const double* xi, const double* mu, double* out) const override {
+  POLHODE_FLATTEN void sandwich(const double* xi, const double* mu, double* out) const override {
     each(xi, mu, out, [](const state& a, const state& b) -> state {
-      if constexpr (requires { g::sandwich(a, b); })
+      if constexpr (matrices)
         return g::sandwich(a, b);
       else
         return absent("sandwich");
     });
   }
 
-  void free_flow(const double* mu, flow_time t, double* out) const override {
+  POLHODE_FLATTEN void free_flow(const double* mu, flow_time t, double* out) const override {
     each(mu, out, [&](const state& x, int) -> state {
       if constexpr (splittable_system<System>)
         return s_.free_flow(x, t.t);
@@ -229,10 +243,10 @@ class face_of : public face {
         return absent("free_flow");
     });
   }
-  void dissipation_flow(const double* mu, flow_time t, double* out) const override {
+  POLHODE_FLATTEN void dissipation_flow(const double* mu, flow_time t, double* out) const override {
     each(mu, out, [&](const state& x, int) -> state { return damped(x, t.t); });
   }
-  void first_turn(const double* mu, flow_time t, double* out) const override {
+  POLHODE_FLATTEN void first_turn(const double* mu, flow_time t, double* out) const override {
     each(mu, out, [&](const state& x, int) -> state {
       if constexpr (turning_system<System>)
         return s_.first_turn(x, t.t);
@@ -240,7 +254,7 @@ class face_of : public face {
         return absent("first_turn");
     });
   }
-  void last_turn(const double* mu, flow_time t, double* out) const override {
+  POLHODE_FLATTEN void last_turn(const double* mu, flow_time t, double* out) const override {
     each(mu, out, [&](const state& x, int) -> state {
       if constexpr (turning_system<System>)
         return s_.last_turn(x, t.t);
@@ -248,11 +262,16 @@ class face_of : public face {
         return absent("last_turn");
     });
   }
-  void noise_flow(const double* mu, const step_noise& w, double* out) const override {
+  POLHODE_FLATTEN void noise_flow(const double* mu, const step_noise& w, double* out) const override {
     each(mu, out, [&](const state& x, int lane) { return turned(x, w, lane); });
   }
-  void damped_noise_flow(const double* mu, const step_noise& w, double* out) const override {
+  POLHODE_FLATTEN void damped_noise_flow(const double* mu, const step_noise& w, double* out) const override {
     each(mu, out, [&](const state& x, int lane) { return damped(turned(damped(x, dt_ / 2), w, lane), dt_ / 2); });
+  }
+  void turned_noise_flow(const double* mu, const step_noise& w, double* out) const override {
+    last_turn(mu, {dt_ / 2, 2}, out);
+    damped_noise_flow(out, w, out);
+    last_turn(out, {dt_ / 2, 2}, out);
   }
 
  protected:
@@ -268,6 +287,13 @@ class face_of : public face {
   state load(const double* at) const { return io::template load<N>(at, K, components()); }
 
   const System& system() const { return s_; }
+  /// The system as the loops read it: what is written there might be its constants, were they not a copy.
+  decltype(auto) held() const {
+    if constexpr (N > 0)
+      return System(s_);
+    else
+      return (s_);
+  }
 
   /// Of one pack: the noise alone, as one exponential.
   state turned(const state& x, const step_noise& w, int lane) const {
@@ -282,22 +308,22 @@ class face_of : public face {
   }
 
  private:
-  /// f(lane), a pack of lanes after the other; all that it calls is inlined, but for tangents, which are worth no more
-  /// of the compiler's time.
+  /// f(lane), a pack of lanes after the other. With tangents it is called: they are worth no more of the compiler's time.
   template <class F>
   static void packs(F f) {
-    if constexpr (io::tangents == 0)
-      inlined_packs(f);
-    else
-      for (int lane = 0; lane < K; lane += io::width) f(lane);
+#pragma GCC unroll 1
+    for (int lane = 0; lane < K; lane += io::width)
+      if constexpr (io::tangents == 0)
+        f(lane);
+      else
+        called(f, lane);
   }
   template <class F>
-  POLHODE_FLATTEN static void inlined_packs(F f) {
-#pragma GCC unroll 1
-    for (int lane = 0; lane < K; lane += io::width) f(lane);
+  [[gnu::noinline]] static void called(const F& f, int lane) {
+    f(lane);
   }
 
-  [[noreturn]] static state absent(const char* what) {
+  [[noreturn, gnu::cold, gnu::noinline]] static state absent(const char* what) {
     throw std::logic_error(std::string("a scheme asks a system for what it does not have: ") + what);
   }
 
@@ -309,8 +335,34 @@ class face_of : public face {
   }
 
   template <class Number, class Noise>
-  vec<Number, N> moved(const vec<Number, N>& x, const Noise& noise) const {
-    return g::coad(Number(dt_) * s_.generator(x) + noise, x);
+  vec<Number, N> moved(const System& s, const vec<Number, N>& x, const Noise& noise) const {
+    return g::coad(Number(dt_) * s.generator(x) + noise, x);
+  }
+  template <class Number, class Noise>
+  vec<Number, N> contracted(const System& s, const vec<Number, N>& x, const Noise& noise) const {
+    const vec<Number, N> xi = Number(dt_) * s.generator(x) + noise;
+    return g::coad(xi, x) - Number(0.5) * g::sandwich(xi, x);
+  }
+  /// value = f(system, mu, noise) and its derivative, by dual numbers.
+  template <class F>
+  void differentiate([[maybe_unused]] const double* mu, [[maybe_unused]] const step_noise& w,
+                     [[maybe_unused]] double* value, [[maybe_unused]] double* slope, [[maybe_unused]] F f) const {
+    if constexpr (N > 0 && N <= 6 && io::tangents == 0) {
+      using number = dual<S, N>;
+      const auto& s = held();
+      each(mu, value, [&](const state& at, int lane) {
+        const auto x = seeded(at);
+        const auto y = f(s, x, noise_at<number>(w, x, lane));
+        state out;
+        for (int i = 0; i < N; ++i) {
+          out[i] = y[i].value;
+          io::store(y[i].slope, slope + i * N * K + lane, K);
+        }
+        return out;
+      });
+    } else {
+      absent("a linearised motion");
+    }
   }
 
   /// sum sigma_i dW^i.
@@ -345,10 +397,10 @@ class face_of : public face {
       switch (w.of) {
         case kind::none: return f([](const state&, int) { return zero_vector{}; });
         case kind::own:
-          return f([&](const state& x, int lane) {
-            return io::template load_values<N>(w.rows + lane, K, x.size);
+          return f([rows = w.rows](const state& x, int lane) {
+            return io::template load_values<N>(rows + lane, K, x.size);
           });
-        case kind::shared: return f([&](const state& x, int) { return detail::lifted<state>(w.rows, x.size); });
+        case kind::shared: return f([b = detail::lifted<state>(w.rows, components())](const state&, int) { return b; });
       }
     }
   }

@@ -20,11 +20,13 @@ namespace polhode {
 enum class tape_op : std::uint8_t {
   // of a state, by the face
   generator, drift, motion, stage, noise, noise_slope, noise_twice, area_noise, ito_drift, linearised_motion,
+  contracted_motion, linearised_contracted_motion,
   bracket, coad, exp_action, cayley_action, dexp_inv, orbit_projection, sandwich,
-  free_flow, dissipation_flow, first_turn, last_turn, noise_flow, damped_noise_flow,
+  free_flow, dissipation_flow, first_turn, last_turn, noise_flow, damped_noise_flow, turned_noise_flow,
   // of rows
   combine,             ///< out = sum c_i in_i, every row
   scale,               ///< out = (number in_0) in_1, every row
+  select_rows,         ///< out = (number in_0) ? in_1 : in_2, every row
   seed,                ///< out: the components of in_0 with the unit vectors `column`, `column` + 1 as its tangents
   differentiate,       ///< columns `column`, `column` + 1 of the matrix out: the tangents of in_0
   inverse_derivative,  ///< the matrix out = (1 - in_0 / 2)^-1

@@ -13,7 +13,7 @@ constexpr int most_components_of_a_stage = 6;
 
 /// Whether it writes all rows of a state.
 bool writes_state(tape_op op) {
-  return op <= tape_op::scale || op == tape_op::times || op == tape_op::correct;
+  return op <= tape_op::select_rows || op == tape_op::times || op == tape_op::correct;
 }
 
 bool is_motion(const tape_value::term& t) { return t.x->at == tape_value::not_computed; }

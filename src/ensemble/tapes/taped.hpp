@@ -15,6 +15,7 @@
 #include <polhode/schemes/scheme_info.hpp>
 
 #include "ensemble/tapes/tape_recorder.hpp"
+#include "ensemble/tapes/taped_traits.hpp"
 
 namespace polhode {
 
@@ -91,10 +92,10 @@ inline bool any(const taped&, const taped_mask& m) { return m.number.recorder()-
 template <int N>
 struct vec<taped, N> {
   using scalar = taped;
-  int size = 0;  ///< components
+  int size = 0;  ///< rows: components, and those of tangents
 
   vec() = default;
-  explicit vec(tape_symbol x) : size(x->recorder.components()), form_{{1, std::move(x)}} {}
+  explicit vec(tape_symbol x) : size(x->rows), form_{{1, std::move(x)}} {}
   vec(const vec&) = default;
   vec(vec&&) = default;
   vec& operator=(const vec& other) {
@@ -192,6 +193,18 @@ struct vec<taped, N> {
   mutable linear_form form_;
 };
 
+template <int N>
+vec<taped, N> select(const taped_mask& m, const vec<taped, N>& yes, const vec<taped, N>& no) {
+  const auto a = yes.symbol(), b = no.symbol();
+  const auto out = a->recorder.fresh(a->rows, a->on_tangents);
+  a->recorder.write({.op = tape_op::select_rows,
+                     .operands = 3,
+                     .rows = a->rows,
+                     .out = out->at,
+                     .in = {m.number.row(), a->at, b->at}});
+  return vec<taped, N>(out);
+}
+
 /// A matrix that acts on a state: its rows are components of the state alone.
 template <int N>
 struct vec<vec<taped, N>, N> {
@@ -253,16 +266,6 @@ struct taped_area {
 template <int M>
 struct wiener_levy<taped, M> : wiener<taped, M> {
   taped_area area;
-};
-
-/// unbracketed: varying, with brackets that nobody knows.
-enum class taped_noise { none, constant, varying, unbracketed };
-
-/// What a scheme asks of a system at compile time. components: 3, 6, or -1 where the scheme need not know them.
-struct taped_traits {
-  int components = -1;
-  taped_noise noise = taped_noise::constant;
-  bool exact_dissipation = true, flows = true, turns = true, matrices = true;
 };
 
 namespace detail {
@@ -388,12 +391,14 @@ struct taped_system {
   }
   linearised<taped, dimension> linearised_motion_over(const vector& mu, const increment&) const
       requires(dimension > 0) {
-    const auto at = mu.symbol();
-    auto& recorder = at->recorder;
-    const int n = recorder.components();
-    const auto value = recorder.fresh(n), slope = recorder.fresh(n * n);
-    recorder.write({.op = tape_op::linearised_motion, .out = value->at, .extra = slope->at, .in = {at->at}});
-    return {vector(value), {slope}};
+    return linearised_by(tape_op::linearised_motion, mu);
+  }
+  vector contracted_motion_over(const vector& m, const increment&) const requires(traits.matrices) {
+    return asked(tape_op::contracted_motion, m);
+  }
+  linearised<taped, dimension> linearised_contracted_motion_over(const vector& m, const increment&) const
+      requires(dimension > 0 && traits.matrices) {
+    return linearised_by(tape_op::linearised_contracted_motion, m);
   }
   auto ito_drift(const vector& mu) const { return unless_silent(tape_op::ito_drift, mu); }
   auto noise_at(const vector& mu, const increment&) const { return unless_silent(tape_op::noise, mu); }
@@ -417,6 +422,9 @@ struct taped_system {
     return silent ? mu : asked(tape_op::noise_flow, mu);
   }
   vector damped_noise_flow(const vector& mu, const increment&) const { return asked(tape_op::damped_noise_flow, mu); }
+  vector turned_noise_flow(const vector& mu, const increment&) const requires(traits.turns) {
+    return asked(tape_op::turned_noise_flow, mu);
+  }
   template <class Time>
   requires(traits.flows) vector free_flow(const vector& mu, Time t) const { return flow(tape_op::free_flow, mu, t); }
   template <class Time>
@@ -430,6 +438,14 @@ struct taped_system {
 
  private:
   static vector asked(tape_op op, const vector& mu) { return detail::asked({.op = op}, mu); }
+  static linearised<taped, dimension> linearised_by(tape_op op, const vector& mu) {
+    const auto at = mu.symbol();
+    auto& recorder = at->recorder;
+    const int n = recorder.components();
+    const auto value = recorder.fresh(n), slope = recorder.fresh(n * n);
+    recorder.write({.op = op, .out = value->at, .extra = slope->at, .in = {at->at}});
+    return {vector(value), {slope}};
+  }
   static auto unless_silent(tape_op op, const vector& mu) {
     if constexpr (silent)
       return zero_vector{};

@@ -12,6 +12,7 @@
 #include "ensemble/faces/face_of.hpp"
 #include "systems/rigid_body/rigid_body_choice.hpp"
 #include "systems/rigid_body/rigid_body_forms.hpp"
+#include "systems/rigid_body/rigid_body_kernels.hpp"
 
 namespace polhode {
 
@@ -28,30 +29,31 @@ class bound_body_motion : public face_of<rigid_body> {
         undamped_(constants_of(body, dt, radius, 0, rotation_size::any), {}),
         dissipates_(parts_of(body).dissipation) {}
 
-  void generator(const double* mu, const step_noise& w, double* xi) const override {
+  POLHODE_FLATTEN void generator(const double* mu, const step_noise& w, double* xi) const override {
     with_body(w, [&](const auto& body, auto noise) {
       each(mu, xi, [&](const state& x, int lane) { return body.generator_over(x, noise(lane)); });
     });
   }
-  void drift(const double* mu, double* xi) const override {
+  POLHODE_FLATTEN void drift(const double* mu, double* xi) const override {
     with_body({}, [&](const auto& body, auto noise) {
       each(mu, xi, [&](const state& x, int lane) { return body.generator_over(x, noise(lane)); });
     });
   }
-  void motion(const double* mu, const step_noise& w, double* out) const override {
+  POLHODE_FLATTEN void motion(const double* mu, const step_noise& w, double* out) const override {
     with_body(w, [&](const auto& body, auto noise) {
       each(mu, out, [&](const state& x, int lane) { return body.motion_over(x, noise(lane)); });
     });
   }
-  void stage(const double* mu, const double* by, const double* c, const step_noise& w, double* out) const override {
+  POLHODE_FLATTEN void stage(const double* mu, const double* by, const double* c, const step_noise& w, double* out) const override {
+    const std::array<pack, 4> a{c[0], c[1], c[2], c[3]};
     with_body(w, [&](const auto& body, auto noise) {
       each(mu, out, [&](const state& x, int lane) {
         const auto y = load(by + lane);
-        return pack(c[0]) * x + pack(c[1]) * y + pack(c[2]) * body.motion_over(x + pack(c[3]) * y, noise(lane));
+        return a[0] * x + a[1] * y + a[2] * body.motion_over(x + a[3] * y, noise(lane));
       });
     });
   }
-  void linearised_motion(const double* mu, const step_noise& w, double* value, double* slope) const override {
+  POLHODE_FLATTEN void linearised_motion(const double* mu, const step_noise& w, double* value, double* slope) const override {
     with_body(w, [&](const auto& body, auto noise) {
       each(mu, value, [&](const state& x, int lane) {
         const auto moved = body.linearised_motion_over(x, noise(lane));
@@ -75,11 +77,12 @@ class bound_body_motion : public face_of<rigid_body> {
   /// f(body, noise), noise(lane) the increment of a pack of lanes in the form that this body expects.
   template <class F>
   void with_body(const step_noise& w, F f) const {
-    const auto by_noise = [&](const auto& body) {
-      const auto increment = [&](const vec<pack, 3>& b) { return wiener<pack, 3>{dt(), b}; };
-      if (w.of == kind::none) return f(body.with(no_noise{}), [&](int) { return increment({}); });
-      if (w.of == kind::shared) return f(body, [&](int) { return increment(detail::lifted<vec<pack, 3>>(w.rows, 3)); });
-      f(body, [&](int lane) { return increment(lane_rows<pack>::load<3>(w.rows + lane, block_lanes, 3)); });
+    const auto by_noise = [&](auto body) {  // a copy: what the loop writes are not its constants
+      const auto increment = [](const vec<pack, 3>& b) { return wiener<pack, 3>{0, b}; };
+      if (w.of == kind::none) return f(body.with(no_noise{}), [=](int) { return increment({}); });
+      if (w.of == kind::shared)
+        return f(body, [=, b = detail::lifted<vec<pack, 3>>(w.rows, 3)](int) { return increment(b); });
+      f(body, [=, rows = w.rows](int lane) { return increment(lane_rows<pack>::load<3>(rows + lane, block_lanes, 3)); });
     };
     if (dissipates_)
       by_noise(damped_);
@@ -96,7 +99,7 @@ class bound_body_motion : public face_of<rigid_body> {
 template <rotation_size size, bool symmetric>
 class bound_body final : public bound_body_motion {
   using bound = rigid_body_at<body_parts{true, !symmetric, true}, size, summed_noise>;
-  using scalar = std::conditional_t<size == rotation_size::any, pack, loop_pack>;
+  using scalar = loop_scalar<strang, size>;
   using vector = vec<scalar, 3>;
   using algebra = typename rotations<size>::algebra;
 
@@ -123,34 +126,49 @@ class bound_body final : public bound_body_motion {
     return out;
   }
 
-  void exp_action(const double* xi, const double* mu, double* out) const override {
+  POLHODE_FLATTEN void exp_action(const double* xi, const double* mu, double* out) const override {
     lanes_of<loop_pack>(mu, out, [&](const auto& x, int lane) {
       using S = typename std::remove_cvref_t<decltype(x)>::scalar;
       return algebra::exp_action(lane_rows<S>::template load<3>(xi + lane, block_lanes, 3), x);
     });
   }
-  void free_flow(const double* mu, flow_time t, double* out) const override {
-    by_parts(mu, t, out, turns_, [&](const vector& x, auto part) { return body_.free_flow(x, part); });
+  POLHODE_FLATTEN void free_flow(const double* mu, flow_time t, double* out) const override {
+    by_parts(mu, t, out, turns_, [body = body_](const vector& x, auto part) { return body.free_flow(x, part); });
   }
-  void first_turn(const double* mu, flow_time t, double* out) const override {
-    by_parts(mu, t, out, turns_, [&](const vector& x, auto part) { return body_.first_turn(x, part); });
+  POLHODE_FLATTEN void first_turn(const double* mu, flow_time t, double* out) const override {
+    by_parts(mu, t, out, turns_, [body = body_](const vector& x, auto part) { return body.first_turn(x, part); });
   }
-  void last_turn(const double* mu, flow_time t, double* out) const override {
-    by_parts(mu, t, out, turns_ && !symmetric, [&](const vector& x, auto part) { return body_.last_turn(x, part); });
+  POLHODE_FLATTEN void last_turn(const double* mu, flow_time t, double* out) const override {
+    by_parts(mu, t, out, turns_ && !symmetric,
+             [body = body_](const vector& x, auto part) { return body.last_turn(x, part); });
   }
-  void dissipation_flow(const double* mu, flow_time t, double* out) const override {
-    by_parts(mu, t, out, dissipates(), [&](const vector& x, auto part) { return body_.dissipation_flow(x, part); });
+  POLHODE_FLATTEN void dissipation_flow(const double* mu, flow_time t, double* out) const override {
+    by_parts(mu, t, out, dissipates(),
+             [body = body_](const vector& x, auto part) { return body.dissipation_flow(x, part); });
   }
-  void noise_flow(const double* mu, const step_noise& w, double* out) const override {
+  POLHODE_FLATTEN void noise_flow(const double* mu, const step_noise& w, double* out) const override {
     with_noise(w, [&](const auto& body, auto noise) {
       numbered_lanes(mu, out, [&](const vector& x, int lane) { return body.noise_flow(x, noise(lane)); });
     });
   }
-  void damped_noise_flow(const double* mu, const step_noise& w, double* out) const override {
+  POLHODE_FLATTEN void damped_noise_flow(const double* mu, const step_noise& w, double* out) const override {
     if (w.of == kind::none) return dissipation_flow(mu, {dt(), 1}, out);
     if (!dissipates()) return noise_flow(mu, w, out);
     with_noise(w, [&](const auto& body, auto noise) {
       numbered_lanes(mu, out, [&](const vector& x, int lane) { return body.damped_noise_flow(x, noise(lane)); });
+    });
+  }
+  POLHODE_FLATTEN void turned_noise_flow(const double* mu, const step_noise& w, double* out) const override {
+    if (!dissipates() || symmetric) return bound_body_motion::turned_noise_flow(mu, w, out);
+    const half_step half;
+    if (w.of == kind::none)
+      return numbered_lanes(mu, out, [body = body_, half](const vector& x, int) {
+        return body.last_turn(body.dissipation_flow(body.last_turn(x, half), whole_step{}), half);
+      });
+    with_noise(w, [&](const auto& body, auto noise) {
+      numbered_lanes(mu, out, [&](const vector& x, int lane) {
+        return body.last_turn(body.damped_noise_flow(body.last_turn(x, half), noise(lane)), half);
+      });
     });
   }
 
@@ -162,14 +180,14 @@ class bound_body final : public bound_body_motion {
   }
 
   template <class S, class F>
-  POLHODE_FLATTEN static void lanes_of(const double* mu, double* out, F f) {
+  static void lanes_of(const double* mu, double* out, F f) {
 #pragma GCC unroll 1
     for (int lane = 0; lane < block_lanes; lane += lane_rows<S>::width)
       lane_rows<S>::store(f(lane_rows<S>::template load<3>(mu + lane, block_lanes, 3), lane), out + lane, block_lanes);
   }
   /// The same in the numbering of the axes that the flows have.
   template <class F>
-  POLHODE_FLATTEN void numbered_lanes(const double* mu, double* out, F f) const {
+  void numbered_lanes(const double* mu, double* out, F f) const {
     const std::array<int, 3> row{axis(0) * block_lanes, axis(1) * block_lanes, axis(2) * block_lanes};
 #pragma GCC unroll 1
     for (int lane = 0; lane < block_lanes; lane += lane_rows<scalar>::width) {
@@ -196,16 +214,16 @@ class bound_body final : public bound_body_motion {
   /// f(body, noise) as in bound_body_motion, in the numbering of the flows.
   template <class F>
   void with_noise(const step_noise& w, F f) const {
-    const auto increment = [&](const vector& b) { return wiener<scalar, 3>{dt(), b}; };
+    const auto increment = [](const vector& b) { return wiener<scalar, 3>{0, b}; };
     if (w.of == kind::own)
-      return f(body_, [&](int lane) {
-        return increment(numbered(lane_rows<scalar>::template load<3>(w.rows + lane, block_lanes, 3)));
+      return f(bound(body_), [=, this, rows = w.rows](int lane) {
+        return increment(numbered(lane_rows<scalar>::template load<3>(rows + lane, block_lanes, 3)));
       });
     shared_noise shared;
     std::array<double, sizeof(shared_step) / sizeof(double)> raw{};
     if (w.of == kind::shared) std::copy_n(w.rows, raw.size(), raw.begin());
     shared.step = std::bit_cast<shared_step>(raw);
-    f(body_.with(shared), [&](int) { return increment({}); });
+    f(body_.with(shared), [=](int) { return increment({}); });
   }
 
   int first_axis_;

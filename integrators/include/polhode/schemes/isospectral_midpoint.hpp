@@ -41,17 +41,14 @@ struct isospectral_midpoint {
     return midpoint_solver<isospectral_midpoint>::cayley_step(system, mu, w);
   }
 
-  /// ad*_xi m - 1/2 s(xi, m).
   template <class System, class S>
   static auto motion(const System& system, const vec<S, System::dimension>& m, const wiener<S, System::channels>& w) {
-    using g = typename System::algebra;
-    const auto xi = generator(system, m, w);
-    return g::coad(xi, m) - S(0.5) * g::sandwich(xi, m);
+    return contracted_motion(system, m, w);
   }
   template <class System, class S>
   static auto linearised_motion(const System& system, const vec<S, System::dimension>& m,
                                 const wiener<S, System::channels>& w) {
-    return derivative_of([&](const auto& x, const auto& v) { return motion(system, x, v); }, m, w);
+    return linearised_contracted_motion(system, m, w);
   }
 };
 

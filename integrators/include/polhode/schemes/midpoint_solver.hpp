@@ -50,10 +50,8 @@ struct midpoint_solver {
   static auto cayley_step(const System& system, const vec<S, System::dimension>& mu,
                           const wiener<S, System::channels>& w) {
     const auto solved = midpoint(system, mu, w);
-    auto next = System::algebra::cayley_action(generator(system, solved.m, w), mu);
-    for (int k = 0; k < next.size; ++k)
-      next[k] = select(solved.failed, S(std::numeric_limits<double>::quiet_NaN()), next[k]);
-    return next;
+    const auto next = System::algebra::cayley_action(generator(system, solved.m, w), mu);
+    return select(solved.failed, S(std::numeric_limits<double>::quiet_NaN()) * next, next);
   }
 
  private:
@@ -66,7 +64,6 @@ struct midpoint_solver {
   template <class System, class S>
   requires(System::dimension > 0) static auto midpoint(const System& system, const vec<S, System::dimension>& mu,
                                                        const wiener<S, System::channels>& w) {
-    constexpr int n = System::dimension;
     const auto at = Rule::linearised_motion(system, mu, w);
     const auto back = inverse_derivative<quotient::truncated>(at);
     const S size = dot(mu, mu);
@@ -86,7 +83,7 @@ struct midpoint_solver {
     auto pending = !done(last, before);
     for (int i = usual_corrections<System, S>; i < most_corrections && any(S(0.0), pending); ++i) {
       const auto c = times(back, residual());
-      for (int k = 0; k < n; ++k) way[k] = select(pending, S(way[k] - c[k]), way[k]);
+      way = select(pending, way - c, way);
       before = last;
       last = dot(c, c);
       pending = pending && !done(last, before);
@@ -118,7 +115,7 @@ struct midpoint_solver {
     for (int i = 0; i < most_repetitions && any(S(0.0), pending); ++i) {
       const auto next = mu + S(0.5) * Rule::motion(system, m, w);
       const auto change = next - m;
-      for (int k = 0; k < m.size; ++k) m[k] = select(pending, next[k], m[k]);
+      m = select(pending, next, m);
       pending = pending && !(dot(change, change) <= S(rounding * rounding) * size);
     }
     if (any(S(0.0), pending)) [[unlikely]]
@@ -215,10 +212,10 @@ struct midpoint_solver {
   [[gnu::cold, gnu::noinline]] static void iterate(const System& system, const vec<S, System::dimension>& mu,
                                                    const wiener<S, System::channels>& w, vec<S, System::dimension>& m,
                                                    Mask& pending) {
-    for (int k = 0; k < m.size; ++k) m[k] = select(pending, mu[k], m[k]);
+    m = select(pending, mu, m);
     for (int i = 0; i < max_iterations && any(S(0.0), pending); ++i) {
       const auto correction = newton_correction(system, mu, m, w);
-      for (int k = 0; k < m.size; ++k) m[k] = select(pending, S(m[k] - correction[k]), m[k]);
+      m = select(pending, m - correction, m);
       pending = pending && !(dot(correction, correction) <= S(100 * rounding * rounding) * dot(mu, mu));
     }
   }

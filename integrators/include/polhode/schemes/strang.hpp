@@ -43,8 +43,7 @@ struct strang {
 
   template <turning_system System, class S>
   static auto inner(const System& system, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
-    const half_step half{w.dt};
-    return system.last_turn(damped_noise_flow(system, system.last_turn(mu, half), w), half);
+    return turned_noise_flow(system, mu, w);
   }
 
   template <turning_system System, class S>

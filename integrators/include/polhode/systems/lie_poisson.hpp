@@ -253,4 +253,36 @@ state_of<System, S> damped_noise_flow(const System& system, const state_of<Syste
   }
 }
 
+/// Half the last turn, the noise between its halves of the dissipation, half the last turn.
+template <turning_system System, class S>
+state_of<System, S> turned_noise_flow(const System& system, const state_of<System, S>& mu,
+                                      const wiener<S, System::channels>& w) {
+  if constexpr (requires { system.turned_noise_flow(mu, w); }) {
+    return system.turned_noise_flow(mu, w);
+  } else {
+    const half_step half{w.dt};
+    return system.last_turn(damped_noise_flow(system, system.last_turn(mu, half), w), half);
+  }
+}
+
+/// ad*_xi m - s(xi, m) / 2, s the sandwich of an algebra of matrices: what the isospectral midpoint repeats.
+template <class System, class S>
+auto contracted_motion(const System& system, const state_of<System, S>& m, const wiener<S, System::channels>& w) {
+  if constexpr (requires { system.contracted_motion_over(m, w); }) {
+    return system.contracted_motion_over(m, w);
+  } else {
+    using g = typename System::algebra;
+    const auto xi = generator(system, m, w);
+    return g::coad(xi, m) - S(0.5) * g::sandwich(xi, m);
+  }
+}
+template <class System, class S>
+linearised<S, System::dimension> linearised_contracted_motion(const System& system, const state_of<System, S>& m,
+                                                              const wiener<S, System::channels>& w) {
+  if constexpr (requires { system.linearised_contracted_motion_over(m, w); })
+    return system.linearised_contracted_motion_over(m, w);
+  else
+    return derivative_of([&](const auto& x, const auto& v) { return contracted_motion(system, x, v); }, m, w);
+}
+
 }  // namespace polhode

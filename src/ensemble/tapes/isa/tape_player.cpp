@@ -72,6 +72,9 @@ class player {
       case tape_op::area_noise: return f.area_noise(in(0), w, out);
       case tape_op::ito_drift: return f.ito_drift(in(0), out);
       case tape_op::linearised_motion: return f.linearised_motion(in(0), w, out, at(i.extra));
+      case tape_op::contracted_motion: return f.contracted_motion(in(0), w, out);
+      case tape_op::linearised_contracted_motion:
+        return f.linearised_contracted_motion(in(0), w, out, at(i.extra));
       case tape_op::bracket: return f.bracket(in(0), in(1), out);
       case tape_op::coad: return f.coad(in(0), in(1), out);
       case tape_op::exp_action: return f.exp_action(in(0), in(1), out);
@@ -85,8 +88,10 @@ class player {
       case tape_op::last_turn: return f.last_turn(in(0), time_of(i), out);
       case tape_op::noise_flow: return f.noise_flow(in(0), w, out);
       case tape_op::damped_noise_flow: return f.damped_noise_flow(in(0), w, out);
+      case tape_op::turned_noise_flow: return f.turned_noise_flow(in(0), w, out);
       case tape_op::combine: return combine(i, out);
       case tape_op::scale: return scale(in(0), in(1), i.rows, out);
+      case tape_op::select_rows: return select_rows(in(0), in(1), in(2), i.rows, out);
       case tape_op::seed: return seed(in(0), i.rows, i.column, out);
       case tape_op::differentiate: return differentiate(in(0), i.rows, i.column, out);
       case tape_op::inverse_derivative: return inverse_derivative(i, out);
@@ -137,6 +142,15 @@ class player {
     for (int row = 0; row < rows; ++row)
       for (int lane = 0; lane < lanes_; lane += width)
         store(load(number + lane) * load(x + row * lanes_ + lane), out + row * lanes_ + lane);
+  }
+  void select_rows(const double* truth, const double* yes, const double* no, int rows, double* out) const {
+    for (int lane = 0; lane < lanes_; lane += width) {
+      const auto holds = load(truth + lane) != pack(0.0);
+      for (int row = 0; row < rows; ++row) {
+        const int at = row * lanes_ + lane;
+        store(polhode::select(holds, load(yes + at), load(no + at)), out + at);
+      }
+    }
   }
   void dot(const double* a, const double* b, int rows, double* out) const {
     for (int lane = 0; lane < lanes_; lane += width) {
@@ -224,15 +238,27 @@ class player {
 
   // Numbers.
 
+  /// A row of numbers, or one number for all lanes.
+  struct operand {
+    alignas(sizeof(pack)) std::array<double, width> constant;
+    const double* at;
+    int stride;
+  };
+  void read(const tape_instruction& i, std::size_t k, operand& x) const {
+    const bool constant = i.in[k] == tape_instruction::constant;
+    if (constant) x.constant.fill(i.constants[k]);
+    x.at = constant ? x.constant.data() : at(i.in[k]);
+    x.stride = constant ? 0 : 1;
+  }
   template <class F>
   void each(const tape_instruction& i, double* out, F f) const {
-    const auto number = [&](std::size_t k, int lane) {
-      return i.in[k] == tape_instruction::constant ? pack(i.constants[k]) : load(at(i.in[k]) + lane);
-    };
-    for (int lane = 0; lane < lanes_; lane += width) {
-      const pack a = number(0, lane), b = i.operands > 1 ? number(1, lane) : a, c = i.operands > 2 ? number(2, lane) : a;
-      store(f(a, b, c), out + lane);
-    }
+    std::array<operand, 3> x;
+    for (std::size_t k = 0; k < 3; ++k) read(i, k < static_cast<std::size_t>(i.operands) ? k : 0, x[k]);
+#pragma GCC unroll 1
+    for (int lane = 0; lane < lanes_; lane += width)
+      store(f(load(x[0].at + x[0].stride * lane), load(x[1].at + x[1].stride * lane),
+              load(x[2].at + x[2].stride * lane)),
+            out + lane);
   }
   static pack truth(const pack::mask_type& m) { return select(m, pack(1.0), pack(0.0)); }
   void numbers(const tape_instruction& i, double* out) const {

@@ -10,12 +10,31 @@
 #include "systems/system_source.hpp"
 
 namespace polhode {
+namespace {
+
+/// Steps of so few operations that one more pass over memory would take half of the time again; and those that solve
+/// equations, all in registers.
+using own_schemes = scheme_list<euler_maruyama, heun, milstein, milstein_no_area, implicit_midpoint, isospectral_midpoint>;
+
+template <class... Schemes>
+std::unique_ptr<kernel> own_kernel_of(scheme_list<Schemes...>, std::string_view name, const rigid_body& body,
+                                      const std::vector<double>& momentum, double dt) {
+  std::unique_ptr<kernel> out;
+  ((Schemes::info.name == name ? void(out = kernel_for(scheme_tag<Schemes>{}, body, momentum, dt)) : void()), ...);
+  return out;
+}
+
+}  // namespace
 
 template <>
-struct faces_for<rigid_body> : faces_for<void> {
+struct faces_for<rigid_body> {
   static std::shared_ptr<const face> values(const rigid_body& body, std::span<const double> momentum, double dt) {
     if (momentum.empty()) return std::make_shared<face_of<rigid_body>>(body, dt);
     return bound_face_of(body, std::hypot(momentum[0], momentum[1], momentum[2]), dt);
+  }
+  static std::unique_ptr<kernel> own_kernel(std::string_view scheme, const rigid_body& body,
+                                            std::span<const double> momentum, double dt) {
+    return own_kernel_of(own_schemes{}, scheme, body, {momentum.begin(), momentum.end()}, dt);
   }
 };
 

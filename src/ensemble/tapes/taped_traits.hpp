@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a scheme asks of a system at compile time, as values: a tape is written for each answer that a scheme can tell
+// apart, and chosen by the system's own.
+#pragma once
+
+namespace polhode {
+
+/// unbracketed: varying, with brackets that nobody knows.
+enum class taped_noise { none, constant, varying, unbracketed };
+
+/// What a scheme asks of a system at compile time. components: 3, 6, or -1 where the scheme need not know them.
+struct taped_traits {
+  int components = -1;
+  taped_noise noise = taped_noise::constant;
+  bool exact_dissipation = true, flows = true, turns = true, matrices = true;
+};
+
+}  // namespace polhode
