@@ -11,7 +11,6 @@ namespace polhode {
 
 /// Chen's relation (polhode/increment.hpp) over groups of `factor` steps of a block: [step][channel][lane] and
 /// [step][pair][lane]. An input without areas is a piecewise linear path.
-void coarsen(const noise_layout&, const increment_view& fine, int factor, std::span<double> dw,
-             std::span<double> area);
+void coarsen(const noise_layout&, const increment_view& fine, int factor, std::span<double> dw, std::span<double> area);
 
 }  // namespace polhode

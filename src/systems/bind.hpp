@@ -105,7 +105,8 @@ void add_scheme(subject& out, const System& system) {
 template <class MakeSystem, class... Schemes>
 subject bind(const report::scene& s, MakeSystem make_system, scheme_list<Schemes...> schemes) {
   const auto system = make_system(s);
-  subject out{s, std::make_shared<fused_model<std::remove_const_t<decltype(system)>>>(system), offers_of(s), {}, {}, {}};
+  subject out{s, std::make_shared<fused_model<std::remove_const_t<decltype(system)>>>(system), offers_of(s), {}, {},
+              {}};
   (add_scheme<Schemes>(out, system), ...);
   out.with = [make_system, schemes](const report::scene& other) { return bind(other, make_system, schemes); };
   return out;

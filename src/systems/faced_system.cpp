@@ -47,7 +47,8 @@ void faced_system::coarsen(const increment_view& fine, int factor, std::span<dou
 
 subject bind_schemes(const report::scene& s, faces_of_scene make) {
   const std::shared_ptr<const faced_system> system = make(s);
-  subject out{s, system, offers_of(s), {}, {}, [make](const report::scene& other) { return bind_schemes(other, make); }};
+  subject out{s,  system, offers_of(s),
+              {}, {},     [make](const report::scene& other) { return bind_schemes(other, make); }};
   for (const auto& scheme : scheme_table())
     if (const auto why = scheme.inapplicable(system->traits()); why.empty())
       out.schemes.push_back(entry_of(scheme, system, s.momentum));

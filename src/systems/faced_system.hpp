@@ -17,7 +17,8 @@ class faced_system : public model {
  public:
   virtual taped_traits traits() const = 0;
 
-  /// At a step size. momentum: the states are on its orbit, to which a system may bind itself; empty: they are anywhere.
+  /// At a step size. momentum: the states are on its orbit, to which a system may bind itself; empty: they are
+  /// anywhere.
   virtual std::shared_ptr<const face> values(std::span<const double> momentum, double dt) const = 0;
   virtual std::shared_ptr<const face> tangents(double dt) const = 0;
   /// The same with the noise vectors of constant_noise::weak_order_two; noise that is constant.

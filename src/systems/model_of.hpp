@@ -63,6 +63,7 @@ class model_of : public Base {
   void coadjoint(std::span<const double> xi, std::span<const double> mu, std::span<double> out) const override {
     std::ranges::copy(System::algebra::coad(state(xi), state(mu)), out.begin());
   }
+
  protected:
   const System& system() const { return system_; }
 

@@ -18,7 +18,8 @@ struct scheme_row {
   bool needs_areas;
   /// Why it does not apply to a system with these traits; empty where it does.
   std::string (*inapplicable)(const taped_traits&);
-  /// The step size for which it wants the noise vectors of constant_noise::weak_order_two; 0: it takes them as they are.
+  /// The step size for which it wants the noise vectors of constant_noise::weak_order_two; 0: it takes them as they
+  /// are.
   double (*weak_order_two_at)(double dt);
   /// Its tapes at a step size. components, tangents: of a state.
   scheme_tapes (*tapes)(const taped_traits&, int components, int tangents, double dt);

@@ -17,13 +17,13 @@
 
 #if defined(POLHODE_ISA)
 #include "systems/faced_system_of.hpp"
-#define POLHODE_BEHIND_FACES(system, make)                                                                         \
-  POLHODE_FACED_ELSEWHERE(system);                                                                                 \
-  extern "C" void POLHODE_ENTRY(polhode_faces_##system##_)(const polhode::report::scene& scene,                    \
-                                                           std::shared_ptr<const polhode::faced_system>& out) {    \
-    using made = decltype(make(scene));                                                                            \
-    out = std::make_shared<polhode::faced_system_of<made>>(make(scene));                                           \
-  }                                                                                                                \
+#define POLHODE_BEHIND_FACES(system, make)                                                                      \
+  POLHODE_FACED_ELSEWHERE(system);                                                                              \
+  extern "C" void POLHODE_ENTRY(polhode_faces_##system##_)(const polhode::report::scene& scene,                 \
+                                                           std::shared_ptr<const polhode::faced_system>& out) { \
+    using made = decltype(make(scene));                                                                         \
+    out = std::make_shared<polhode::faced_system_of<made>>(make(scene));                                        \
+  }                                                                                                             \
   static_assert(true)
 #else
 #define POLHODE_BEHIND_FACES(system, make) POLHODE_FACED_ELSEWHERE(system)
@@ -35,11 +35,11 @@
 #define POLHODE_COMPILED_ONCE 1
 #endif
 
-#define POLHODE_BOUND_TO_SCHEMES(system)                                              \
-  [](const polhode::report::scene& bound_scene) {                                     \
+#define POLHODE_BOUND_TO_SCHEMES(system)                                                \
+  [](const polhode::report::scene& bound_scene) {                                       \
     return polhode::bind_schemes(bound_scene, [](const polhode::report::scene& faced) { \
-      std::shared_ptr<const polhode::faced_system> out;                               \
-      polhode::by_isa(POLHODE_ENTRIES(polhode_faces_##system##_))(faced, out);        \
-      return out;                                                                     \
-    });                                                                               \
+      std::shared_ptr<const polhode::faced_system> out;                                 \
+      polhode::by_isa(POLHODE_ENTRIES(polhode_faces_##system##_))(faced, out);          \
+      return out;                                                                       \
+    });                                                                                 \
   }

@@ -2,9 +2,9 @@
 // A Lie-Poisson system behind virtual functions, each called once for a group of lanes. Whatever a step asks of its
 // system is one of them, so a scheme is compiled once for all systems and a system once for all schemes.
 //
-// A state is [row][lane]: a row for each component and, on a face of tangents, for each component of each tangent, which
-// the functions carry along by their derivatives. Every function reads all that it needs of a pack of lanes before it
-// writes there: its result may take the place of an argument.
+// A state is [row][lane]: a row for each component and, on a face of tangents, for each component of each tangent,
+// which the functions carry along by their derivatives. Every function reads all that it needs of a pack of lanes
+// before it writes there: its result may take the place of an argument.
 #pragma once
 
 #include "ensemble/kernel.hpp"
@@ -62,8 +62,7 @@ class face {
   /// components. Others are differentiated along tangents.
   virtual void linearised_motion(const double* mu, const step_noise&, double* value, double* slope) const = 0;
   virtual void contracted_motion(const double* m, const step_noise&, double* out) const = 0;
-  virtual void linearised_contracted_motion(const double* m, const step_noise&, double* value,
-                                            double* slope) const = 0;
+  virtual void linearised_contracted_motion(const double* m, const step_noise&, double* value, double* slope) const = 0;
 
   // The algebra.
   virtual void bracket(const double* xi, const double* eta, double* out) const = 0;

@@ -180,8 +180,7 @@ class face_of : public face {
   }
   POLHODE_FLATTEN void linearised_motion(const double* mu, const step_noise& w, double* value,
                                          double* slope) const override {
-    differentiate(mu, w, value, slope,
-                  [&](const System& s, const auto& x, const auto& b) { return moved(s, x, b); });
+    differentiate(mu, w, value, slope, [&](const System& s, const auto& x, const auto& b) { return moved(s, x, b); });
   }
   POLHODE_FLATTEN void contracted_motion(const double* m, const step_noise& w, double* out) const override {
     const auto& s = held();
@@ -308,7 +307,8 @@ class face_of : public face {
   }
 
  private:
-  /// f(lane), a pack of lanes after the other. With tangents it is called: they are worth no more of the compiler's time.
+  /// f(lane), a pack of lanes after the other. With tangents it is called: they are worth no more of the compiler's
+  /// time.
   template <class F>
   static void packs(F f) {
 #pragma GCC unroll 1
@@ -387,8 +387,8 @@ class face_of : public face {
     return out;
   }
 
-  /// f(noise), noise(mu, lane) the sum of sigma_i dW^i there. Where that is a matter of registers the loop is compiled for
-  /// each kind of noise.
+  /// f(noise), noise(mu, lane) the sum of sigma_i dW^i there. Where that is a matter of registers the loop is compiled
+  /// for each kind of noise.
   template <class F>
   void with_noise(const step_noise& w, F f) const {
     if constexpr (!fixed_noise || io::tangents > 0 || N < 0) {

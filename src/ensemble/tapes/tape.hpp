@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A step of a scheme as the list of its operations on whole groups of lanes: written once for a system's size and a step
-// size by running the scheme's own step on symbols (taped.hpp), played back step after step (tape_kernel.hpp).
+// A step of a scheme as the list of its operations on whole groups of lanes: written once for a system's size and a
+// step size by running the scheme's own step on symbols (taped.hpp), played back step after step (tape_kernel.hpp).
 //
-// Operands are registers, some rows of lanes one after the other: states, matrices and, of one row, numbers. Truth values
-// are numbers, 1 and 0. The first rows of all hold the state before and after the step.
+// Operands are registers, some rows of lanes one after the other: states, matrices and, of one row, numbers. Truth
+// values are numbers, 1 and 0. The first rows of all hold the state before and after the step.
 #pragma once
 
 #include <array>
@@ -19,10 +19,32 @@ namespace polhode {
 
 enum class tape_op : std::uint8_t {
   // of a state, by the face
-  generator, drift, motion, stage, noise, noise_slope, noise_twice, area_noise, ito_drift, linearised_motion,
-  contracted_motion, linearised_contracted_motion,
-  bracket, coad, exp_action, cayley_action, dexp_inv, orbit_projection, sandwich,
-  free_flow, dissipation_flow, first_turn, last_turn, noise_flow, damped_noise_flow, turned_noise_flow,
+  generator,
+  drift,
+  motion,
+  stage,
+  noise,
+  noise_slope,
+  noise_twice,
+  area_noise,
+  ito_drift,
+  linearised_motion,
+  contracted_motion,
+  linearised_contracted_motion,
+  bracket,
+  coad,
+  exp_action,
+  cayley_action,
+  dexp_inv,
+  orbit_projection,
+  sandwich,
+  free_flow,
+  dissipation_flow,
+  first_turn,
+  last_turn,
+  noise_flow,
+  damped_noise_flow,
+  turned_noise_flow,
   // of rows
   combine,             ///< out = sum c_i in_i, every row
   scale,               ///< out = (number in_0) in_1, every row
@@ -34,9 +56,20 @@ enum class tape_op : std::uint8_t {
   correct,             ///< out = in_0 - c, c = (matrix in_1) in_2; the number extra = c.c
   dot,                 ///< the number out = in_0 . in_1
   // of numbers
-  copy, add, subtract, multiply, divide, square_root, magnitude,
-  less, less_equal, equal, both, either, negate,
-  select,              ///< out = in_0 ? in_1 : in_2
+  copy,
+  add,
+  subtract,
+  multiply,
+  divide,
+  square_root,
+  magnitude,
+  less,
+  less_equal,
+  equal,
+  both,
+  either,
+  negate,
+  select,  ///< out = in_0 ? in_1 : in_2
 };
 
 struct tape_instruction {
@@ -47,7 +80,7 @@ struct tape_instruction {
   int operands = 0;
   int rows = 0;    ///< of states, of a matrix or of both operands of dot: the components of one
   int column = 0;  ///< of a matrix
-  int parts = 0;  ///< of a flow over the time constants[0]: flow_time
+  int parts = 0;   ///< of a flow over the time constants[0]: flow_time
   // The first row of each register; constant: the number at its place in `constants`.
   int out = 0, extra = 0;
   std::array<int, most_operands> in{};
@@ -59,8 +92,8 @@ struct tape_instruction {
 struct tape_piece {
   std::vector<tape_instruction> code;
   bool ends = false;
-  int question = 0;  ///< the row of the number
-  int rows = 0;      ///< of all registers up to here
+  int question = 0;                                              ///< the row of the number
+  int rows = 0;                                                  ///< of all registers up to here
   mutable std::array<std::atomic<const tape_piece*>, 2> next{};  ///< by the answer; null: not met yet
 };
 

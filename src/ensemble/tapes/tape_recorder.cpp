@@ -12,9 +12,7 @@ namespace {
 constexpr int most_components_of_a_stage = 6;
 
 /// Whether it writes all rows of a state.
-bool writes_state(tape_op op) {
-  return op <= tape_op::select_rows || op == tape_op::times || op == tape_op::correct;
-}
+bool writes_state(tape_op op) { return op <= tape_op::select_rows || op == tape_op::times || op == tape_op::correct; }
 
 bool is_motion(const tape_value::term& t) { return t.x->at == tape_value::not_computed; }
 
@@ -101,7 +99,8 @@ tape_symbol tape_recorder::combined_with_motion(linear_form form, std::size_t wh
     if (i != which && is_motion(form[i])) compute(*form[i].x);
   const auto motion = form[which].x;
   point at;
-  bool one_pass = components_ <= most_components_of_a_stage && motion->rows == components_ && is_point(motion->point, at);
+  bool one_pass =
+      components_ <= most_components_of_a_stage && motion->rows == components_ && is_point(motion->point, at);
   std::array<double, tape_instruction::most_operands> c{0, 0, form[which].c, at.c};
   for (std::size_t i = 0; i < form.size() && one_pass; ++i) {
     if (i == which) continue;

@@ -358,23 +358,32 @@ struct taped_system {
   template <class S>
   S energy(const state<S>&) const;
   template <class S>
-  requires constant state<S> noise(const vec<S, channels>&) const;
+  requires constant state<S> noise(const vec<S, channels>&)
+  const;
   template <class S>
-  requires constant state<S> area_noise(const vec<S, pairs_of<channels>>&) const;
+  requires constant state<S> area_noise(const vec<S, pairs_of<channels>>&)
+  const;
   template <class S>
-  requires(!constant) state<S> noise_at(const state<S>&, const wiener<S, channels>&) const;
+  requires(!constant) state<S> noise_at(const state<S>&, const wiener<S, channels>&)
+  const;
   template <class S>
-  requires varying state<S> area_noise_at(const state<S>&, const vec<S, pairs_of<channels>>&) const;
+  requires varying state<S> area_noise_at(const state<S>&, const vec<S, pairs_of<channels>>&)
+  const;
   template <class S>
-  requires varying state<S> noise_slope_at(const state<S>&, const wiener<S, channels>&, const state<S>&) const;
+  requires varying state<S> noise_slope_at(const state<S>&, const wiener<S, channels>&, const state<S>&)
+  const;
   template <class S>
-  requires(traits.flows) state<S> free_flow(const state<S>&, double) const;
+  requires(traits.flows) state<S> free_flow(const state<S>&, double)
+  const;
   template <class S>
-  requires(traits.flows) state<S> dissipation_flow(const state<S>&, double) const;
+  requires(traits.flows) state<S> dissipation_flow(const state<S>&, double)
+  const;
   template <class S>
-  requires(traits.turns) state<S> first_turn(const state<S>&, double) const;
+  requires(traits.turns) state<S> first_turn(const state<S>&, double)
+  const;
   template <class S>
-  requires(traits.turns) state<S> last_turn(const state<S>&, double) const;
+  requires(traits.turns) state<S> last_turn(const state<S>&, double)
+  const;
 
   // What a step asks of it (polhode/systems/lie_poisson.hpp).
   vector generator_over(const vector& mu, const increment&) const { return asked(tape_op::generator, mu); }
@@ -418,23 +427,23 @@ struct taped_system {
   vector area_noise_at(const vector& mu, const taped_area&) const requires varying {
     return asked(tape_op::area_noise, mu);
   }
-  vector noise_flow(const vector& mu, const increment&) const {
-    return silent ? mu : asked(tape_op::noise_flow, mu);
-  }
+  vector noise_flow(const vector& mu, const increment&) const { return silent ? mu : asked(tape_op::noise_flow, mu); }
   vector damped_noise_flow(const vector& mu, const increment&) const { return asked(tape_op::damped_noise_flow, mu); }
   vector turned_noise_flow(const vector& mu, const increment&) const requires(traits.turns) {
     return asked(tape_op::turned_noise_flow, mu);
   }
   template <class Time>
-  requires(traits.flows) vector free_flow(const vector& mu, Time t) const { return flow(tape_op::free_flow, mu, t); }
+  requires(traits.flows) vector free_flow(const vector& mu, Time t)
+  const { return flow(tape_op::free_flow, mu, t); }
   template <class Time>
-  requires(traits.flows) vector dissipation_flow(const vector& mu, Time t) const {
-    return flow(tape_op::dissipation_flow, mu, t);
-  }
+  requires(traits.flows) vector dissipation_flow(const vector& mu, Time t)
+  const { return flow(tape_op::dissipation_flow, mu, t); }
   template <class Time>
-  requires(traits.turns) vector first_turn(const vector& mu, Time t) const { return flow(tape_op::first_turn, mu, t); }
+  requires(traits.turns) vector first_turn(const vector& mu, Time t)
+  const { return flow(tape_op::first_turn, mu, t); }
   template <class Time>
-  requires(traits.turns) vector last_turn(const vector& mu, Time t) const { return flow(tape_op::last_turn, mu, t); }
+  requires(traits.turns) vector last_turn(const vector& mu, Time t)
+  const { return flow(tape_op::last_turn, mu, t); }
 
  private:
   static vector asked(tape_op op, const vector& mu) { return detail::asked({.op = op}, mu); }

@@ -44,7 +44,8 @@ class bound_body_motion : public face_of<rigid_body> {
       each(mu, out, [&](const state& x, int lane) { return body.motion_over(x, noise(lane)); });
     });
   }
-  POLHODE_FLATTEN void stage(const double* mu, const double* by, const double* c, const step_noise& w, double* out) const override {
+  POLHODE_FLATTEN void stage(const double* mu, const double* by, const double* c, const step_noise& w,
+                             double* out) const override {
     const std::array<pack, 4> a{c[0], c[1], c[2], c[3]};
     with_body(w, [&](const auto& body, auto noise) {
       each(mu, out, [&](const state& x, int lane) {
@@ -53,7 +54,8 @@ class bound_body_motion : public face_of<rigid_body> {
       });
     });
   }
-  POLHODE_FLATTEN void linearised_motion(const double* mu, const step_noise& w, double* value, double* slope) const override {
+  POLHODE_FLATTEN void linearised_motion(const double* mu, const step_noise& w, double* value,
+                                         double* slope) const override {
     with_body(w, [&](const auto& body, auto noise) {
       each(mu, value, [&](const state& x, int lane) {
         const auto moved = body.linearised_motion_over(x, noise(lane));
@@ -82,7 +84,8 @@ class bound_body_motion : public face_of<rigid_body> {
       if (w.of == kind::none) return f(body.with(no_noise{}), [=](int) { return increment({}); });
       if (w.of == kind::shared)
         return f(body, [=, b = detail::lifted<vec<pack, 3>>(w.rows, 3)](int) { return increment(b); });
-      f(body, [=, rows = w.rows](int lane) { return increment(lane_rows<pack>::load<3>(rows + lane, block_lanes, 3)); });
+      f(body,
+        [=, rows = w.rows](int lane) { return increment(lane_rows<pack>::load<3>(rows + lane, block_lanes, 3)); });
     };
     if (dissipates_)
       by_noise(damped_);
@@ -108,7 +111,8 @@ class bound_body final : public bound_body_motion {
       : bound_body_motion(body, dt, radius),
         first_axis_(symmetric ? first_axis_of(body) : 0),
         turns_(parts_of(body).first_turn),
-        body_(constants_of(body, dt, radius, first_axis_, size), {}) {}
+        body_(constants_of(body, dt, radius, first_axis_, size), {}),
+        whole_(constants_of(body, dt, radius, 0, size), {}) {}
 
   shared_steps share(const increment_view& path) const override {
     constexpr std::size_t words = sizeof(shared_step) / sizeof(double);
@@ -133,7 +137,11 @@ class bound_body final : public bound_body_motion {
     });
   }
   POLHODE_FLATTEN void free_flow(const double* mu, flow_time t, double* out) const override {
-    by_parts(mu, t, out, turns_, [body = body_](const vector& x, auto part) { return body.free_flow(x, part); });
+    const auto flow = [body = whole_](const vector& x, auto part) { return body.free_flow(x, part); };
+    if (!turns_) return lanes_of<pack>(mu, out, [](const auto& x, int) { return x; });
+    if (t.parts == 1) return lanes_of<scalar>(mu, out, [&](const vector& x, int) { return flow(x, whole_step{}); });
+    if (t.parts == 2) return lanes_of<scalar>(mu, out, [&](const vector& x, int) { return flow(x, half_step{}); });
+    throw_other_time();
   }
   POLHODE_FLATTEN void first_turn(const double* mu, flow_time t, double* out) const override {
     by_parts(mu, t, out, turns_, [body = body_](const vector& x, auto part) { return body.first_turn(x, part); });
@@ -198,6 +206,10 @@ class bound_body final : public bound_body_motion {
     }
   }
 
+  [[noreturn, gnu::cold, gnu::noinline]] static void throw_other_time() {
+    throw std::logic_error("a rigid body bound to its step flows through the whole of it or half of it");
+  }
+
   /// flow(x, part of the step); where it is not there the state stays.
   template <class Flow>
   void by_parts(const double* mu, flow_time t, double* out, bool there, Flow flow) const {
@@ -208,7 +220,7 @@ class bound_body final : public bound_body_motion {
     else if (t.parts == 2)
       numbered_lanes(mu, out, [&](const vector& x, int) { return flow(x, half_step{}); });
     else
-      throw std::logic_error("a rigid body bound to its step flows through the whole of it or half of it");
+      throw_other_time();
   }
 
   /// f(body, noise) as in bound_body_motion, in the numbering of the flows.
@@ -229,6 +241,8 @@ class bound_body final : public bound_body_motion {
   int first_axis_;
   bool turns_;
   bound body_;
+  rigid_body_at<body_parts{true, true, true}, size, summed_noise>
+      whole_;  ///< for the free motion in the body's own axes
 };
 
 /// For states on the orbit of the momentum.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a step writes when it runs on symbols: one operation for each thing that it asks of its system, one pass for what
-// can be done in one, and questions whose answers are recorded when they are given.
+// What a step writes when it runs on symbols: one operation for each thing that it asks of its system, one pass for
+// what can be done in one, and questions whose answers are recorded when they are given.
 #include <gtest/gtest.h>
 
 #include <algorithm>

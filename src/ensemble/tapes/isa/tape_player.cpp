@@ -73,8 +73,7 @@ class player {
       case tape_op::ito_drift: return f.ito_drift(in(0), out);
       case tape_op::linearised_motion: return f.linearised_motion(in(0), w, out, at(i.extra));
       case tape_op::contracted_motion: return f.contracted_motion(in(0), w, out);
-      case tape_op::linearised_contracted_motion:
-        return f.linearised_contracted_motion(in(0), w, out, at(i.extra));
+      case tape_op::linearised_contracted_motion: return f.linearised_contracted_motion(in(0), w, out, at(i.extra));
       case tape_op::bracket: return f.bracket(in(0), in(1), out);
       case tape_op::coad: return f.coad(in(0), in(1), out);
       case tape_op::exp_action: return f.exp_action(in(0), in(1), out);
@@ -256,9 +255,9 @@ class player {
     for (std::size_t k = 0; k < 3; ++k) read(i, k < static_cast<std::size_t>(i.operands) ? k : 0, x[k]);
 #pragma GCC unroll 1
     for (int lane = 0; lane < lanes_; lane += width)
-      store(f(load(x[0].at + x[0].stride * lane), load(x[1].at + x[1].stride * lane),
-              load(x[2].at + x[2].stride * lane)),
-            out + lane);
+      store(
+          f(load(x[0].at + x[0].stride * lane), load(x[1].at + x[1].stride * lane), load(x[2].at + x[2].stride * lane)),
+          out + lane);
   }
   static pack truth(const pack::mask_type& m) { return select(m, pack(1.0), pack(0.0)); }
   void numbers(const tape_instruction& i, double* out) const {
@@ -342,7 +341,8 @@ class played_kernel final : public kernel {
   double dt() const override { return face_->dt(); }
 
   void advance(std::span<double> states, const increment_view& view, piece p) const override {
-    if (view.silent()) return advance(states, tapes_.silent, view.steps, p, [](std::int64_t, int) { return step_noise{}; });
+    if (view.silent())
+      return advance(states, tapes_.silent, view.steps, p, [](std::int64_t, int) { return step_noise{}; });
     advance(states, tapes_.noisy, view.steps, p, own_increments(*face_, view, workspace_of_thread()));
   }
 
@@ -358,14 +358,17 @@ class played_kernel final : public kernel {
 
   void finish(std::span<double> states) const override {
     if (!tapes_.silent.closing) return;
-    in_groups(states, [&](double* group, int) { player(*face_, nullptr, group, workspace_of_thread()).play(*tapes_.silent.closing, {}); });
+    in_groups(states, [&](double* group, int) {
+      player(*face_, nullptr, group, workspace_of_thread()).play(*tapes_.silent.closing, {});
+    });
   }
 
  private:
   template <class Noise>
   void advance(std::span<double> states, const step_tapes& tapes, std::int64_t steps, piece p, Noise noise) const {
     count_path_steps(static_cast<std::uint64_t>(steps) * block_lanes, tapes_.scheme.data());
-    in_groups(states, [&](double* group, int lane) { run(*face_, tangents_.get(), tapes, group, steps, p, noise, lane); });
+    in_groups(states,
+              [&](double* group, int lane) { run(*face_, tangents_.get(), tapes, group, steps, p, noise, lane); });
   }
 
   /// f(states of a group, its first lane).
@@ -402,7 +405,9 @@ class played_tangent_kernel final : public tangent_kernel {
       gather(states.data() + lane, n, lanes, group);
       gather(tangents.data() + lane, slopes, lanes, group + n * lanes);
       if (view.silent())
-        run(*face_, face_.get(), tapes_.silent, group, view.steps, {}, [](std::int64_t, int) { return step_noise{}; }, lane);
+        run(
+            *face_, face_.get(), tapes_.silent, group, view.steps, {}, [](std::int64_t, int) { return step_noise{}; },
+            lane);
       else
         run(*face_, face_.get(), tapes_.noisy, group, view.steps, {}, own_increments(*face_, view, own), lane);
       scatter(group, n, lanes, states.data() + lane);

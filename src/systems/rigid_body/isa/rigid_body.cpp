@@ -14,7 +14,8 @@ namespace {
 
 /// Steps of so few operations that one more pass over memory would take half of the time again; and those that solve
 /// equations, all in registers.
-using own_schemes = scheme_list<euler_maruyama, heun, milstein, milstein_no_area, implicit_midpoint, isospectral_midpoint>;
+using own_schemes =
+    scheme_list<euler_maruyama, heun, milstein, milstein_no_area, implicit_midpoint, isospectral_midpoint>;
 
 template <class... Schemes>
 std::unique_ptr<kernel> own_kernel_of(scheme_list<Schemes...>, std::string_view name, const rigid_body& body,
