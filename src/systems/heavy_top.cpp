@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The heavy top: its table, what it offers, and its meeting with the schemes.
+// The heavy top: its table, what it offers, and its faces.
 #include <polhode/systems/heavy_top.hpp>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Maxwell-Bloch equations: their table, what they offer, and their meeting with the schemes.
+// The Maxwell-Bloch equations: their table, what they offer, and their faces.
 #include <polhode/systems/maxwell_bloch.hpp>
 
 #include <fmt/format.h>

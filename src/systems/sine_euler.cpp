@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fluid on the torus: its table, what it offers, and its meeting with the schemes.
+// The fluid on the torus: its table, what it offers, and its faces.
 #include <polhode/systems/sine_euler.hpp>
 
 #include <fmt/format.h>

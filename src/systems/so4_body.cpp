@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pair of coupled bodies: its table, what it offers, and its meeting with the schemes.
+// The pair of coupled bodies: its table, what it offers, and its faces.
 #include <polhode/systems/so4_body.hpp>
 
 #include <fmt/format.h>

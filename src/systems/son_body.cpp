@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The body in n dimensions: its table, what it offers, and its meeting with the schemes.
+// The body in n dimensions: its table, what it offers, and its faces.
 #include <polhode/systems/son_body.hpp>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The spin: its table, what it offers, and its meeting with the schemes.
+// The spin: its table, what it offers, and its faces.
 #if defined(POLHODE_ISA)
 #define POLHODE_CALLED  // a face inlines the flows, as it compiles each of them once
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coupled spins: their table, what they offer, and their meeting with the schemes; and that of the vortices, which are
+// Coupled spins: their table, what they offer, and their faces; and that of the vortices, which are
 // spins of another energy and cost nothing more to compile here.
 #include <polhode/systems/spins.hpp>
 #include <polhode/systems/vortices.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The quartic top: its table, what it offers, and its meeting with the schemes.
+// The quartic top: its table, what it offers, and its faces.
 #include <polhode/systems/toy_system.hpp>
 
 #include <cmath>
@@ -21,7 +21,7 @@ namespace {
 }  // namespace
 }  // namespace polhode
 
-POLHODE_MEETS_SCHEMES(toy_system, polhode::make_toy_system);
+POLHODE_BEHIND_FACES(toy_system, polhode::make_toy_system);
 
 #if POLHODE_COMPILED_ONCE
 namespace polhode {
@@ -47,7 +47,7 @@ system_entry toy_system_system() {
           .parameters = {number_of("stiffness", "1 / (momentum^3 time)", "k in h = k Pi_3^4 / 4"),
                          dissipation_strength("1 / momentum", "dissipation"), noise_vectors(3, "1 / time^(1/2)")},
           .observables = {{"energy", "h"}},
-          .bind = POLHODE_BOUND_BY_ISA(toy_system),
+          .bind = POLHODE_BOUND_TO_SCHEMES(toy_system),
           .offers = offers};
 }
 

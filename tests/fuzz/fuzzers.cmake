@@ -9,7 +9,8 @@ set(writers ${PROJECT_SOURCE_DIR}/reports/writers)
 file(GLOB systems CONFIGURE_DEPENDS ${src}/systems/*.cpp ${src}/systems/*/*.cpp)
 file(GLOB fuzzed CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/model/*.cpp ${PROJECT_SOURCE_DIR}/reports/plots/*.cpp
   ${src}/comparison/*.cpp ${src}/sphere/closed_forms/*gibbs*.cpp ${src}/sphere/harmonics/*.cpp)
-list(APPEND fuzzed ${systems} ${src}/platform/isa.cpp ${src}/problem/parameters.cpp ${src}/references/free_rotation.cpp
+file(GLOB tapes CONFIGURE_DEPENDS ${src}/ensemble/tapes/*.cpp)
+list(APPEND fuzzed ${systems} ${tapes} ${src}/ensemble/chen.cpp ${src}/platform/isa.cpp ${src}/problem/parameters.cpp ${src}/references/free_rotation.cpp
   ${src}/algebra/decompositions.cpp ${src}/sphere/sphere_problem.cpp ${src}/sphere/equilibria.cpp ${src}/sphere/site_observable.cpp
   ${src}/scene/scene_parse.cpp ${src}/scene/toml_table.cpp ${src}/scene/toml_values.cpp ${src}/scene/nearest.cpp
   ${src}/recorded/recording.cpp ${src}/recorded/recording_csv.cpp ${src}/recorded/recording_npy.cpp
@@ -18,12 +19,15 @@ list(APPEND fuzzed ${systems} ${src}/platform/isa.cpp ${src}/problem/parameters.
   ${writers}/json.cpp ${writers}/json_read.cpp ${writers}/json_rows.cpp ${writers}/json_values.cpp
   ${writers}/json_plots.cpp ${writers}/numbers.cpp ${writers}/npy.cpp ${writers}/comparison_text.cpp)
 
-# What binds systems to schemes is most of the compiler's time, and stays out: no harness binds.
+# Faces and what plays tapes on them are most of the compiler's time, and stay out: no harness binds.
 set(unbound "")
+foreach(entry tape_kernel tape_tangent_kernel coarsen)
+  list(APPEND unbound "-Wl,--defsym=polhode_${entry}_portable=0")
+endforeach()
 foreach(source IN LISTS systems)
   file(READ ${source} text)
-  string(REGEX MATCHALL "(BOUND_BY_ISA[(]|polhode_bind_)[a-z0-9_]*[a-z0-9]" bound "${text}")
-  list(TRANSFORM bound REPLACE "BOUND_BY_ISA[(]|polhode_bind_" "-Wl,--defsym=polhode_bind_")
+  string(REGEX MATCHALL "BOUND_TO_SCHEMES[(][a-z0-9_]*[a-z0-9]" bound "${text}")
+  list(TRANSFORM bound REPLACE "BOUND_TO_SCHEMES[(]" "-Wl,--defsym=polhode_faces_")
   list(TRANSFORM bound APPEND "_portable=0")
   list(APPEND unbound ${bound})
 endforeach()
