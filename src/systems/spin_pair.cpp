@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two spins, in registers: their meeting with the schemes. What they offer is in spins.cpp.
+// Two spins, in registers: their faces. What they offer is in spins.cpp.
 #include <polhode/systems/spins.hpp>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Systems on a sphere whose noise depends on the state: the key that says so, and their meeting with the schemes.
+// Systems on a sphere whose noise depends on the state: the key that says so, and their faces.
 #if defined(POLHODE_ISA)
 #define POLHODE_CALLED  // a face inlines the flows, as it compiles each of them once
 #endif

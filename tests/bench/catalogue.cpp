@@ -3,6 +3,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+
 #include "bench/counted_flops.hpp"
 #include "bench/ensemble_loop.hpp"
 #include "bench/yardsticks.hpp"
@@ -26,7 +28,7 @@ void add_schemes() {
     add(scheme_key(scheme, noise, f.name, level), [=] { return scheme_loop(level, f.scene, scheme, noise); });
   };
   const auto features = scene_features();
-  for (const auto& scheme : scheme_names())
+  for (const auto& scheme : scheme_names(paper()))
     for (const auto noise : all_noises)
       for (const isa level : usable_isas()) add_one(scheme, noise, features.front(), level);
   for (const auto scheme : main_schemes)
@@ -35,12 +37,17 @@ void add_schemes() {
         add_one(std::string(scheme), noise, features[i], usable_isas().back());
 }
 
+/// Every scheme under every noise on the widest instruction set; on the others the main schemes under a common noise.
 void add_other_systems() {
-  for (const auto name : other_scenes)
-    for (const auto scheme : main_schemes)
-      for (const isa level : usable_isas())
-        add(scheme_key(scheme, ensemble_noise::common, name, level),
-            [=] { return scheme_loop(level, load_scene(std::string(name)), scheme, ensemble_noise::common); });
+  for (const auto name : scenes_of_systems) {
+    const auto scene = load_scene(std::string(name));
+    for (const auto& scheme : scheme_names(scene))
+      for (const auto noise : all_noises)
+        for (const isa level : usable_isas())
+          if (level == usable_isas().back() ||
+              (noise == ensemble_noise::common && std::ranges::count(main_schemes, scheme) > 0))
+            add(scheme_key(scheme, noise, name, level), [=] { return scheme_loop(level, scene, scheme, noise); });
+  }
 }
 
 template <class F>
@@ -112,9 +119,9 @@ std::vector<scene_feature> scene_features() {
   return features;
 }
 
-std::vector<std::string> scheme_names() {
+std::vector<std::string> scheme_names(const report::scene& scene) {
   std::vector<std::string> names;
-  for (const auto& scheme : bind_scene(paper()).schemes) names.emplace_back(scheme.info.name);
+  for (const auto& scheme : bind_scene(scene).schemes) names.emplace_back(scheme.info.name);
   return names;
 }
 

@@ -27,9 +27,15 @@ struct scene_feature {
 };
 std::vector<scene_feature> scene_features();
 
-/// Every scheme of the laboratory; and those that are measured on every feature and held beside the yardsticks.
-std::vector<std::string> scheme_names();
+/// Every scheme that steps the scene's system; and those that are measured on every feature and held beside the
+/// yardsticks.
+std::vector<std::string> scheme_names(const report::scene&);
 inline constexpr std::array<std::string_view, 3> main_schemes{"heun", "strang", "lie_heun"};
+
+/// A scene of each other system.
+inline constexpr std::array<std::string_view, 10> scenes_of_systems{
+    "spin",      "random_inertia", "maxwell_bloch", "so4",     "heavy_top",
+    "spin_pair", "spin_ring",      "vortices",      "manakov", "sine_euler"};
 
 inline std::string scheme_key(std::string_view scheme, ensemble_noise noise, std::string_view feature, isa level) {
   return fmt::format("scheme/{}/{}/{}/{}", scheme, name_of(noise), feature, name_of(level));

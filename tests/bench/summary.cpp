@@ -66,7 +66,7 @@ class summary {
         name_of(widest_));
     fmt::print("{:<18}{:<12}{:>8}{:>9}{:>9}{:>9}{:>10}{:>9}\n", "scheme", "noise", "CPU ns", "wall ns", "share",
                "eigen", "omp simd", "odeint");
-    for (const auto& scheme : scheme_names())
+    for (const auto& scheme : scheme_names(scene_features().front().scene))
       for (const auto noise : all_noises) scheme_row(scheme, noise);
   }
 

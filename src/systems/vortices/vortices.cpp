@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Point vortices: their table and what they offer. They meet the schemes in spins.cpp.
+// Point vortices: their table and what they offer. Their faces are in spins.cpp.
 #include <polhode/systems/vortices.hpp>
 
 #include <fmt/format.h>
