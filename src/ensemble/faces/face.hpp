@@ -39,6 +39,7 @@ class face {
   virtual double dt() const = 0;
   virtual int components() const = 0;
   virtual int tangents() const = 0;  ///< carried along with each state
+  virtual int channels() const = 0;  ///< of its noise
   virtual int lanes() const = 0;     ///< of a group; divides block_lanes
   int rows() const { return components() * (1 + tangents()); }
 

@@ -88,6 +88,7 @@ class face_of : public face {
   double dt() const final { return dt_; }
   int components() const final { return dimension_of(s_); }
   int tangents() const final { return io::tangents; }
+  int channels() const final { return channels_of(s_); }
   int lanes() const final { return K; }
 
   int noise_rows() const final { return fixed_noise ? components() : channels_of(s_); }

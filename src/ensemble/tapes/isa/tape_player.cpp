@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <polhode/increment.hpp>
 #include <polhode/simd.hpp>
 #include <polhode/solve.hpp>
 
@@ -310,11 +311,12 @@ class own_increments {
     if (rows_.size() < size) rows_.resize(size);
   }
   step_noise operator()(std::int64_t step, int lane) {
-    const auto row = [&](const auto& all) {
-      return all.empty() ? nullptr : all.data() + step * static_cast<std::int64_t>(all.size()) / view_.steps + lane;
+    const auto at = [&](const auto& all, int rows) {
+      return all.empty() ? nullptr : all.data() + step * rows * block_lanes + lane;
     };
-    face_.take({row(view_.dw), row(view_.singles), view_.scale}, rows_.data());
-    return {step_noise::kind::own, rows_.data(), row(view_.area)};
+    const int channels = face_.channels();
+    face_.take({at(view_.dw, channels), at(view_.singles, channels), view_.scale}, rows_.data());
+    return {step_noise::kind::own, rows_.data(), at(view_.area, pairs_among(channels))};
   }
 
  private:
