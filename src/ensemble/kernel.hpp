@@ -61,7 +61,8 @@ class kernel {
   /// none.
   virtual void advance(std::span<double> states, const increment_view&, piece = {}) const = 0;
 
-  /// The steps of one path that is to drive all others.
+  /// The steps of one path that is to drive all others. Without steps, the table is empty and `words` is what it will
+  /// be.
   virtual shared_steps share(const increment_view& one_path) const = 0;
   virtual void advance(std::span<double> states, const shared_steps&, std::int64_t first_step, std::int64_t steps,
                        piece = {}) const = 0;

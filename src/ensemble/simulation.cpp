@@ -7,8 +7,6 @@
 #include <optional>
 #include <shared_mutex>
 
-#include "ensemble/noise_at.hpp"
-
 #include "ensemble/noise/paths.hpp"
 #include "ensemble/noise/shared_increments.hpp"
 #include "ensemble/observing/block_record.hpp"
@@ -31,9 +29,10 @@ std::int64_t blocks_a_piece(const simulation_plan& p) {
   return std::clamp<std::int64_t>(blocks / 1024, 1, std::max<std::int64_t>(64, blocks / 65'536));
 }
 
-/// Increments, and the table of what a kernel does with them, at most a shared_step each.
-double shared_bytes(const model& m, const simulation_plan& p) {
-  return shared_increments::bytes(m, p.steps, p.with_areas) + static_cast<double>(p.steps) * sizeof(shared_step);
+/// Increments, and the table that the kernel makes of them: a row a step, as wide as in the table of no steps.
+double shared_bytes(const model& m, const kernel& k, const simulation_plan& p) {
+  const double row = static_cast<double>(k.share(silence(0)).words * sizeof(double));
+  return shared_increments::bytes(m, p.steps, p.with_areas) + static_cast<double>(p.steps) * row;
 }
 
 /// Everything that the pieces share.
@@ -234,14 +233,14 @@ simulated simulate_ensemble(const model& m, const kernel& k, const simulation_pl
   return run.result();
 }
 
-double simulation_bytes(const model& m, const simulation_plan& p) {
+double simulation_bytes(const model& m, const kernel& k, const simulation_plan& p) {
   const bool common = p.noise == ensemble_noise::common && !m.layout().silent();
   const double states = p.keep_states ? static_cast<double>(p.bodies) * m.dimension() * sizeof(double) : 0;
   const double counts = (longitude_bins::count + hemisphere_bins::count) * sizeof(std::uint32_t);
   const double pieces = static_cast<double>(blocks_of(p)) / static_cast<double>(blocks_a_piece(p)) + 1;
   const double stops = static_cast<double>(p.snapshots.size());
   const double moments = pieces * (stops + 1) * (sizeof(ensemble_moments) + 96.0);
-  return states + stops * counts + moments + (common ? shared_bytes(m, p) : 0);
+  return states + stops * counts + moments + (common ? shared_bytes(m, k, p) : 0);
 }
 
 }  // namespace polhode

@@ -63,6 +63,6 @@ simulated simulate_ensemble(const model&, const kernel&, const simulation_plan&,
                             const std::function<void(double)>& progress = {});
 
 /// What simulate_ensemble will hold at once.
-double simulation_bytes(const model&, const simulation_plan&);
+double simulation_bytes(const model&, const kernel&, const simulation_plan&);
 
 }  // namespace polhode

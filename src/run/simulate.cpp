@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <memory>
 
 #include "ensemble/coadjoint_matrices.hpp"
 #include "ensemble/observing/sphere_bins.hpp"
@@ -75,10 +76,10 @@ std::int64_t checked_interval(const simulate_options& o, std::int64_t steps) {
   return static_cast<std::int64_t>(n);
 }
 
-void check_memory(const simulation_plan& p, const model& m) {
+void check_memory(const simulation_plan& p, const model& m, const kernel& k) {
   // The files of the final states are made in memory, too.
   const double file = p.keep_states ? 8.0 * m.dimension() * static_cast<double>(p.bodies) : 0;
-  const double needed = simulation_bytes(m, p) + file;
+  const double needed = simulation_bytes(m, k, p) + file;
   const double available = available_memory();
   if (needed > memory_share * available)
     refuse("--bodies", fmt::format("{}", p.bodies),
@@ -91,12 +92,13 @@ void check_memory(const simulation_plan& p, const model& m) {
 struct prepared_run {
   polhode::subject subject;
   const scheme_entry* scheme;
+  std::unique_ptr<kernel> stepper;
   simulation_plan plan;
 };
 
 prepared_run prepare(const scene& s, const simulate_options& o) {
   apply_isa(o.isa);
-  prepared_run r{bind_scene(s, o.foreign), nullptr, {}};
+  prepared_run r{bind_scene(s, o.foreign), nullptr, nullptr, {}};
   require_scale(r.subject);
   auto& p = r.plan;
   r.scheme = &chosen_scheme(r.subject, o.scheme);
@@ -128,7 +130,8 @@ prepared_run prepare(const scene& s, const simulate_options& o) {
     refuse("--snapshots", fmt::format("{}", o.snapshots.front()),
            "accepted for systems that keep the length of three components, whose direction is counted");
   p.pictured = kept.value_or(0);
-  check_memory(p, *r.subject.model);
+  r.stepper = r.scheme->make(o.dt);
+  check_memory(p, *r.subject.model, *r.stepper);
   return r;
 }
 
@@ -278,7 +281,7 @@ report::simulation simulate(const scene& s, const simulate_options& o, const pro
   };
   const auto begun = std::chrono::steady_clock::now();
   const auto cpu_begun = std::clock();
-  take_over(simulate_ensemble(*r.subject.model, *r.scheme->make(o.dt), r.plan, tell), r, out);
+  take_over(simulate_ensemble(*r.subject.model, *r.stepper, r.plan, tell), r, out);
   agree(o.foreign, o.among);
   for (const auto& one : o.foreign)
     if (const auto why = one->failure(); why && one->about().name == o.scheme)

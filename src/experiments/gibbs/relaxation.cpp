@@ -65,7 +65,7 @@ struct segment {
 /// The paths of one block and how far they are.
 struct pilot_block {
   increment_buffer noise;
-  orbit_start at;
+  paths_so_far at;
 };
 
 class pilot {
@@ -130,13 +130,13 @@ class pilot {
 
 }  // namespace
 
-orbit_start spread_start(const context& c, double dt, std::uint64_t first_path, noise_log* log, int block) {
+paths_so_far spread_start(const context& c, double dt, std::uint64_t first_path, noise_log* log, int block) {
   const auto& s = c.subject;
   const auto free = s.without_dissipation();
   const auto equation = free.model->reference(dt);
   increment_buffer noise(*s.model, chunk, false, {c.generator, noise_quality::fast});
   const double strength = isotropic_strength(s.scene);
-  orbit_start out{replicated(s.scene.momentum)};
+  paths_so_far out{replicated(s.scene.momentum)};
   const auto steps = static_cast<std::uint64_t>(std::ceil(spread_times / (strength * strength * dt)));
   while (out.steps < steps) {
     const int n = static_cast<int>(std::min<std::uint64_t>(steps - out.steps, chunk));

@@ -17,13 +17,14 @@
 
 namespace polhode {
 
-/// The states of a block at the start, lanes of both kinds in turn; spread by the steps 0 … steps - 1 of its noise.
-struct orbit_start {
+/// The states of a block after the steps 0 … steps - 1 of its noise.
+struct paths_so_far {
   std::vector<double> states;
   std::uint64_t steps = 0;
 };
-/// isotropic noise of strength sigma: spread for 3 / sigma^2. log: hears the noise, if given.
-orbit_start spread_start(const context&, double dt, std::uint64_t first_path, noise_log* log = nullptr, int block = 0);
+/// Every second lane at the scene's momentum, the others spread over the orbit by isotropic noise of strength sigma for
+/// a time of 3 / sigma^2. log: is given the noise.
+paths_so_far spread_start(const context&, double dt, std::uint64_t first_path, noise_log* log = nullptr, int block = 0);
 
 struct relaxation {
   double time = 0;                ///< the longest integrated autocorrelation time of the observables

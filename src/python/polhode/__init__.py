@@ -20,7 +20,14 @@ import tempfile
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Optional, Union
 
-from . import _core
+try:
+    from . import _core
+except ImportError:
+    from . import _absent
+    why = _absent.reason()
+    if why is None:
+        raise
+    raise ImportError(why) from None
 from ._answers import Answer, Simulation, answer
 from ._recorded import written
 from ._report import Check, Report

@@ -89,6 +89,25 @@ TEST(Simulation, SharedIncrementsAreThoseOfPathZero) {
   }
 }
 
+/// The increments of a common noise and the kernel's table of it are held at once.
+TEST(Simulation, TheMemoryOfACommonNoiseIsReckonedAsItIsHeld) {
+  for (const auto* name : {"paper", "heavy_top", "so4", "spin_ring", "sine_euler"}) {
+    const auto s = bind_scene(load_scene(name));
+    for (const auto& scheme : s.schemes) {
+      const auto stepper = scheme.make(dt);
+      auto p = plan_of(ensemble_noise::common, ensemble_start::momentum);
+      p.with_areas = scheme.needs_areas;
+      const shared_increments drawn(*s.model, p.seed, p.steps, dt, p.with_areas, 1);
+      const auto view = drawn.view(0, static_cast<int>(p.steps));
+      const auto numbers = view.dw.size() + view.area.size() + stepper->share(view).table.size();
+      const double reckoned = simulation_bytes(*s.model, *stepper, p);
+      p.noise = ensemble_noise::none;
+      EXPECT_EQ(reckoned - simulation_bytes(*s.model, *stepper, p), static_cast<double>(numbers * sizeof(double)))
+          << name << ", " << scheme.info.name;
+    }
+  }
+}
+
 TEST(Simulation, SnapshotsCountEveryBodyOnce) {
   const auto s = bind_scene(load_scene("paper"));
   const auto out = run(s, "strang", plan_of(ensemble_noise::common, ensemble_start::uniform));
