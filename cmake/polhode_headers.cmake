@@ -20,5 +20,6 @@ set(POLHODE_COMMON_HEADERS
   <fmt/format.h> <fmt/ranges.h> ${PROJECT_SOURCE_DIR}/reports/model/results.hpp)
 set(POLHODE_NUMERICAL_HEADERS <Eigen/Dense> <polhode/simd.hpp>)
 
-# Of what runs once: nothing there is worth a second of the compiler's.
+# For what runs once: nothing there is worth a second of the compiler's. Such a target needs headers of its own, or those
+# of one like it: without a word g++ compiles a source as its precompiled headers were compiled, whatever its own -O says.
 set(POLHODE_RUNS_ONCE $<$<CONFIG:Release>:-O1>)

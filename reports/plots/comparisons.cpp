@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/plots/comparisons.hpp"
+#include "reports/plots/builders.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/plots/curves.hpp"
+#include "reports/plots/builders.hpp"
 
 #include <algorithm>
 #include <set>
@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "reports/model/finite.hpp"
-#include "reports/plots/comparisons.hpp"
 #include "reports/plots/titles.hpp"
 
 namespace polhode::report {

@@ -6,18 +6,44 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <string>
+#include <vector>
 
+#include "reports/model/finite.hpp"
 #include "reports/model/names.hpp"
-#include "reports/plots/comparisons.hpp"
-#include "reports/plots/cost_plots.hpp"
-#include "reports/plots/curves.hpp"
-#include "reports/plots/equation_plots.hpp"
+#include "reports/model/plots.hpp"
+#include "reports/plots/builders.hpp"
 #include "reports/plots/findings.hpp"
-#include "reports/plots/scheme_maps.hpp"
-#include "reports/plots/tables.hpp"
+#include "reports/plots/titles.hpp"
 
 namespace polhode::report {
 namespace {
+
+// What is known without a scheme and drawn nowhere: of the scene, and of conditions.
+
+void add(std::vector<plot_description>& tables, findings& found, plot_kind kind, const row_list& rows) {
+  if (rows.empty()) return;
+  const std::string name(name_of(kind));
+  tables.push_back({.id = slug({found.experiment, name}),
+                    .experiment = found.experiment,
+                    .kind = kind,
+                    .title = name,
+                    .conditions = conditions_of(rows),
+                    .lines = lines_of(found, rows)});
+  take(found, rows);
+}
+
+std::vector<plot_description> fact_tables(findings& found) {
+  const auto of_none = [](const measurement& m) { return m.scheme.empty() && !abscissa_of(m); };
+  const auto is_fact = [&](const measurement& m) { return of_none(m) && condition_of(m) == condition{}; };
+  const auto is_known = [&](const measurement& m) {
+    return of_none(m) && condition_of(m) != condition{} && finite(m.value);
+  };
+  std::vector<plot_description> tables;
+  add(tables, found, plot_kind::facts, rows_where(found.rows, is_fact));
+  add(tables, found, plot_kind::conditions, rows_where(found.rows, is_known));
+  return tables;
+}
 
 // The first that a measurement fits claims it; what none of them wants stands in the table of all measurements.
 using builder = std::vector<plot_description>(findings&);

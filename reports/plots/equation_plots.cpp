@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/plots/equation_plots.hpp"
+#include "reports/plots/builders.hpp"
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ bool log_over(const row_list& rows, const std::string& coordinate) {
   return spans(values, wide_for_steps);
 }
 
-plot_description curve_of(const findings& found, const row_list& rows) {
+plot_description equation_curve(const findings& found, const row_list& rows) {
   const auto& first = *rows.front();
   const auto x = place_names(first).front();
   return {.id = slug({found.experiment, first.quantity}),
@@ -52,7 +52,7 @@ plot_description curve_of(const findings& found, const row_list& rows) {
 }
 
 /// A curve belongs on a map where it gives the map's second coordinate over its first.
-const measurement* border_of(const std::vector<row_list>& curves, const std::string& x, const std::string& y) {
+const measurement* border_curve(const std::vector<row_list>& curves, const std::string& x, const std::string& y) {
   const auto curve = std::ranges::find_if(
       curves, [&](const row_list& rows) { return place_names(*rows.front()).front() == x && rows.front()->unit == y; });
   return curve == curves.end() || values_of(*curve).empty() ? nullptr : curve->front();
@@ -65,12 +65,12 @@ std::string note_of(const std::string& value, const std::string& border, const r
   return note;
 }
 
-plot_description map_of(const findings& found, const row_list& rows, const std::vector<row_list>& curves) {
+plot_description equation_map(const findings& found, const row_list& rows, const std::vector<row_list>& curves) {
   const auto& first = *rows.front();
   const auto names = place_names(first);
   auto value = first.quantity;
   if (constexpr std::string_view ending = " map"; value.ends_with(ending)) value.resize(value.size() - ending.size());
-  const auto* border = border_of(curves, names[0], names[1]);
+  const auto* border = border_curve(curves, names[0], names[1]);
   plot_description p{.id = slug({found.experiment, first.quantity}),
                      .experiment = found.experiment,
                      .kind = plot_kind::map,
@@ -95,8 +95,8 @@ plot_description map_of(const findings& found, const row_list& rows, const std::
 std::vector<plot_description> equation_plots(findings& found) {
   const auto curves = groups_of(found, 1), maps = groups_of(found, 2);
   std::vector<plot_description> plots;
-  for (const auto& rows : maps) plots.push_back(map_of(found, rows, curves));
-  for (const auto& rows : curves) plots.push_back(curve_of(found, rows));
+  for (const auto& rows : maps) plots.push_back(equation_map(found, rows, curves));
+  for (const auto& rows : curves) plots.push_back(equation_curve(found, rows));
   for (const auto* groups : {&curves, &maps})
     for (const auto& rows : *groups) take(found, rows);
   return plots;

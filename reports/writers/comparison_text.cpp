@@ -18,8 +18,8 @@ namespace {
 constexpr std::array<change_kind, 4> kinds{change_kind::worse, change_kind::unsure, change_kind::better,
                                            change_kind::different};
 
-std::string side(const std::string& text, std::optional<double> value, std::optional<double> low,
-                 std::optional<double> high) {
+std::string side_text(const std::string& text, std::optional<double> value, std::optional<double> low,
+                      std::optional<double> high) {
   std::string out = text;
   if (value || text.empty()) out += (out.empty() ? "" : " ") + shown(value);
   if (const auto interval = shown_interval(low, high); !interval.empty() && value) out += ' ' + interval;
@@ -43,8 +43,8 @@ std::string line_of(const change& c) {
   if (!c.scheme.empty()) out += ' ' + c.scheme;
   out += ": " + c.what;
   if (c.dt) out += fmt::format(", dt = {}", shown(c.dt));
-  return one_line(fmt::format("{}: {}, now {}", out, side(c.text_before, c.before, c.before_low, c.before_high),
-                              side(c.text_after, c.after, c.after_low, c.after_high)));
+  return one_line(fmt::format("{}: {}, now {}", out, side_text(c.text_before, c.before, c.before_low, c.before_high),
+                              side_text(c.text_after, c.after, c.after_low, c.after_high)));
 }
 
 namespace {

@@ -23,7 +23,7 @@ void append_field(std::string& out, std::string_view field) {
   out += '"';
 }
 
-void append_row(std::string& out, std::initializer_list<std::string_view> fields) {
+void append_fields(std::string& out, std::initializer_list<std::string_view> fields) {
   bool first = true;
   for (const auto field : fields) {
     if (!first) out += ',';
@@ -45,16 +45,16 @@ std::string place_of(const measurement& m) {
 std::string measurements_csv(const results& r) {
   std::string out = "experiment,scheme,quantity,observable,dt,value,low,high,unit,method,at\n";
   for (const auto& m : r.measurements)
-    append_row(out, {m.experiment, m.scheme, m.quantity, m.observable, shortest(m.dt()), shortest(m.value),
-                     shortest(m.low), shortest(m.high), m.unit, m.method, place_of(m)});
+    append_fields(out, {m.experiment, m.scheme, m.quantity, m.observable, shortest(m.dt()), shortest(m.value),
+                        shortest(m.low), shortest(m.high), m.unit, m.method, place_of(m)});
   return out;
 }
 
 std::string verdicts_csv(const results& r) {
   std::string out = "experiment,scheme,claim,expected,estimate,low,high,verdict,reason\n";
   for (const auto& v : r.verdicts)
-    append_row(out, {v.experiment, v.scheme, v.claim, shortest(v.expected), shortest(v.estimate), shortest(v.low),
-                     shortest(v.high), name_of(v.kind), reason_of(v)});
+    append_fields(out, {v.experiment, v.scheme, v.claim, shortest(v.expected), shortest(v.estimate), shortest(v.low),
+                        shortest(v.high), name_of(v.kind), reason_of(v)});
   return out;
 }
 

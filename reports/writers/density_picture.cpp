@@ -7,16 +7,77 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
+#include <vector>
 
 #include "reports/model/text.hpp"
-#include "reports/writers/sphere_projection.hpp"
 
 namespace polhode::report {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr int width = 1200, height = 1170;
+// Which bins of a snapshot the samples of a picture see, row by row.
+
+constexpr auto outside = std::numeric_limits<std::uint32_t>::max();  ///< no bin: beside the sphere
+
+using sample_row = std::vector<std::uint32_t>;
+
+using std::numbers::pi;
+
+/// The bins of a snapshot: Lambert's equal-area projection of each hemisphere, as ensemble_snapshot::picture says.
+struct lambert {
+  int side;
+  static double scale_at(double z) { return 0.5 / std::sqrt(1 + std::abs(z)); }
+  int cell(double u) const { return std::clamp(static_cast<int>((u + 0.5) * side), 0, side - 1); }
+  /// Of x and y already scaled.
+  std::uint32_t bin(double x, double y, bool below) const {
+    return static_cast<std::uint32_t>(((below ? side : 0) + cell(y)) * side + cell(x));
+  }
+};
+
+// A row is a circle of latitude, run through by a rotation. Source: Snyder, Map Projections (1987), eqs. (31-6) to
+// (31-8).
+/// Samples at x = (k + 1/2)/w - 1 of the row at y in (-1, 1), upwards, k = 0 … 2w - 1, on the unit disc: Mollweide's
+/// projection of the whole sphere, and the hemispheres z >= 0 and z < 0 seen from outside (orthographic). Bins as in
+/// ensemble_snapshot::picture, in squares of side^2.
+void mollweide_row(int side, double y, sample_row& out) {
+  const lambert bins{side};
+  const double a = std::asin(y), w = 0.5 * static_cast<double>(out.size()), half = std::cos(a);
+  const double z = std::clamp((2 * a + std::sin(2 * a)) / pi, -1.0, 1.0);
+  const double r = std::sqrt(1 - z * z) * lambert::scale_at(z);
+  const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil(w * (1 - half) - 0.5)));
+  const double start = pi * ((static_cast<double>(first) + 0.5) / w - 1) / half, step = pi / (w * half);
+  const double cos = std::cos(step), sin = std::sin(step);
+  double east = r * std::cos(start), north = r * std::sin(start);
+  std::ranges::fill(out, outside);
+  for (std::size_t k = first; k + first < out.size(); ++k) {
+    out[k] = bins.bin(east, north, z < 0);
+    const double turned = east * cos - north * sin;
+    north = north * cos + east * sin;
+    east = turned;
+  }
+}
+
+void upper_row(int side, double y, sample_row& out) {
+  const lambert bins{side};
+  const double w = 0.5 * static_cast<double>(out.size());
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    const double x = (static_cast<double>(k) + 0.5) / w - 1, z2 = 1 - x * x - y * y;
+    const double scale = lambert::scale_at(std::sqrt(std::max(0.0, z2)));
+    out[k] = z2 > 0 ? bins.bin(x * scale, y * scale, false) : outside;
+  }
+}
+
+// Seen from below x runs to the left.
+void lower_row(int side, double y, sample_row& out) {
+  upper_row(side, y, out);
+  std::ranges::reverse(out);
+  for (auto& bin : out)
+    if (bin != outside) bin += static_cast<std::uint32_t>(side * side);
+}
+
+constexpr int picture_width = 1200, picture_height = 1170;
 constexpr int map_left = 60, map_top = 90, map_width = 1080, map_height = 540;
 constexpr int disc = 440, disc_top = 680, upper_left = 60, lower_left = 545;
 constexpr int bar_left = 1040, bar_top = 720, bar_width = 30, bar_height = 360;
@@ -131,7 +192,7 @@ void density_picture::add_disc(int left, int top, int w, int h, Bins bins_of_row
     bins_of_row(1 - (2 * j + 0.5) / h, first);
     bins_of_row(1 - (2 * j + 1.5) / h, second);
     for (std::size_t i = 0; i < static_cast<std::size_t>(w); ++i) {
-      const auto place = static_cast<std::uint32_t>((top + j) * width + left) + static_cast<std::uint32_t>(i);
+      const auto place = static_cast<std::uint32_t>((top + j) * picture_width + left) + static_cast<std::uint32_t>(i);
       const std::array bins{first[2 * i], first[2 * i + 1], second[2 * i], second[2 * i + 1]};
       const auto inside = samples - static_cast<int>(std::ranges::count(bins, outside));
       if (inside == samples)
@@ -159,7 +220,7 @@ raster density_picture::paint(const simulation& s, const ensemble_snapshot& show
   };
   std::array<shade, 256> usual{};  // most pixels see a few bodies only
   for (std::size_t sum = 0; sum < usual.size(); ++sum) usual[sum] = shade_of(sum);
-  raster out(width, height, palette_);
+  raster out(picture_width, picture_height, palette_);
   for (std::size_t i = 0; i < sums.size(); ++i)
     out.pixels[pixels_[i].place] = sums[i] < usual.size() ? usual[sums[i]] : shade_of(sums[i]);
   for (const auto& p : rim_) out.pixels[p.place] = static_cast<shade>(first_rim + p.inside - 1);

@@ -49,7 +49,7 @@ bool is_report(const fs::directory_entry& entry, const fs::path& known_as) {
   return looks_like_results(beginning_of(entry.path() / "results.json", known_as / "results.json"));
 }
 
-void require_ours(const fs::path& folder, const fs::path& known_as) {
+void require_report_files(const fs::path& folder, const fs::path& known_as) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     const auto name = entry->path().filename();
@@ -65,7 +65,7 @@ void require_ours(const fs::path& folder, const fs::path& known_as) {
 // Throws unless reports can be put there; `path` is the settled form of `out`.
 void require_usable(const fs::path& path, const fs::path& out) {
   const auto nearest = nearest_folder(path, out);
-  if (nearest == path) require_ours(path, out);
+  if (nearest == path) require_report_files(path, out);
   require_writable(nearest, nearest == path ? out : nearest);
 }
 

@@ -2,15 +2,79 @@
 #include "reports/writers/json.hpp"
 
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "reports/model/plots.hpp"
 #include "reports/plots/descriptions.hpp"
-#include "reports/writers/json_plots.hpp"
 #include "reports/writers/json_rows.hpp"
 #include "reports/writers/json_values.hpp"
 #include "reports/writers/numbers.hpp"
 
 namespace polhode::report {
 namespace {
+
+// The JSON of a plot's description. Included by writers only.
+
+json plot_value(const plot_line&);
+json plot_value(const plot_alternative&);
+
+template <class Value>
+void add_unless_empty(json& out, const char* key, const Value& value) {
+  if (value != Value{}) out[key] = value;
+}
+
+template <class Row>
+void add_list(json& out, const char* key, const std::vector<Row>& rows) {
+  for (const auto& row : rows) out[key].push_back(plot_value(row));
+}
+
+/// Its experiment is that of the plot.
+json series_in_plot(const series_id& s) {
+  return {{"scheme", s.scheme}, {"quantity", s.quantity}, {"observable", s.observable}, {"over", s.over}};
+}
+
+json plot_value(const plot_line& line) {
+  json out{{"series", series_in_plot(line.series)}};
+  if (line.across) out["across"] = series_in_plot(*line.across);
+  for (const auto& s : line.beside) out["beside"].push_back(series_in_plot(s));
+  if (line.border) out["border"] = series_in_plot(*line.border);
+  return out;
+}
+
+json plot_value(const plot_alternative& other) {
+  json out{{"name", other.name}, {"title", other.title}, {"y_title", other.y_title}};
+  add_list(out, "lines", other.lines);
+  return out;
+}
+
+/// What a plot does not have is left out.
+json to_value(const plot_description& p) {
+  json out{{"id", p.id}, {"experiment", p.experiment}, {"kind", std::string(name_of(p.kind))}, {"title", p.title}};
+  add_unless_empty(out, "note", p.note);
+  add_unless_empty(out, "of", p.of);
+  add_unless_empty(out, "x", p.x);
+  add_unless_empty(out, "y", p.y);
+  add_unless_empty(out, "conditions", p.conditions);
+  add_unless_empty(out, "x_title", p.x_title);
+  add_unless_empty(out, "y_title", p.y_title);
+  add_unless_empty(out, "value_title", p.value_title);
+  add_unless_empty(out, "border_title", p.border_title);
+  add_unless_empty(out, "log_x", p.log_x);
+  add_unless_empty(out, "log_y", p.log_y);
+  add_unless_empty(out, "log_values", p.log_values);
+  add_unless_empty(out, "absolute_title", p.absolute_title);
+  add_unless_empty(out, "diverging", p.diverging);
+  add_unless_empty(out, "border_across", p.border_across);
+  add_unless_empty(out, "hollow", p.hollow);
+  add_unless_empty(out, "slopes", p.slopes);
+  if (p.claimed) out["claimed"] = number(p.claimed);
+  add_list(out, "lines", p.lines);
+  for (const auto& s : p.levels) out["levels"].push_back(series_in_plot(s));
+  add_list(out, "others", p.others);
+  return out;
+}
 
 template <class Row, class Write>
 json list_of(const std::vector<Row>& rows, Write write) {

@@ -19,11 +19,11 @@ verdict_kind kind_from(const node& n) {
   refuse(n.where, "holds, refuted, inconclusive, not tried or skipped");
 }
 
-json to_value(const coordinate& c) { return {{"name", c.name}, {"value", number(c.value)}, {"unit", c.unit}}; }
+json coordinate_value(const coordinate& c) { return {{"name", c.name}, {"value", number(c.value)}, {"unit", c.unit}}; }
 
 coordinate coordinate_from(const node& n) { return {n["name"].text(), n["value"].number(), n["unit"].text()}; }
 
-json to_value(const series_id& s) {
+json series_value(const series_id& s) {
   return {{"experiment", s.experiment},
           {"scheme", s.scheme},
           {"quantity", s.quantity},
@@ -74,7 +74,7 @@ void place_by_version_1(const node& n, measurement& m) {
 
 json to_value(const measurement& m) {
   json at = json::array();
-  for (const auto& c : m.at) at.push_back(to_value(c));
+  for (const auto& c : m.at) at.push_back(coordinate_value(c));
   return {{"experiment", m.experiment},
           {"scheme", m.scheme},
           {"quantity", m.quantity},
@@ -152,7 +152,7 @@ fit fit_from(const node& n, int version, const std::vector<measurement>& measure
 
 json to_value(const verdict& v) {
   json evidence = json::array();
-  for (const auto& s : v.evidence) evidence.push_back(to_value(s));
+  for (const auto& s : v.evidence) evidence.push_back(series_value(s));
   return {{"experiment", v.experiment},
           {"scheme", v.scheme},
           {"claim", v.claim},

@@ -24,7 +24,7 @@ void set(pugi::xml_node node, const char* name, const std::string& value) {
   require(node.append_attribute(name).set_value(printable(value).c_str()));
 }
 
-pugi::xml_node append(pugi::xml_node node, const char* name) {
+pugi::xml_node appended_node(pugi::xml_node node, const char* name) {
   const auto child = node.append_child(name);
   require(child);
   return child;
@@ -49,33 +49,33 @@ std::string found(const verdict& v) {
   return reason.empty() ? text : text + ": " + reason;
 }
 
-void append_case(pugi::xml_node suite, const verdict& v) {
-  auto node = append(suite, "testcase");
+void append_test_case(pugi::xml_node suite, const verdict& v) {
+  auto node = appended_node(suite, "testcase");
   set(node, "classname", v.experiment + "." + v.scheme);
   set(node, "name", v.claim);
   if (v.kind == verdict_kind::holds) return;
-  if (v.kind == verdict_kind::skipped) return set(append(node, "skipped"), "message", reason_of(v));
+  if (v.kind == verdict_kind::skipped) return set(appended_node(node, "skipped"), "message", reason_of(v));
   if (v.kind == verdict_kind::not_tried)
-    return set(append(node, "skipped"), "message", fmt::format("{}: {}", name_of(v.kind), reason_of(v)));
-  auto failure = append(node, "failure");
+    return set(appended_node(node, "skipped"), "message", fmt::format("{}: {}", name_of(v.kind), reason_of(v)));
+  auto failure = appended_node(node, "failure");
   set(failure, "type", std::string(name_of(v.kind)));
   set(failure, "message", found(v));
 }
 
 void append_suite(pugi::xml_node root, const results& r, const std::string& name) {
-  auto suite = append(root, "testsuite");
+  auto suite = appended_node(root, "testsuite");
   set(suite, "name", name);
   const auto rows = verdicts_of(r, name);
   tally counts;
   for (const auto* row : rows) counts.add(row->kind);
   set_counts(suite, counts);
   if (!r.provenance.started.empty()) set(suite, "timestamp", r.provenance.started);
-  for (const auto* row : rows) append_case(suite, *row);
+  for (const auto* row : rows) append_test_case(suite, *row);
   std::string skipped;
   for (const auto& one : r.skipped)
     if (one.experiment == name)
       skipped += fmt::format("skipped: {}: {}\n", one.scheme.empty() ? "every scheme" : one.scheme, one.reason);
-  if (!skipped.empty()) require(append(suite, "system-out").text().set(printable(skipped).c_str()));
+  if (!skipped.empty()) require(appended_node(suite, "system-out").text().set(printable(skipped).c_str()));
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ std::string to_junit(const results& r) {
   const auto declaration = document.append_child(pugi::node_declaration);
   set(declaration, "version", "1.0");
   set(declaration, "encoding", "UTF-8");
-  const auto root = append(document, "testsuites");
+  const auto root = appended_node(document, "testsuites");
   set(root, "name", "polhode: " + r.scene.name);
   set_counts(root, count(r.verdicts));
   for (const auto& name : experiment_names(r)) append_suite(root, r, name);

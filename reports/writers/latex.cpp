@@ -40,12 +40,12 @@ std::string style_of(std::size_t i) {
 /// Numbers as pgfplots reads them.
 std::string number_of(double x) { return fmt::format("{:.10g}", x); }
 
-bool drawn(const plot& p, const plot_point& at) {
+bool is_drawn(const plot& p, const plot_point& at) {
   return std::isfinite(at.x) && std::isfinite(at.y) && (!p.log_x || at.x > 0) && (!p.log_y || at.y != 0);
 }
 
 /// x, y and how far the interval reaches up and down; on a logarithmic axis not to zero.
-std::string row_of(const plot& p, const plot_point& at) {
+std::string coordinates_of(const plot& p, const plot_point& at) {
   const double y = p.log_y ? std::fabs(at.y) : at.y;
   const auto reach = [&](std::optional<double> end) {
     const double length = end && std::isfinite(*end) ? std::fabs(*end - at.y) : 0;
@@ -58,7 +58,7 @@ std::string row_of(const plot& p, const plot_point& at) {
 std::string series_source(const plot& p, const plot_series& s) {
   std::string rows;
   for (const auto& at : s.points)
-    if (drawn(p, at)) rows += row_of(p, at);
+    if (is_drawn(p, at)) rows += coordinates_of(p, at);
   if (rows.empty()) return "";
   const auto style = style_of(s.style);
   std::string out = fmt::format(
@@ -68,7 +68,7 @@ std::string series_source(const plot& p, const plot_series& s) {
   if (!s.fitted) return out;
   double low = INFINITY, high = 0;
   for (const auto& at : s.points)
-    if (at.fitted && drawn(p, at)) {
+    if (at.fitted && is_drawn(p, at)) {
       low = std::min(low, at.x);
       high = std::max(high, at.x);
     }
@@ -115,7 +115,7 @@ std::string cost_table_source(const results& r, const std::string& experiment) {
   return out + "\\bottomrule\n\\end{longtable}\n\n";
 }
 
-std::string section_of(const results& r, const std::string& name) {
+std::string section_of_experiment(const results& r, const std::string& name) {
   std::string out = fmt::format("\\section*{{{}}}\n", escape_latex(name));
   if (const auto* e = find_experiment(r, name)) out += escape_latex(e->question) + "\n\n";
   if (const auto rows = verdicts_of(r, name); !rows.empty()) out += table_of(rows);
@@ -166,7 +166,7 @@ std::string to_latex(const results& r) {
   out += preamble;
   out += fmt::format("\\begin{{document}}\n\\section*{{Scene {}}}\n{}\n\n", escape_latex(r.scene.name),
                      escape_latex(sentence(count(r.verdicts))));
-  for (const auto& name : experiment_names(r)) out += section_of(r, name);
+  for (const auto& name : experiment_names(r)) out += section_of_experiment(r, name);
   return out + "\\end{document}\n";
 }
 

@@ -29,7 +29,7 @@ std::string shown_saved(const saved& s) {
 
 std::string schemes_of(const std::string& scheme) { return scheme.empty() ? "every scheme" : scheme; }
 
-void add(const saved& more, saved& sum) {
+void add_saved(const saved& more, saved& sum) {
   sum.work.normals_drawn += more.work.normals_drawn;
   sum.work.path_steps += more.work.path_steps;
   sum.work.kernels_run += more.work.kernels_run;
@@ -50,7 +50,7 @@ std::vector<reuse_group> grouped(const std::vector<reuse>& all) {
     });
     if (group == groups.end()) group = groups.insert(groups.end(), {&one});
     ++group->schemes;
-    add(one.saved, group->sum);
+    add_saved(one.saved, group->sum);
   }
   return groups;
 }

@@ -22,15 +22,6 @@ constexpr std::size_t longest_text = 400;
 
 std::string safe(std::string_view text) { return escape_markdown(shortened(text, longest_text)); }
 
-void append_row(std::string& out, const std::vector<std::string>& cells) {
-  out += fmt::format("| {} |\n", fmt::join(cells, " | "));
-}
-
-void append_head(std::string& out, const std::vector<std::string>& cells) {
-  append_row(out, cells);
-  append_row(out, std::vector<std::string>(cells.size(), "---"));
-}
-
 std::string cell_of(const std::vector<const verdict*>& rows, const std::string& scheme, const std::string& claim) {
   std::string cell;
   for (const auto* row : rows) {
@@ -47,12 +38,12 @@ void append_board(std::string& out, const results& r, const std::vector<const ve
   if (claims.empty()) return;
   std::vector<std::string> head{"scheme"};
   for (const auto& claim : claims) head.push_back(safe(claim));
-  append_head(out, head);
+  append_table_head(out, head);
   for (const auto& scheme : scheme_names(r)) {
     std::vector<std::string> cells{safe(scheme)};
     for (const auto& claim : claims) cells.push_back(cell_of(rows, scheme, claim));
     if (std::any_of(cells.begin() + 1, cells.end(), [](const auto& cell) { return !cell.empty(); }))
-      append_row(out, cells);
+      append_table_row(out, cells);
   }
   out += '\n';
 }
@@ -77,11 +68,11 @@ void append_reasons(std::string& out, const std::vector<const verdict*>& rows) {
 void append_cost_table(std::string& out, const results& r, const std::string& name) {
   const auto lines = cost_table_of(r, name);
   if (lines.empty()) return;
-  append_head(out, {"to reach", "cheapest", "dt", "cost", "range", "ratio to the next", "range", ""});
+  append_table_head(out, {"to reach", "cheapest", "dt", "cost", "range", "ratio to the next", "range", ""});
   for (const auto& [what, cost, next] : lines)
-    append_row(out, {safe(what), safe(cost->scheme), shown(cost->dt()), shown(cost->value),
-                     shown_interval(cost->low, cost->high), next ? shown(next->value) : "–",
-                     next ? shown_interval(next->low, next->high) : "–", next ? safe(next->status) : "no other"});
+    append_table_row(out, {safe(what), safe(cost->scheme), shown(cost->dt()), shown(cost->value),
+                           shown_interval(cost->low, cost->high), next ? shown(next->value) : "–",
+                           next ? shown_interval(next->low, next->high) : "–", next ? safe(next->status) : "no other"});
   out += fmt::format("\nCost: {}.\n\n", safe(lines[0].cost->unit));
 }
 
@@ -107,10 +98,10 @@ void append_experiment(std::string& out, const results& r, const std::string& na
 void append_fits(std::string& out, const results& r) {
   if (r.fits.empty()) return;
   out += "## Fits\n\n";
-  append_head(out, {"experiment", "scheme", "quantity", "observable", "order", "interval", "rule"});
+  append_table_head(out, {"experiment", "scheme", "quantity", "observable", "order", "interval", "rule"});
   for (const auto& f : r.fits)
-    append_row(out, {safe(f.experiment), safe(f.scheme), safe(f.quantity), safe(f.observable), shown_order(f.order),
-                     shown_order_interval(f.low, f.high), safe(f.rule)});
+    append_table_row(out, {safe(f.experiment), safe(f.scheme), safe(f.quantity), safe(f.observable),
+                           shown_order(f.order), shown_order_interval(f.low, f.high), safe(f.rule)});
   out += '\n';
 }
 
@@ -124,11 +115,11 @@ void append_measurements(std::string& out, const results& r) {
   const auto all = series_of(r);
   if (all.empty()) return;
   out += "## Measurements, by series\n\nEvery number is in `measurements.csv` and `results.json`.\n\n";
-  append_head(out, {"experiment", "scheme", "quantity", "observable", "points", "without a value", "first", "last",
-                    "unit", "method"});
+  append_table_head(out, {"experiment", "scheme", "quantity", "observable", "points", "without a value", "first",
+                          "last", "unit", "method"});
   for (const auto& one : all) {
     const auto& m = *one.rows.front();
-    append_row(
+    append_table_row(
         out, {safe(m.experiment), safe(m.scheme), safe(m.quantity), safe(m.observable), std::to_string(one.rows.size()),
               std::to_string(one.missing), end_of(one.first), end_of(one.last), safe(m.unit), safe(m.method)});
   }
@@ -139,9 +130,10 @@ void append_left_out(std::string& out, const results& r) {
   out += fmt::format("## What was not computed, and why\n\n{}\n\n", work_sentence(r));
   const auto rows = left_out_of(r);
   if (rows.empty()) return;
-  append_head(out, {"experiment", "scheme", "reason", "saved"});
+  append_table_head(out, {"experiment", "scheme", "reason", "saved"});
   for (const auto& row : rows)
-    append_row(out, {safe(row.experiment), safe(row.schemes), safe(row.reason), row.saved.empty() ? "–" : row.saved});
+    append_table_row(out,
+                     {safe(row.experiment), safe(row.schemes), safe(row.reason), row.saved.empty() ? "–" : row.saved});
   out += '\n';
 }
 
@@ -160,36 +152,36 @@ void append_origins(std::string& out, const results& r) {
 
 void append_scene(std::string& out, const scene& s) {
   out += "## Scene\n\n";
-  append_head(out, {"key", "value"});
-  append_row(out, {"name", safe(s.name)});
-  append_row(out, {"system", safe(s.system)});
-  for (const auto& p : s.parameters) append_row(out, {safe(p.name), shortened(value_of(p), longest_text)});
-  append_row(out, {"momentum", fmt::format("{}", fmt::join(s.momentum, ", "))});
-  append_row(out, {"horizon", fmt::format("{}", s.horizon)});
-  append_row(out, {"steps", shortened(fmt::format("{}", fmt::join(s.steps, ", ")), longest_text)});
+  append_table_head(out, {"key", "value"});
+  append_table_row(out, {"name", safe(s.name)});
+  append_table_row(out, {"system", safe(s.system)});
+  for (const auto& p : s.parameters) append_table_row(out, {safe(p.name), shortened(value_of(p), longest_text)});
+  append_table_row(out, {"momentum", fmt::format("{}", fmt::join(s.momentum, ", "))});
+  append_table_row(out, {"horizon", fmt::format("{}", s.horizon)});
+  append_table_row(out, {"steps", shortened(fmt::format("{}", fmt::join(s.steps, ", ")), longest_text)});
   out += '\n';
 }
 
 void append_provenance(std::string& out, const provenance& p) {
   out += "## Provenance\n\n";
-  append_head(out, {"key", "value"});
-  append_row(out, {"polhode", safe(p.version)});
-  append_row(out, {"commit", safe(p.commit)});
-  append_row(out, {"compiler", safe(p.compiler)});
-  append_row(out, {"flags", safe(p.flags)});
-  append_row(out, {"CPU", safe(p.cpu)});
-  append_row(out, {"instruction set", safe(p.isa)});
-  append_row(out, {"random bits", safe(p.generator)});
-  append_row(out, {"threads", std::to_string(p.threads)});
-  append_row(out, {"seed", std::to_string(p.seed)});
-  append_row(out, {"effort", safe(p.effort)});
-  append_row(out, {"started", safe(p.started)});
-  append_row(out, {"wall time", shown_duration(p.wall_seconds)});
-  append_row(out, {"CPU time", shown_duration(p.cpu_seconds)});
+  append_table_head(out, {"key", "value"});
+  append_table_row(out, {"polhode", safe(p.version)});
+  append_table_row(out, {"commit", safe(p.commit)});
+  append_table_row(out, {"compiler", safe(p.compiler)});
+  append_table_row(out, {"flags", safe(p.flags)});
+  append_table_row(out, {"CPU", safe(p.cpu)});
+  append_table_row(out, {"instruction set", safe(p.isa)});
+  append_table_row(out, {"random bits", safe(p.generator)});
+  append_table_row(out, {"threads", std::to_string(p.threads)});
+  append_table_row(out, {"seed", std::to_string(p.seed)});
+  append_table_row(out, {"effort", safe(p.effort)});
+  append_table_row(out, {"started", safe(p.started)});
+  append_table_row(out, {"wall time", shown_duration(p.wall_seconds)});
+  append_table_row(out, {"CPU time", shown_duration(p.cpu_seconds)});
 }
 
 /// What a budget has ended is among what is skipped; else a later report has it.
-std::string unfinished(const results& r) {
+std::string reports_to_come(const results& r) {
   const bool ended = std::ranges::all_of(r.to_come, [&](const std::string& name) {
     return std::ranges::any_of(r.skipped, [&](const skip& s) { return s.experiment == name && s.scheme.empty(); });
   });
@@ -199,11 +191,20 @@ std::string unfinished(const results& r) {
 
 }  // namespace
 
+void append_table_row(std::string& out, const std::vector<std::string>& cells) {
+  out += fmt::format("| {} |\n", fmt::join(cells, " | "));
+}
+
+void append_table_head(std::string& out, const std::vector<std::string>& cells) {
+  append_table_row(out, cells);
+  append_table_row(out, std::vector<std::string>(cells.size(), "---"));
+}
+
 std::string to_markdown(const results& r) {
   const auto counts = count(r.verdicts);
   std::string out =
       fmt::format("# polhode: {}\n\n**{}** {}\n\n", safe(r.scene.name), headline(counts), sentence(counts));
-  if (!r.to_come.empty()) out += unfinished(r);
+  if (!r.to_come.empty()) out += reports_to_come(r);
   for (const auto& name : experiment_names(r)) append_experiment(out, r, name);
   append_left_out(out, r);
   append_fits(out, r);

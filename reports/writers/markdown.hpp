@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "reports/model/results.hpp"
 
@@ -10,5 +11,9 @@ namespace polhode::report {
 
 /// Always under a megabyte: what would not fit is cut at a line, and the text says so.
 std::string to_markdown(const results&);
+
+/// A row of a table, and the row at its head: cells that are safe there.
+void append_table_row(std::string& out, const std::vector<std::string>& cells);
+void append_table_head(std::string& out, const std::vector<std::string>& cells);
 
 }  // namespace polhode::report

@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <system_error>
 
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
@@ -68,6 +69,20 @@ made_parents::made_parents(const fs::path& folder) {
 
 made_parents::~made_parents() {
   for (; !made_.empty(); made_.pop_back()) ::rmdir(made_.back().c_str());
+}
+
+fs::path settled_file(const fs::path& out) {
+  if (out.empty()) throw input_error("output file: the name is empty; give the name of a file");
+  std::error_code error;
+  const fs::path path = fs::weakly_canonical(fs::absolute(out), error);
+  if (error) disk::fail(out, error.value());
+  if (!path.has_filename() || (stands(path) && !fs::is_regular_file(path)))
+    throw input_error(fmt::format("output file {}: is not a file; give a file or a new name", quoted(out)));
+  const auto folder = path.parent_path();
+  if (!stands(folder)) disk::fail(out, ENOENT);
+  if (!fs::is_directory(folder)) disk::fail(out, ENOTDIR);
+  require_writable(folder, out);
+  return path;
 }
 
 }  // namespace polhode::report

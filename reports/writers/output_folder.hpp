@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every command that writes a folder asks of it first. Each refusal names the folder as the user gave it.
+// What every command that writes a folder, or one file, asks of its place first. Each refusal names the place as the
+// user gave it.
 #pragma once
 
 #include <filesystem>
@@ -38,5 +39,9 @@ class made_parents {
  private:
   std::vector<std::filesystem::path> made_;
 };
+
+/// The file that is really meant: absolute, links followed. Throws input_error for an empty name and for what stands
+/// there and is no file, output_error where its folder is missing or may not be written to.
+std::filesystem::path settled_file(const std::filesystem::path& out);
 
 }  // namespace polhode::report

@@ -17,7 +17,7 @@ namespace {
 constexpr int compression = 1, runs_only = 3;  // zlib's Z_BEST_SPEED, Z_RLE
 
 // libpng reports faults by a long jump: no exception may cross it, and no destructor may be jumped over.
-void append(png_structp png, png_bytep bytes, png_size_t count) {
+void append_bytes(png_structp png, png_bytep bytes, png_size_t count) {
   bool full = false;
   try {
     static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), count);
@@ -33,7 +33,7 @@ void be_silent(png_structp, png_const_charp) {}
 /// Holds nothing that needs destruction.
 bool write(png_structp png, png_infop info, const png_color* colours, const raster* picture, std::string* out) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
-  png_set_write_fn(png, out, append, nullptr);
+  png_set_write_fn(png, out, append_bytes, nullptr);
   png_set_IHDR(png, info, static_cast<png_uint_32>(picture->width), static_cast<png_uint_32>(picture->height), 8,
                PNG_COLOR_TYPE_PALETTE, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_PLTE(png, info, colours, static_cast<int>(picture->palette.size()));

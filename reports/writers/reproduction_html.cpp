@@ -58,7 +58,7 @@ std::string_view class_of(agreement kind) {
   return "differs";
 }
 
-std::string row_of(const reproduced_number& n) {
+std::string number_row(const reproduced_number& n) {
   const auto off = shown_difference(n);
   const auto why = n.why.empty() ? "" : fmt::format("<small>{}</small>", escape_html(n.why));
   return fmt::format(
@@ -77,14 +77,14 @@ std::string figure_of(const reproduced_curve& c) {
       escape_html(c.title), drawn, escape_html(c.published), escape_html(c.ours));
 }
 
-std::string section_of(const reproduction& r) {
+std::string section_of_case(const reproduction& r) {
   auto out = fmt::format(
       "<section id=\"{0}\"><h2>{1}</h2>\n<p><strong class=\"{2}\">{3}</strong>: {4}. <code>polhode reproduce "
       "{0}</code></p>\n<p class=\"soft\">Source: {5}.</p>\n<table><thead><tr><th>quantity</th><th>published</th>"
       "<th>ours</th><th>verdict</th></tr></thead><tbody>\n",
       escape_html(r.name), escape_html(r.title), class_of(r.verdict()), name_of(r.verdict()), sentence(r),
       escape_html(r.source));
-  for (const auto& n : r.numbers) out += row_of(n);
+  for (const auto& n : r.numbers) out += number_row(n);
   out += "</tbody></table>\n<div class=\"curves\">\n";
   for (const auto& c : r.curves) out += figure_of(c);
   out += "</div>\n<ul>\n";
@@ -103,7 +103,7 @@ std::string to_html(std::span<const reproduction> all) {
     list += fmt::format(
         "<tr><td><a href=\"#{0}\">{0}</a><small>{1}</small></td><td>{2}</td><td class=\"verdict {3}\">{4}</td></tr>\n",
         escape_html(r.name), escape_html(r.title), sentence(r), class_of(r.verdict()), name_of(r.verdict()));
-    sections += section_of(r);
+    sections += section_of_case(r);
   }
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "

@@ -6,7 +6,7 @@
 namespace polhode::report {
 namespace {
 
-json to_value(const reproduced_number& n) {
+json reproduction_value(const reproduced_number& n) {
   const bool even = n.published && n.least && n.most;
   return {{"quantity", n.quantity},
           {"published", number(n.published)},
@@ -20,7 +20,7 @@ json to_value(const reproduced_number& n) {
           {"why", n.why}};
 }
 
-json to_value(const reproduced_curve& c) {
+json reproduction_value(const reproduced_curve& c) {
   json out{{"title", c.title},         {"x", c.x},       {"y", c.y},
            {"published", c.published}, {"ours", c.ours}, {"logarithmic", c.logarithmic}};
   out["points"] = json::array();
@@ -29,7 +29,7 @@ json to_value(const reproduced_curve& c) {
   return out;
 }
 
-json to_value(const reproduction& r) {
+json reproduction_value(const reproduction& r) {
   json out{{"name", r.name},
            {"title", r.title},
            {"source", r.source},
@@ -38,8 +38,8 @@ json to_value(const reproduction& r) {
            {"notes", r.notes},
            {"numbers", json::array()},
            {"curves", json::array()}};
-  for (const auto& n : r.numbers) out["numbers"].push_back(to_value(n));
-  for (const auto& c : r.curves) out["curves"].push_back(to_value(c));
+  for (const auto& n : r.numbers) out["numbers"].push_back(reproduction_value(n));
+  for (const auto& c : r.curves) out["curves"].push_back(reproduction_value(c));
   return out;
 }
 
@@ -47,7 +47,7 @@ json to_value(const reproduction& r) {
 
 std::string to_json(std::span<const reproduction> all) {
   json out{{"schema", schema_of(reproductions_schema_name, 1)}, {"cases", json::array()}};
-  for (const auto& r : all) out["cases"].push_back(to_value(r));
+  for (const auto& r : all) out["cases"].push_back(reproduction_value(r));
   return out.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
 }
 

@@ -12,7 +12,7 @@
 namespace polhode::report {
 namespace {
 
-constexpr double width = 440, height = 270, left = 74, right = 14, top = 12, bottom = 42;
+constexpr double plot_width = 440, plot_height = 270, left = 74, right = 14, top = 12, bottom = 42;
 
 /// From numbers to places, along one axis.
 struct axis {
@@ -62,20 +62,20 @@ std::vector<double> ticks_of(const axis& a) {
 
 std::string frame_of(const axis& x, const axis& y, const reproduced_curve& c) {
   std::string out =
-      fmt::format("<path class=\"axis\" d=\"M{0} {1}V{2}H{3}\"/>", left, top, height - bottom, width - right);
+      fmt::format("<path class=\"axis\" d=\"M{0} {1}V{2}H{3}\"/>", left, top, plot_height - bottom, plot_width - right);
   for (const double t : ticks_of(x))
     out += fmt::format("<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", x.at(t),
-                       height - bottom + 16, shown(t));
+                       plot_height - bottom + 16, shown(t));
   for (const double t : ticks_of(y))
     out += fmt::format(
         "<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text><path class=\"grid\" d=\"M{} "
         "{:.1f}H{}\"/>",
-        left - 6, y.at(t) + 4, shown(t), left, y.at(t), width - right);
+        left - 6, y.at(t) + 4, shown(t), left, y.at(t), plot_width - right);
   out += fmt::format("<text class=\"name\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                     (left + width - right) / 2, height - 6, escape_html(c.x));
+                     (left + plot_width - right) / 2, plot_height - 6, escape_html(c.x));
   return out +
          fmt::format("<text class=\"name\" transform=\"translate(13 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-                     (top + height - bottom) / 2, escape_html(c.y));
+                     (top + plot_height - bottom) / 2, escape_html(c.y));
 }
 
 bool drawable(const reproduced_curve& c, double v) { return std::isfinite(v) && (!c.logarithmic || v > 0); }
@@ -91,8 +91,8 @@ std::string to_svg(const reproduced_curve& c) {
         ys.push_back(*y);
       }
   if (xs.size() < 2) return "";
-  const auto x = axis_over(xs, c.logarithmic, left, width - right),
-             y = axis_over(ys, c.logarithmic, height - bottom, top);
+  const auto x = axis_over(xs, c.logarithmic, left, plot_width - right),
+             y = axis_over(ys, c.logarithmic, plot_height - bottom, top);
   std::string line, circles;
   for (const auto& p : c.points) {
     if (!drawable(c, p.x)) continue;
@@ -104,8 +104,8 @@ std::string to_svg(const reproduced_curve& c) {
                       x.at(p.x), y.at(*p.ours), shown(p.x), shown(p.ours));
   }
   return fmt::format(
-      "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">{}<path class=\"published\" d=\"{}\"/>{}</svg>", width,
-      height, escape_html(c.title), frame_of(x, y, c), line, circles);
+      "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">{}<path class=\"published\" d=\"{}\"/>{}</svg>",
+      plot_width, plot_height, escape_html(c.title), frame_of(x, y, c), line, circles);
 }
 
 }  // namespace polhode::report

@@ -21,7 +21,7 @@ namespace polhode::report {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::string_view format_name = "polhode-cache 1", ending = ".result", unfinished = ".unfinished";
+constexpr std::string_view format_name = "polhode-cache 1", ending = ".result", unfinished_ending = ".unfinished";
 constexpr std::chrono::hours longest_writing{1};
 
 std::string crc64(std::string_view text) {
@@ -62,7 +62,7 @@ std::vector<kept_file> files_in(const fs::path& folder) {
     const kept_file file{entry->path(), entry->last_write_time(gone), entry->file_size(gone)};
     if (gone || !fs::is_regular_file(entry->symlink_status(gone))) continue;
     if (file.path.extension() == ending) files.push_back(file);
-    if (file.path.extension() == unfinished && now - file.used > longest_writing) fs::remove(file.path, gone);
+    if (file.path.extension() == unfinished_ending && now - file.used > longest_writing) fs::remove(file.path, gone);
   }
   std::ranges::sort(files, {}, &kept_file::used);
   return files;
@@ -105,7 +105,8 @@ void result_folder::save(const std::string& key, const results& r) try {
   std::error_code error;
   fs::create_directories(folder_, error);
   const auto path = file_of(key);
-  const auto partial = folder_ / fmt::format(".{}-{}-{}{}", path.stem().string(), ::getpid(), ++count, unfinished);
+  const auto partial =
+      folder_ / fmt::format(".{}-{}-{}{}", path.stem().string(), ::getpid(), ++count, unfinished_ending);
   errno = 0;
   if (!error) {
     std::ofstream file(partial, std::ios::binary);

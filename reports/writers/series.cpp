@@ -28,7 +28,7 @@ std::optional<plot_power> power_of(const std::vector<const fit*>& fits, const se
   return std::nullopt;
 }
 
-plot drawn(const results& r, const rows_by_series& all, const plot_description& p) {
+plot drawn_plot(const results& r, const rows_by_series& all, const plot_description& p) {
   const auto schemes = scheme_names(r);
   const auto fits = fits_of(r, p.experiment);
   const auto& y_title = p.log_y && !p.absolute_title.empty() ? p.absolute_title : p.y_title;
@@ -73,7 +73,7 @@ std::vector<plot> drawable_plots(const results& r, const std::string& experiment
   std::vector<plot> plots;
   for (const auto& p : plots_of(r, experiment)) {
     if (p.kind != plot_kind::curve && p.kind != plot_kind::front) continue;
-    if (auto one = drawn(r, all, p); !one.series.empty()) plots.push_back(std::move(one));
+    if (auto one = drawn_plot(r, all, p); !one.series.empty()) plots.push_back(std::move(one));
   }
   return plots;
 }

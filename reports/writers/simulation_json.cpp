@@ -6,11 +6,11 @@
 namespace polhode::report {
 namespace {
 
-json to_value(const mean_and_deviation& m) { return {{"mean", number(m.mean)}, {"deviation", number(m.deviation)}}; }
+json state_value(const mean_and_deviation& m) { return {{"mean", number(m.mean)}, {"deviation", number(m.deviation)}}; }
 
-json to_value(const simulation& of, const ensemble_state& s) {
-  json out{{"time", number(s.time)}, {"step", s.step}, {"lost", s.lost}, {"energy", to_value(s.energy)}};
-  for (std::size_t k = 0; k < s.components.size(); ++k) out[of.component(k)] = to_value(s.components[k]);
+json state_value(const simulation& of, const ensemble_state& s) {
+  json out{{"time", number(s.time)}, {"step", s.step}, {"lost", s.lost}, {"energy", state_value(s.energy)}};
+  for (std::size_t k = 0; k < s.components.size(); ++k) out[of.component(k)] = state_value(s.components[k]);
   out["casimir_change"] = number(s.casimir_change);
   return out;
 }
@@ -38,9 +38,9 @@ std::string to_json(const simulation& s) {
   out["cpu_seconds"] = number(s.provenance.cpu_seconds);
   out["casimir_change"] = number(s.final.casimir_change);
   out["remarks"] = s.remarks;
-  out["final"] = to_value(s, s.final);
+  out["final"] = state_value(s, s.final);
   out["snapshots"] = json::array();
-  for (const auto& snapshot : s.snapshots) out["snapshots"].push_back(to_value(s, snapshot.state));
+  for (const auto& snapshot : s.snapshots) out["snapshots"].push_back(state_value(s, snapshot.state));
   return out.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
 }
 

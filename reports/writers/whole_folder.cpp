@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Empty, or one of ours and nothing besides.
-void require_ours(const fs::path& folder, const fs::path& known_as, const folder_contents& c) {
+void require_whole_folder(const fs::path& folder, const fs::path& known_as, const folder_contents& c) {
   const auto refuse = [&](const fs::path& file) {
     throw input_error(fmt::format(
         "output folder {}: {} in it is not of a {}; give a new or empty folder, or one that holds a {} only",
@@ -33,7 +33,7 @@ void require_ours(const fs::path& folder, const fs::path& known_as, const folder
 fs::path usable(const fs::path& out, const folder_contents& c) {
   const auto path = settled(out);
   const auto nearest = nearest_folder(path, out);
-  if (nearest == path) require_ours(path, out, c);
+  if (nearest == path) require_whole_folder(path, out, c);
   // A folder is exchanged through its neighbour, so its parent must be open to us.
   const auto parent = nearest == path ? path.parent_path() : nearest;
   require_writable(parent, parent);

@@ -12,7 +12,7 @@
 #include "cli/answers/json.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/arguments.hpp"
-#include "cli/options/opened_scene.hpp"
+#include "cli/options/integrators.hpp"
 #include "cli/terminal/layout.hpp"
 #include "cli/terminal/signals.hpp"
 #include "cli/terminal/summary.hpp"
@@ -24,13 +24,13 @@
 namespace polhode::cli {
 namespace {
 
-struct arguments {
+struct check_arguments {
   std::string data, scene, format = "text";
   std::optional<std::string> dt, out;
   bool quiet = false;
 };
 
-std::string text_of(const checked_recording& checked) {
+std::string shown_check(const checked_recording& checked) {
   const auto width = terminal_width(STDOUT_FILENO);
   std::string out;
   for (const auto& v : checked.results.verdicts)
@@ -44,7 +44,7 @@ std::string text_of(const checked_recording& checked) {
   return out;
 }
 
-int run(const arguments& given) {
+int run_check(const check_arguments& given) {
   const auto output = format_option(given.format);
   if (given.data.empty()) throw input_error("DATA is missing; accepted: a file of recorded states, .csv or .npy");
   if (given.scene.empty()) throw input_error("--scene is missing; accepted: a built-in name or a TOML file");
@@ -63,14 +63,14 @@ int run(const arguments& given) {
   if (output == format::json)
     print(to_json(checked));
   else if (!given.quiet)
-    print(text_of(checked));
+    print(shown_check(checked));
   return exit_code(one);
 }
 
 }  // namespace
 
 command add_check(CLI::App& app) {
-  const auto given = std::make_shared<arguments>();
+  const auto given = std::make_shared<check_arguments>();
   auto& parser = add_command(app, "check", "Hold recorded data against a scene's equation");
   add_option(parser, "DATA", given->data, "Recorded states: .csv ([path,]t,mu_1,…) or .npy [path, time, component]",
              "");
@@ -79,7 +79,7 @@ command add_check(CLI::App& app) {
   add_option(parser, "--out", given->out, "Write the report of it", "DIR");
   add_option(parser, "--format", given->format, "On standard output: text, json [text]", "F");
   add_flag(parser, "-q,--quiet", given->quiet, "No summary");
-  return {&parser, [given] { return run(*given); }};
+  return {&parser, [given] { return run_check(*given); }};
 }
 
 }  // namespace polhode::cli

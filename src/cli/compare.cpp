@@ -21,19 +21,18 @@
 #include "reports/writers/comparison_text.hpp"
 #include "reports/writers/disk.hpp"
 #include "reports/writers/html.hpp"
-#include "reports/writers/output_file.hpp"
 #include "reports/writers/output_folder.hpp"
 
 namespace polhode::cli {
 namespace {
 
-struct arguments {
+struct compare_arguments {
   std::string before, after, format = "text";
   std::optional<std::string> html;
 };
 
 /// Where the page is to be written, if anywhere: refused before any work, and never over what is compared.
-std::optional<std::filesystem::path> page_option(const arguments& given) {
+std::optional<std::filesystem::path> page_option(const compare_arguments& given) {
   if (!given.html) return std::nullopt;
   auto page = report::settled_file(*given.html);
   for (const auto& one : {given.before, given.after}) {
@@ -45,7 +44,7 @@ std::optional<std::filesystem::path> page_option(const arguments& given) {
   return page;
 }
 
-int run(const arguments& given) {
+int run_compare(const compare_arguments& given) {
   const auto output = format_option(given.format);
   if (given.before.empty() || given.after.empty())
     throw input_error("compare: two results are needed; accepted: compare OLD NEW, each a results.json or its folder");
@@ -69,13 +68,13 @@ int exit_code(std::span<const report::comparison> all) {
 }
 
 command add_compare(CLI::App& app) {
-  const auto given = std::make_shared<arguments>();
+  const auto given = std::make_shared<compare_arguments>();
   auto& parser = add_command(app, "compare", "Two results of one scene: what has changed, beyond noise");
   add_option(parser, "OLD", given->before, "A results.json, or the folder of a scene", "");
   add_option(parser, "NEW", given->after, "The same, later", "");
   add_option(parser, "--html", given->html, "Write the report of NEW, with OLD beside it, as one page", "FILE");
   add_option(parser, "--format", given->format, "text, json [text]", "F");
-  return {&parser, [given] { return run(*given); }};
+  return {&parser, [given] { return run_compare(*given); }};
 }
 
 }  // namespace polhode::cli

@@ -142,27 +142,27 @@ listing reproductions() {
   return out;
 }
 
-struct arguments {
+struct list_arguments {
   std::string what, format = "text", system;
 };
 
 struct subject {
   std::string name;
-  listing (*list)(const arguments&);
+  listing (*list)(const list_arguments&);
 };
 const std::vector<subject>& subjects() {
   static const std::vector<subject> all{
-      {"schemes", [](const arguments&) { return schemes(); }},
-      {"experiments", [](const arguments&) { return experiments(); }},
-      {"scenes", [](const arguments&) { return scenes(); }},
+      {"schemes", [](const list_arguments&) { return schemes(); }},
+      {"experiments", [](const list_arguments&) { return experiments(); }},
+      {"scenes", [](const list_arguments&) { return scenes(); }},
       {"observables",
-       [](const arguments& a) { return list_of_observables(a.system.empty() ? "rigid_body" : a.system); }},
-      {"systems", [](const arguments&) { return list_of_systems(); }},
-      {"reproductions", [](const arguments&) { return reproductions(); }}};
+       [](const list_arguments& a) { return list_of_observables(a.system.empty() ? "rigid_body" : a.system); }},
+      {"systems", [](const list_arguments&) { return list_of_systems(); }},
+      {"reproductions", [](const list_arguments&) { return reproductions(); }}};
   return all;
 }
 
-int run(const arguments& given) {
+int run_list(const list_arguments& given) {
   std::vector<std::string> names;
   for (const auto& s : subjects()) names.push_back(s.name);
   const auto output = format_option(given.format);
@@ -178,12 +178,12 @@ int run(const arguments& given) {
 }  // namespace
 
 command add_list(CLI::App& app) {
-  const auto given = std::make_shared<arguments>();
+  const auto given = std::make_shared<list_arguments>();
   auto& parser = add_command(app, "list", "Name what there is, schemes with their claims");
   add_option(parser, "WHAT", given->what, "schemes, experiments, scenes, observables, systems, reproductions", "");
   add_option(parser, "--system", given->system, "of observables: whose [rigid_body]", "NAME");
   add_option(parser, "--format", given->format, "text, json [text]", "F");
-  return {&parser, [given] { return run(*given); }};
+  return {&parser, [given] { return run_list(*given); }};
 }
 
 }  // namespace polhode::cli

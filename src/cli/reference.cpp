@@ -17,12 +17,12 @@ namespace {
 
 constexpr int inconclusive = 3;
 
-struct arguments {
+struct reference_arguments {
   std::string scene = "paper", quantity, format = "text";
   std::optional<std::string> observable, time, degree;
 };
 
-std::string text_of(const reference_answer& a) {
+std::string shown_answer(const reference_answer& a) {
   const std::string what = a.quantity == "expectation" ? fmt::format("E[{}] at time {:g}", a.observable, *a.time)
                            : a.quantity == "gibbs"     ? fmt::format("stationary E[{}]", a.observable)
                            : a.quantity == "gap"       ? "spectral gap"
@@ -34,21 +34,21 @@ std::string text_of(const reference_answer& a) {
   return a.reason.empty() ? out : out + a.reason + '\n';
 }
 
-int run(const arguments& given) {
+int run_reference(const reference_arguments& given) {
   const auto output = format_option(given.format);
   reference_options options{given.quantity, given.observable, {}, 0};
   if (given.time) options.time = nonnegative_option("--time", *given.time);
   if (given.degree)
     options.degree = static_cast<int>(integer_option("--degree", *given.degree, 1, most_reference_degree));
   const auto answer = reference(load_scene(given.scene), options);
-  print(output == format::json ? to_json(answer) : text_of(answer));
+  print(output == format::json ? to_json(answer) : shown_answer(answer));
   return answer.reason.empty() ? 0 : inconclusive;
 }
 
 }  // namespace
 
 command add_reference(CLI::App& app) {
-  const auto given = std::make_shared<arguments>();
+  const auto given = std::make_shared<reference_arguments>();
   auto& parser = add_command(app, "reference", "Exact expectations, stationary law, exponents; no sampling");
   add_option(parser, "SCENE", given->scene, "A built-in name or a TOML file [paper]", "");
   add_option(parser, "--quantity", given->quantity, "expectation, gibbs, lyapunov, gap", "Q");
@@ -56,7 +56,7 @@ command add_reference(CLI::App& app) {
   add_option(parser, "--time", given->time, "Of the expectation [the horizon]", "T");
   add_option(parser, "--degree", given->degree, "Of the harmonics, 1 to 128 [chosen]", "L");
   add_option(parser, "--format", given->format, "text, json [text]", "F");
-  return {&parser, [given] { return run(*given); }};
+  return {&parser, [given] { return run_reference(*given); }};
 }
 
 }  // namespace polhode::cli

@@ -22,14 +22,14 @@
 namespace polhode::cli {
 namespace {
 
-struct arguments {
+struct reproduce_arguments {
   std::vector<std::string> cases;
   std::optional<std::string> out;
   std::string effort = "standard", threads, seed = "1", format = "text";
   bool quiet = false;
 };
 
-reproduce_options checked_options(const arguments& given) {
+reproduce_options reproduce_options_of(const reproduce_arguments& given) {
   static const std::vector<std::string> efforts{"quick", "standard", "thorough"};
   reproduce_options options;
   options.effort = static_cast<effort>(choose("--effort", given.effort, efforts));
@@ -44,9 +44,9 @@ std::vector<report::reproduction> run_them(const std::vector<std::size_t>& cases
   return reproduce(cases, options, [&](double share, std::string_view what) { progress.show(share, what); });
 }
 
-int run(const arguments& given) {
+int run_reproduce(const reproduce_arguments& given) {
   const auto output = format_option(given.format);
-  const auto options = checked_options(given);
+  const auto options = reproduce_options_of(given);
   const auto cases = chosen_reproductions(given.cases);
   if (given.out) {
     if (given.out->empty()) throw input_error("--out '': accepted: the folder to be written");
@@ -67,7 +67,7 @@ int run(const arguments& given) {
 }  // namespace
 
 command add_reproduce(CLI::App& app) {
-  const auto given = std::make_shared<arguments>();
+  const auto given = std::make_shared<reproduce_arguments>();
   given->threads = default_threads();
   auto& parser = add_command(app, "reproduce", "Published figures of the field beside ours, a verdict each");
   add_option(parser, "CASE", given->cases, "See polhode list reproductions [all]", "");
@@ -77,7 +77,7 @@ command add_reproduce(CLI::App& app) {
   add_option(parser, "--seed", given->seed, "Seed of the noise [1]", "N");
   add_option(parser, "--format", given->format, "On standard output: text, json [text]", "F");
   add_flag(parser, "-q,--quiet", given->quiet, "No table, no progress");
-  return {&parser, [given] { return run(*given); }};
+  return {&parser, [given] { return run_reproduce(*given); }};
 }
 
 }  // namespace polhode::cli

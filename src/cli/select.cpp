@@ -10,7 +10,6 @@
 #include "cli/commands.hpp"
 #include "cli/options/arguments.hpp"
 #include "cli/options/integrators.hpp"
-#include "cli/options/opened_scene.hpp"
 #include "cli/terminal/terminal.hpp"
 #include "reports/model/errors.hpp"
 #include "run/choose.hpp"
@@ -20,7 +19,7 @@ namespace {
 
 constexpr int nothing_meets_it = 3;
 
-struct arguments {
+struct select_arguments {
   integrator_arguments integrators;
   std::string scene = "paper", goal, tolerance, observable = "all", time, require, threads, seed = "1", isa = "auto",
               format = "text";
@@ -46,7 +45,7 @@ std::string scope_of(const selection& s) {
                          : "");
 }
 
-std::string text_of(const selection& s) {
+std::string shown_selection(const selection& s) {
   std::string out;
   if (s.winner) {
     out += line_of(*s.winner);
@@ -66,7 +65,7 @@ std::string text_of(const selection& s) {
   return s.snippet.empty() ? out : out + '\n' + s.snippet;
 }
 
-int run(const arguments& given) {
+int run_select(const select_arguments& given) {
   const auto output = format_option(given.format);
   select_options options;
   options.goal = given.goal;
@@ -80,14 +79,14 @@ int run(const arguments& given) {
   options.isa = given.isa;
   options.foreign = opened_integrators(given.integrators);
   const auto found = select(opened_scene(given.scene), options);
-  print(output == format::json ? to_json(found) : text_of(found));
+  print(output == format::json ? to_json(found) : shown_selection(found));
   return found.winner ? 0 : nothing_meets_it;
 }
 
 }  // namespace
 
 command add_select(CLI::App& app) {
-  const auto given = std::make_shared<arguments>();
+  const auto given = std::make_shared<select_arguments>();
   given->threads = default_threads();
   auto& parser = add_command(app, "select", "The cheapest scheme and step for a target, measured on a scene");
   add_option(parser, "SCENE", given->scene, "A built-in name or a TOML file [paper]", "");
@@ -102,7 +101,7 @@ command add_select(CLI::App& app) {
   add_option(parser, "--seed", given->seed, "Of every random number [1]", "N");
   add_option(parser, "--isa", given->isa, "Instruction set of the inner loops [auto]", "I");
   add_option(parser, "--format", given->format, "text, json [text]", "F");
-  return {&parser, [given] { return run(*given); }};
+  return {&parser, [given] { return run_select(*given); }};
 }
 
 }  // namespace polhode::cli

@@ -12,7 +12,6 @@
 #include "cli/kept/checkpoints.hpp"
 #include "cli/options/arguments.hpp"
 #include "cli/options/integrators.hpp"
-#include "cli/options/opened_scene.hpp"
 #include "cli/terminal/progress.hpp"
 #include "cli/terminal/signals.hpp"
 #include "cli/terminal/terminal.hpp"
@@ -31,7 +30,7 @@ namespace {
 
 constexpr std::uint64_t most_bodies = std::numeric_limits<std::uint32_t>::max();  // what a bin of a histogram can count
 
-struct arguments {
+struct simulate_arguments {
   integrator_arguments integrators;
   std::string scene = "paper", scheme, dt, bodies, noise, start, snapshots, record;
   std::string out = "simulation", threads, seed = "1", isa = "auto", generator = "philox", normals = "fast",
@@ -45,7 +44,7 @@ const std::string& required(std::string_view option, const std::string& text) {
   return text;
 }
 
-simulate_options checked_options(const arguments& given) {
+simulate_options simulate_options_of(const simulate_arguments& given) {
   simulate_options options;
   options.scheme = required("--scheme", given.scheme);
   options.dt = positive_option("--dt", required("--dt", given.dt));
@@ -71,7 +70,7 @@ simulate_options checked_options(const arguments& given) {
   return options;
 }
 
-report::snapshot_style checked_style(const arguments& given) {
+report::snapshot_style checked_style(const simulate_arguments& given) {
   static const std::vector<std::string> histograms{"npy", "csv"};
   return {choose("--colour-map", given.colour_map, report::colour_map_names()),
           choose("--histogram", given.histogram, histograms) == 1};
@@ -87,7 +86,7 @@ std::string row(const report::ensemble_state& s) {
   return out + '\n';
 }
 
-std::string text_of(const report::simulation& s, const std::filesystem::path& out) {
+std::string shown_simulation(const report::simulation& s, const std::filesystem::path& out) {
   auto text =
       fmt::format("{} ({}): {}, dt = {}, {} steps, {} bodies, {} noise, {} start, seed {}\n\n", one_line(s.scene.name),
                   s.scene.system, s.scheme.name, s.dt, s.steps, s.bodies, s.noise, s.start, s.provenance.seed);
@@ -115,7 +114,7 @@ report::simulation run_it(const scene& s, const simulate_options& options, bool 
 }
 
 /// The run, its states streamed into the folder.
-report::simulation record_it(const scene& s, simulate_options options, const arguments& given, bool as_text,
+report::simulation record_it(const scene& s, simulate_options options, const simulate_arguments& given, bool as_text,
                              const std::filesystem::path& folder) {
   const auto plan = planned_recording(s, options);
   const report::recording_file::shape shape{static_cast<std::uint64_t>(plan.bodies),
@@ -138,7 +137,7 @@ report::simulation record_it(const scene& s, simulate_options options, const arg
   return result;
 }
 
-report::simulation recorded(const scene& s, const simulate_options& options, const arguments& given,
+report::simulation recorded(const scene& s, const simulate_options& options, const simulate_arguments& given,
                             const report::snapshot_style& style) {
   const bool as_text = given.recording == "csv";
   auto result = report::write_simulation(
@@ -148,7 +147,7 @@ report::simulation recorded(const scene& s, const simulate_options& options, con
   return result;
 }
 
-report::simulation whole(const scene& s, const simulate_options& options, const arguments& given,
+report::simulation whole(const scene& s, const simulate_options& options, const simulate_arguments& given,
                          const report::snapshot_style& style) {
   auto result = run_it(s, options, given.quiet);
   const defer_signals until_written;
@@ -158,7 +157,7 @@ report::simulation whole(const scene& s, const simulate_options& options, const 
 }
 
 /// Null where nothing is kept between runs.
-std::unique_ptr<checkpoint_folder> checkpoints_for(const arguments& given, const std::filesystem::path& out) {
+std::unique_ptr<checkpoint_folder> checkpoints_for(const simulate_arguments& given, const std::filesystem::path& out) {
   const auto folder = given.no_cache ? std::filesystem::path() : cache_beside(out);
   if (folder.empty()) return nullptr;
   using access = checkpoint_folder::access;
@@ -168,9 +167,9 @@ std::unique_ptr<checkpoint_folder> checkpoints_for(const arguments& given, const
       });
 }
 
-int run(const arguments& given) {
+int run_simulate(const simulate_arguments& given) {
   const auto output = format_option(given.format);
-  auto options = checked_options(given);
+  auto options = simulate_options_of(given);
   const auto style = checked_style(given);
   const auto scene = opened_scene(given.scene);
   options.among = others();
@@ -198,11 +197,11 @@ int run(const arguments& given) {
   if (output == format::json)
     print(report::to_json(result));
   else if (!given.quiet)
-    print(text_of(result, out));
+    print(shown_simulation(result, out));
   return 0;
 }
 
-void add_common(CLI::App& parser, arguments& given) {
+void add_common(CLI::App& parser, simulate_arguments& given) {
   add_option(parser, "--out", given.out, "Folder for the files [simulation]", "DIR");
   add_option(parser, "--threads", given.threads, "1 to 1024 [" + given.threads + "]", "N");
   add_option(parser, "--seed", given.seed, "Seed of the noise [1]", "N");
@@ -220,7 +219,7 @@ void add_common(CLI::App& parser, arguments& given) {
 }  // namespace
 
 command add_simulate(CLI::App& app) {
-  const auto given = std::make_shared<arguments>();
+  const auto given = std::make_shared<simulate_arguments>();
   given->threads = default_threads();
   auto& parser = add_command(app, "simulate", "Run an ensemble of bodies; final states and pictures");
   add_option(parser, "SCENE", given->scene, "A built-in name or a TOML file [paper]", "");
@@ -236,7 +235,7 @@ command add_simulate(CLI::App& app) {
   add_option(parser, "--recording", given->recording, "Of the records: npy, csv [npy]", "K");
   add_option(parser, "--start", given->start, "uniform, momentum, orbit [by the noise]", "K");
   add_common(parser, *given);
-  return {&parser, [given] { return run(*given); }, true};
+  return {&parser, [given] { return run_simulate(*given); }, true};
 }
 
 }  // namespace polhode::cli

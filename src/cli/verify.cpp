@@ -8,7 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "cli/answers/json.hpp"
 #include "cli/commands.hpp"
@@ -17,6 +21,8 @@
 #include "cli/kept/cache.hpp"
 #include "cli/kept/user_folders.hpp"
 #include "cli/options/arguments.hpp"
+#include "cli/options/integrators.hpp"
+#include "cli/options/parser.hpp"
 #include "cli/terminal/forecast_table.hpp"
 #include "cli/terminal/profile_table.hpp"
 #include "cli/terminal/progress.hpp"
@@ -24,7 +30,6 @@
 #include "cli/terminal/summary.hpp"
 #include "cli/terminal/terminal.hpp"
 #include "cli/together.hpp"
-#include "cli/verify_arguments.hpp"
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
 #include "reports/writers/comparison_text.hpp"
@@ -34,6 +39,76 @@
 
 namespace polhode::cli {
 namespace {
+
+// What `polhode verify` is asked for.
+
+/// As given: checked in one place, so that every fault reads alike.
+struct verify_arguments {
+  std::vector<std::string> scenes;
+  std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto",
+                                    generator = "philox", format = "text", progress = "auto";
+  integrator_arguments integrators;
+  std::optional<std::string> baseline, save_baseline, budget;
+  bool fresh = false, no_cache = false, quiet = false, latex = false, profile = false, forecast = false;
+};
+
+// Throw input_error of one line.
+verify_options checked_options(const verify_arguments& given) {
+  static const std::vector<std::string> efforts{"quick", "standard", "thorough"};
+  verify_options options;
+  options.schemes = list_option("--schemes", given.schemes);
+  options.experiments = list_option("--experiments", given.experiments);
+  options.effort = static_cast<effort>(choose("--effort", given.effort, efforts));
+  options.threads = threads_option(given.threads);
+  options.seed = integer_option("--seed", given.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  options.isa = given.isa;
+  options.generator = given.generator;
+  options.profile = given.profile;
+  if (given.budget) options.budget = std::make_shared<time_budget>(positive_option("--budget", *given.budget));
+  options.foreign = opened_integrators(given.integrators);
+  return options;
+}
+
+std::vector<scene> checked_scenes(const verify_arguments& given) {
+  std::vector<scene> scenes;
+  for (const auto& name : given.scenes) {
+    auto loaded = opened_scene(name);
+    const auto folder_of = [](const scene& s) { return report::folder_name(s.name); };
+    if (std::ranges::find(scenes, folder_of(loaded), folder_of) != scenes.end())
+      throw input_error(fmt::format(
+          "{}: name = '{}': another scene has it; accepted: names that differ, as each scene has its folder",
+          one_line(name, 200), loaded.name));
+    scenes.push_back(std::move(loaded));
+  }
+  return scenes;
+}
+
+/// Defaults, and the options that change them.
+void add_verify_arguments(CLI::App& parser, verify_arguments& given) {
+  given.scenes = {"paper"};
+  given.threads = default_threads();
+  add_option(parser, "SCENE", given.scenes, "Built-in names or TOML files [paper]", "");
+  add_option(parser, "--schemes", given.schemes, "Only these schemes", "A,B");
+  add_option(parser, "--experiments", given.experiments, "Only these experiments", "X,Y");
+  add_integrators(parser, given.integrators);
+  add_option(parser, "--effort", given.effort, "quick, standard, thorough [standard]", "E");
+  add_option(parser, "--out", given.out, "Folder for the report [report]", "DIR");
+  add_option(parser, "--threads", given.threads, "1 to 1024 [" + given.threads + "]", "N");
+  add_option(parser, "--seed", given.seed, "Seed of the noise [1]", "N");
+  add_option(parser, "--generator", given.generator, "Random bits: philox, ars [philox]", "NAME");
+  add_option(parser, "--isa", given.isa, "Instruction set: auto, v2, v3, v4 [auto]", "NAME");
+  add_option(parser, "--baseline", given.baseline, "Compare with what has this name", "NAME");
+  add_option(parser, "--save-baseline", given.save_baseline, "Keep the results under this name", "NAME");
+  add_option(parser, "--budget", given.budget, "Seconds; what is not done by then is left out", "S");
+  add_option(parser, "--format", given.format, "On standard output: text, json [text]", "F");
+  add_option(parser, "--progress", given.progress, "auto: on terminals; lines: one an experiment [auto]", "P");
+  add_flag(parser, "--latex", given.latex, "Write report.tex, too: tables and plots for a paper");
+  add_flag(parser, "--profile", given.profile, "Say where the processor time went");
+  add_flag(parser, "--forecast", given.forecast, "Say what each experiment would cost, and end");
+  add_flag(parser, "--fresh", given.fresh, "Compute all anew and replace what is cached");
+  add_flag(parser, "--no-cache", given.no_cache, "Neither use the cache nor write to it");
+  add_flag(parser, "-q,--quiet", given.quiet, "No summary, no progress");
+}
 
 /// "weak: 4 of 10 experiments after 12 s".
 std::string told_of(const report::results& r) {
@@ -115,7 +190,7 @@ std::string json_of(std::span<const report::results> all) {
   return out + "\n]\n";
 }
 
-std::string text_of(std::span<const report::results> all, const std::filesystem::path& out) {
+std::string shown_reports(std::span<const report::results> all, const std::filesystem::path& out) {
   const auto width = terminal_width(STDOUT_FILENO);
   std::string text;
   for (const auto& r : all) {
@@ -136,7 +211,7 @@ void print_all(const verify_arguments& given, std::span<const report::results> a
   if (json)
     print(json_of(all));
   else if (!given.quiet)
-    print(text_of(all, given.out));
+    print(shown_reports(all, given.out));
   if (given.quiet) return;
   for (const auto& c : compared) {
     const auto text = report::to_text(c);
@@ -164,7 +239,7 @@ int take_part(std::span<const scene> scenes, const verify_options& options) {
   return 0;
 }
 
-int run(const verify_arguments& given) {
+int run_verify(const verify_arguments& given) {
   format_option(given.format);
   choose("--progress", given.progress, std::array<std::string, 2>{"auto", "lines"});
   auto options = checked_options(given);
@@ -202,7 +277,7 @@ command add_verify(CLI::App& app) {
   const auto given = std::make_shared<verify_arguments>();
   auto& parser = add_command(app, "verify", "Hold the claims of the schemes against scenes");
   add_verify_arguments(parser, *given);
-  return {&parser, [given] { return run(*given); }, true};
+  return {&parser, [given] { return run_verify(*given); }, true};
 }
 
 }  // namespace polhode::cli

@@ -16,7 +16,7 @@
 namespace polhode {
 namespace {
 
-constexpr int runs = 5000;
+constexpr int published_runs = 5000;
 constexpr double last_digit = 0.0005, read_off = 0.05;  // of a slope as printed, of log2 E in a figure
 
 struct published_figure {
@@ -35,7 +35,7 @@ std::vector<double> coarser(const magpy_task& task) {
 void compare_figure(const char* name, magpy_method method, const published_figure& published,
                     const reproduce_options& o, report::reproduction& out) {
   const magpy_task task;
-  const auto dt = coarser(task), found = magpy_differences(task, method, runs, o.threads);
+  const auto dt = coarser(task), found = magpy_differences(task, method, published_runs, o.threads);
   const auto what = fmt::format("{}, their runs", name);
   out.numbers.push_back(compared(what + ": slope", published.slope, last_digit, within(slope_of_means(found, dt), 0),
                                  "tolerance: half of the last digit printed"));
@@ -48,7 +48,7 @@ void compare_figure(const char* name, magpy_method method, const published_figur
 
 void compare_without_cut(const reproduce_options& o, report::reproduction& out) {
   const magpy_task task;
-  const auto found = magpy_differences(task, magpy_method::midpoint, runs / 10, o.threads);
+  const auto found = magpy_differences(task, magpy_method::midpoint, published_runs / 10, o.threads);
   const std::string reason =
       "the published rule cuts every increment at sqrt(2 |ln dt|) standard deviations, 0.94 of them at dt = 0.64: its "
       "figure shows the cut and not the scheme (magpy widened it in commit bc4a021, the figure stayed)";
@@ -103,7 +103,7 @@ interval_estimate slope_of(const path_values& e, const std::vector<double>& dt) 
 
 void compare_independent_runs(const subject& s, const reproduce_options& o, report::reproduction& out) {
   const level_grid grid{s.scene.horizon, {100, 200, 400, 800, 1600, 3200, 6400}};
-  const int blocks = blocks_of(by_effort(o.effort, 1024, runs, 4 * runs));
+  const int blocks = blocks_of(by_effort(o.effort, 1024, published_runs, 4 * published_runs));
   path_values found(grid.steps.size() - 1, std::vector<double>(static_cast<std::size_t>(blocks * block_lanes)));
   parallel_for(o.threads, blocks, [&](int b) { run_block(s, grid, b, o, found); });
   out.numbers.push_back(explained_by(
@@ -112,7 +112,7 @@ void compare_independent_runs(const subject& s, const reproduce_options& o, repo
       fmt::format(
           "a fifth of their 5,000 runs have the seed 0 (seed i is 13 i (i mod 5)), so that they are worth {:.0f} "
           "independent ones",
-          effective_magpy_runs(runs))));
+          effective_magpy_runs(published_runs))));
 }
 
 }  // namespace

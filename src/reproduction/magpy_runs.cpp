@@ -15,7 +15,7 @@
 namespace polhode {
 namespace {
 
-using state = vec<double, 3>;
+using magnetisation = vec<double, 3>;
 
 /// dm = m x xi, xi = -F - alpha m x F: theta = alpha, and the signs of field and noise turned.
 varying_spin system_of(const magpy_task& task) {
@@ -35,8 +35,8 @@ std::vector<double> numbers_of(std::uint64_t seed, const magpy_task& task) {
 
 /// The increment of `fine` of the finest steps from `first` on; cut at sqrt(2 |ln dt|) standard deviations if asked
 /// (Milstein, Repin, Tretyakov, SIAM J. Numer. Anal. 39 (2002) 2066, eq. 1.5).
-state increment_of(const std::vector<double>& numbers, int first, int fine, double dt, bool cut) {
-  state sum{};
+magnetisation increment_of(const std::vector<double>& numbers, int first, int fine, double dt, bool cut) {
+  magnetisation sum{};
   for (int i = 0; i < fine; ++i)
     for (int k = 0; k < 3; ++k) sum[k] += numbers[static_cast<std::size_t>(3 * (first + i) + k)];
   const double most = cut ? std::sqrt(2 * std::fabs(std::log(dt))) : HUGE_VAL, share = 1 / std::sqrt(double(fine));
@@ -44,11 +44,11 @@ state increment_of(const std::vector<double>& numbers, int first, int fine, doub
   return sum;
 }
 
-state end_of(const std::vector<double>& numbers, const magpy_task& task, int level, magpy_method method) {
+magnetisation end_of(const std::vector<double>& numbers, const magpy_task& task, int level, magpy_method method) {
   const auto system = system_of(task);
   const int steps = task.coarsest << level, fine = 1 << (task.levels - 1 - level);
   const double dt = task.horizon / steps;
-  state m{{1, 0, 0}};
+  magnetisation m{{1, 0, 0}};
   for (int i = 0; i < steps; ++i) {
     const wiener<double, 3> w{dt, increment_of(numbers, i * fine, fine, dt, method == magpy_method::midpoint_cut)};
     m = method == magpy_method::heun ? heun::step(system, m, w) : implicit_midpoint::step(system, m, w);

@@ -21,10 +21,8 @@
 namespace polhode {
 namespace {
 
-using state = vec<double, 3>;
-
 constexpr double strength = 0.002, root3 = 1.7320508075688772;
-constexpr state start{{0, 1, 0}};
+constexpr point_on_s2 start{{0, 1, 0}};
 constexpr int coarsest = 3, finest = 9;  // dt = 2^-3 to 2^-9, T = 1
 
 struct relaxation_to_axis : constant_noise<so3> {
@@ -54,18 +52,18 @@ struct relaxation_to_axis : constant_noise<so3> {
 double radius_at_end() { return std::sqrt(1 - 1 / (1 + 2 * std::exp(-6.0))); }
 
 /// The solution at time 1 of a path that ends at W.
-state exact_end(double wiener) {
+point_on_s2 exact_end(double wiener) {
   const double along = 1 / std::sqrt(3 * (1 + 2 * std::exp(-6.0))), angle = root3 * (1 + strength * wiener);
-  const state across{{-1.0 / 3, 2.0 / 3, -1.0 / 3}}, one{{1, 1, 1}};
+  const point_on_s2 across{{-1.0 / 3, 2.0 / 3, -1.0 / 3}}, one{{1, 1, 1}};
   const auto turned = std::cos(angle) * across + (std::sin(angle) / root3) * cross(one, across);
   return along * one + radius_at_end() / std::sqrt(2.0 / 3) * turned;
 }
 
-double length_of(const state& z) { return std::sqrt(dot(z, z)); }
+double length_of(const point_on_s2& z) { return std::sqrt(dot(z, z)); }
 
 /// End of a path less that of the exact solution under the same noise.
 template <class Scheme>
-state error_of_path(const relaxation_to_axis& system, int level, noise_address address) {
+point_on_s2 error_of_path(const relaxation_to_axis& system, int level, noise_address address) {
   const double dt = std::exp2(-level);
   const std::uint64_t steps = 1U << level;
   double wiener = 0;
@@ -79,7 +77,7 @@ std::vector<double> errors_of(std::uint64_t first, int paths, std::uint64_t seed
   const relaxation_to_axis system;
   std::vector<double> out;
   for (int level = coarsest; level <= finest; ++level) {
-    state mean{};
+    point_on_s2 mean{};
     for (int p = 0; p < paths; ++p) {
       noise_address address{.seed = seed};
       address.path = first + static_cast<std::uint64_t>(p);

@@ -17,31 +17,29 @@
 namespace polhode {
 namespace {
 
-using state = vec<double, 3>;
-
 constexpr std::array<double, 3> inertia{2, 0.4, 0.6};
 constexpr double step = 0.01;
 constexpr int steps_to_end = 200;
 
-state body_start() { return {{std::sin(1.1), 0, std::cos(1.1)}}; }
+point_on_s2 body_start() { return {{std::sin(1.1), 0, std::cos(1.1)}}; }
 
 /// One step of both in Ito's sense; the rotation by v = drift dt + Omega dW, and the plain Euler step.
-state rotated(const state& z, double dw) {
-  const state w{{z[0] / inertia[0], z[1] / inertia[1], z[2] / inertia[2]}};
-  const state drift{{0.5 * w[1] * w[2], -0.5 * w[0] * w[2], 0.5 * w[0] * w[1]}};
+point_on_s2 rotated(const point_on_s2& z, double dw) {
+  const point_on_s2 w{{z[0] / inertia[0], z[1] / inertia[1], z[2] / inertia[2]}};
+  const point_on_s2 drift{{0.5 * w[1] * w[2], -0.5 * w[0] * w[2], 0.5 * w[0] * w[1]}};
   return so3::exp_action(-1.0 * (step * drift + dw * w), z);
 }
-state translated(const state& z, double dw) {
-  const state w{{z[0] / inertia[0], z[1] / inertia[1], z[2] / inertia[2]}};
-  const state drift{{-0.5 * (w[1] * w[1] + w[2] * w[2]) * z[0],
-                     w[0] * w[1] * z[0] - 0.5 * (w[0] * w[0] + w[2] * w[2]) * z[1],
-                     w[0] * w[2] * z[0] + w[1] * w[2] * z[1] - 0.5 * (w[0] * w[0] + w[1] * w[1]) * z[2]}};
+point_on_s2 translated(const point_on_s2& z, double dw) {
+  const point_on_s2 w{{z[0] / inertia[0], z[1] / inertia[1], z[2] / inertia[2]}};
+  const point_on_s2 drift{{-0.5 * (w[1] * w[1] + w[2] * w[2]) * z[0],
+                           w[0] * w[1] * z[0] - 0.5 * (w[0] * w[0] + w[2] * w[2]) * z[1],
+                           w[0] * w[2] * z[0] + w[1] * w[2] * z[1] - 0.5 * (w[0] * w[0] + w[1] * w[1]) * z[2]}};
   return z + step * drift + dw * cross(w, z);
 }
 
 struct body_path {
   double off_sphere = 0;  ///< the largest ||z|^2 - 1|
-  state end;
+  point_on_s2 end;
 };
 template <class Step>
 body_path body_run(Step one, std::uint64_t path, std::uint64_t seed) {
@@ -62,7 +60,7 @@ void compare_body(const reproduce_options& o, report::reproduction& out) {
   const int paths = by_effort(o.effort, 500, 10'000, 10'000);
   double geometric = 0;
   std::vector<double> plain;
-  state mean{};
+  point_on_s2 mean{};
   for (int p = 0; p < paths; ++p) {
     const auto kept = body_run(rotated, static_cast<std::uint64_t>(p), o.seed);
     geometric = std::max(geometric, kept.off_sphere);

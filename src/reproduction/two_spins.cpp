@@ -17,9 +17,9 @@
 namespace polhode {
 namespace {
 
-constexpr double temperature = 0.1, dt = 0.02, tolerance = 0.05;
+constexpr double temperature = 0.1, pair_dt = 0.02, tolerance = 0.05;
 constexpr int forgotten = 1000, between = 500;  // steps before the first sample, and from one to the next
-constexpr int bins = 10, published_samples = 2000;
+constexpr int energy_bins = 10, published_samples = 2000;
 
 double exact_mean() { return temperature - 1 / std::tanh(1 / temperature); }
 
@@ -37,7 +37,7 @@ std::vector<chain> chains_of(const subject& s, const kernel& step, int block, in
   std::vector<double> energies(block_lanes), casimirs(2 * block_lanes);
   std::uint64_t taken = 0;
   const auto advance = [&](int steps) {
-    const auto view = noise.fill(seed, static_cast<std::uint64_t>(block * block_lanes), taken, steps, dt);
+    const auto view = noise.fill(seed, static_cast<std::uint64_t>(block * block_lanes), taken, steps, pair_dt);
     step.advance(states, view);
     taken += static_cast<std::uint64_t>(steps);
   };
@@ -50,15 +50,15 @@ std::vector<chain> chains_of(const subject& s, const kernel& step, int block, in
   return out;
 }
 
-using runs = std::vector<chain>;
+using chains_of_scheme = std::vector<chain>;
 
 /// Of every scheme: all of them at once, so that no thread waits.
-std::vector<runs> runs_of(const subject& s, const std::vector<std::string>& schemes, int samples,
-                          const reproduce_options& o) {
+std::vector<chains_of_scheme> runs_of(const subject& s, const std::vector<std::string>& schemes, int samples,
+                                      const reproduce_options& o) {
   const int blocks = by_effort(o.effort, 1, 1, 8), count = static_cast<int>(schemes.size());
-  std::vector<runs> parts(static_cast<std::size_t>(blocks * count)), out(schemes.size());
+  std::vector<chains_of_scheme> parts(static_cast<std::size_t>(blocks * count)), out(schemes.size());
   parallel_for(o.threads, blocks * count, [&](int job) {
-    const auto step = scheme_of(s, schemes[static_cast<std::size_t>(job % count)]).make(dt);
+    const auto step = scheme_of(s, schemes[static_cast<std::size_t>(job % count)]).make(pair_dt);
     parts[static_cast<std::size_t>(job)] = chains_of(s, *step, job / count, samples, o.seed);
   });
   for (std::size_t job = 0; job < parts.size(); ++job) {
@@ -72,12 +72,13 @@ std::vector<runs> runs_of(const subject& s, const std::vector<std::string>& sche
 /// exact ones in l2.
 double distance_in_bins(const chain& c) {
   const auto [low, high] = std::ranges::minmax(c);
-  const double width = (high - low) / bins;
-  std::array<double, bins> share{};
+  const double width = (high - low) / energy_bins;
+  std::array<double, energy_bins> share{};
   for (const double e : c)
-    share[static_cast<std::size_t>(std::min((e - low) / width, bins - 1.0))] += 1.0 / static_cast<double>(c.size());
+    share[static_cast<std::size_t>(std::min((e - low) / width, energy_bins - 1.0))] +=
+        1.0 / static_cast<double>(c.size());
   double square = 0;
-  for (int i = 0; i < bins; ++i) {
+  for (int i = 0; i < energy_bins; ++i) {
     const double exact = exact_cdf(low + (i + 1) * width) - exact_cdf(low + i * width);
     square += std::pow(share[static_cast<std::size_t>(i)] - exact, 2);
   }
@@ -109,10 +110,10 @@ found_energy found_in(const std::vector<chain>& chains) {
   return out;
 }
 
-void compare_scheme(const std::string& name, const runs& chains, report::reproduction& out) {
+void compare_energies(const std::string& name, const chains_of_scheme& chains, report::reproduction& out) {
   const auto samples = chains.front().size();
   const auto found = found_in(chains);
-  const auto what = fmt::format("{}, dt = {}", name, dt);
+  const auto what = fmt::format("{}, dt = {}", name, pair_dt);
   const double run = found.effective * published_samples / static_cast<double>(samples);
   out.numbers.push_back(compared(
       what + ": mean energy", exact_mean(), 1.96 * temperature / std::sqrt(run), found.mean,
@@ -129,7 +130,7 @@ void compare_scheme(const std::string& name, const runs& chains, report::reprodu
   for (const auto& c : chains) pooled.insert(pooled.end(), c.begin(), c.end());
   report::reproduced_curve curve{
       "Law of the energy in ten bins from -1 to -0.4", "E", "share of a bin", "exact law (Sunny.jl)", what, false, {}};
-  for (int i = 0; i < bins; ++i) {
+  for (int i = 0; i < energy_bins; ++i) {
     const double a = -1 + 0.06 * i, b = a + 0.06;
     const auto count = std::ranges::count_if(pooled, [&](double e) { return e >= a && e < b; });
     curve.points.push_back(
@@ -162,7 +163,7 @@ report::reproduction two_spins(const reproduce_options& o) {
                                  "published: the law, whose mean is kT - coth(1/kT); ours: " + exact.method));
   const std::vector<std::string> schemes{"heun_projected", "lie_heun"};
   const auto all = runs_of(bind_scene(s), schemes, by_effort(o.effort, 125, published_samples, published_samples), o);
-  for (std::size_t k = 0; k < schemes.size(); ++k) compare_scheme(schemes[k], all[k], out);
+  for (std::size_t k = 0; k < schemes.size(); ++k) compare_energies(schemes[k], all[k], out);
   return out;
 }
 

@@ -20,8 +20,8 @@ namespace polhode {
 namespace {
 
 constexpr double chi = 7.2e5 * 2.8e-26 / (1.3806505e-23 * 300);  // k_B as in their src/const.jl
-constexpr double dt = 0.01, spins = 27'000, deviations = 1.96;
-constexpr int bins = 20;
+constexpr double uniaxial_dt = 0.01, spins = 27'000, deviations = 1.96;
+constexpr int direction_bins = 20;
 using gauss = boost::math::quadrature::gauss<double, 30>;
 
 double published_density(double m) {
@@ -29,11 +29,11 @@ double published_density(double m) {
   return std::exp(-chi * (1 - m * m)) / z;
 }
 
-double edge(int bin) { return -1 + 2.0 * bin / bins; }
+double edge(int bin) { return -1 + 2.0 * bin / direction_bins; }
 
 Eigen::VectorXd published_shares() {
-  Eigen::VectorXd out(bins);
-  for (int i = 0; i < bins; ++i) out[i] = gauss::integrate(published_density, edge(i), edge(i + 1));
+  Eigen::VectorXd out(direction_bins);
+  for (int i = 0; i < direction_bins; ++i) out[i] = gauss::integrate(published_density, edge(i), edge(i + 1));
   return out;
 }
 
@@ -43,12 +43,13 @@ double published_square() {
 
 /// The integral of each harmonic over each bin of m_z: harmonics that vary with the longitude have none.
 Eigen::MatrixXd integrals(const shell_basis& basis) {
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(basis.size(), bins);
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(basis.size(), direction_bins);
   for (int l = 0; l <= basis.degree(); ++l) {
     const auto along = [l](double m) {
       return harmonics_at({std::sqrt(1 - m * m), 0, m}, l)[harmonic_index(l, 0)] * 2 * std::numbers::pi;
     };
-    for (int i = 0; i < bins; ++i) out(harmonic_index(l, 0), i) = gauss::integrate(along, edge(i), edge(i + 1));
+    for (int i = 0; i < direction_bins; ++i)
+      out(harmonic_index(l, 0), i) = gauss::integrate(along, edge(i), edge(i + 1));
   }
   return out;
 }
@@ -56,41 +57,47 @@ Eigen::MatrixXd integrals(const shell_basis& basis) {
 /// Shares of the bins and E[m_z^2] under the law that the scheme keeps.
 Eigen::VectorXd shares_and_square(const transfer_operator& op) {
   const Eigen::RowVectorXd law = op.stationary_law();
-  Eigen::VectorXd out(bins + 1);
-  out.head(bins) = (law * integrals(op.basis)).transpose();
-  out[bins] = law.dot(op.basis.coefficients([](const Eigen::Vector3d& s) { return s[2] * s[2]; }));
+  Eigen::VectorXd out(direction_bins + 1);
+  out.head(direction_bins) = (law * integrals(op.basis)).transpose();
+  out[direction_bins] = law.dot(op.basis.coefficients([](const Eigen::Vector3d& s) { return s[2] * s[2]; }));
   return out;
 }
 
 /// 95 % of what that many independent spins scatter by.
 double scatter(double variance) { return deviations * std::sqrt(variance / spins); }
 
-void compare_scheme(const subject& bound, const std::string& name, report::reproduction& out) {
-  Eigen::VectorXd exact(bins + 1);
+void compare_directions(const subject& bound, const std::string& name, report::reproduction& out) {
+  Eigen::VectorXd exact(direction_bins + 1);
   exact << published_shares(), published_square();
-  const auto answer =
-      refine(bound, scheme_of(bound, name), dt, 1, {shares_and_square, {exact, Eigen::VectorXd::Ones(bins + 1), 1e-3}});
-  const Eigen::ArrayXd p = exact.head(bins).array();
+  const auto answer = refine(bound, scheme_of(bound, name), uniaxial_dt, 1,
+                             {shares_and_square, {exact, Eigen::VectorXd::Ones(direction_bins + 1), 1e-3}});
+  const Eigen::ArrayXd p = exact.head(direction_bins).array();
   const Eigen::ArrayXd allowed = deviations * (p * (1 - p) / spins).sqrt();
-  const Eigen::ArrayXd off = answer.error.head(bins).array().abs() / allowed,
-                       unsure = answer.uncertainty.head(bins).array() / allowed;
+  const Eigen::ArrayXd off = answer.error.head(direction_bins).array().abs() / allowed,
+                       unsure = answer.uncertainty.head(direction_bins).array() / allowed;
   Eigen::Index worst = 0;
   off.maxCoeff(&worst);
   out.numbers.push_back(compared_at_most(
-      fmt::format("{}, dt = {}: largest |P - formula| of 20 bins, in 95 % scatters of 27,000 spins", name, dt), 1,
-      within(off[worst], unsure[worst]),
+      fmt::format("{}, dt = {}: largest |P - formula| of 20 bins, in 95 % scatters of 27,000 spins", name, uniaxial_dt),
+      1, within(off[worst], unsure[worst]),
       fmt::format("in the bin from m_z = {:.1f}; nothing sampled", edge(int(worst)))));
   const double fourth = gauss::integrate([](double m) { return m * m * m * m * published_density(m); }, -1.0, 1.0);
-  const double square = exact[bins];
-  out.numbers.push_back(compared(
-      fmt::format("{}, dt = {}: E[m_z^2]", name, dt), square, scatter(fourth - square * square),
-      within(square + answer.error[bins], answer.uncertainty[bins]), "published with the scatter of 27,000 spins"));
+  const double square = exact[direction_bins];
+  out.numbers.push_back(compared(fmt::format("{}, dt = {}: E[m_z^2]", name, uniaxial_dt), square,
+                                 scatter(fourth - square * square),
+                                 within(square + answer.error[direction_bins], answer.uncertainty[direction_bins]),
+                                 "published with the scatter of 27,000 spins"));
   if (!out.curves.empty()) return;
-  report::reproduced_curve curve{"Law of m_z in bins of 0.1",          "m_z", "ln P", "formula (MicroMagnetic.jl)",
-                                 fmt::format("{}, dt = {}", name, dt), false, {}};
-  for (int i = 0; i < bins; ++i)
-    curve.points.push_back({edge(i) + 1.0 / bins, std::log(exact[i] * bins / 2),
-                            std::log(std::max(1e-300, (exact[i] + answer.error[i]) * bins / 2))});
+  report::reproduced_curve curve{"Law of m_z in bins of 0.1",
+                                 "m_z",
+                                 "ln P",
+                                 "formula (MicroMagnetic.jl)",
+                                 fmt::format("{}, dt = {}", name, uniaxial_dt),
+                                 false,
+                                 {}};
+  for (int i = 0; i < direction_bins; ++i)
+    curve.points.push_back({edge(i) + 1.0 / direction_bins, std::log(exact[i] * direction_bins / 2),
+                            std::log(std::max(1e-300, (exact[i] + answer.error[i]) * direction_bins / 2))});
   out.curves.push_back(std::move(curve));
 }
 
@@ -119,7 +126,7 @@ report::reproduction uniaxial_spin(const reproduce_options&) {
   out.numbers.push_back(compared("E[m_z^2], exact", published_square(), 1e-10, within(exact.value, exact.uncertainty),
                                  "published: the mean under their formula; ours: " + exact.method));
   const auto bound = bind_scene(s);
-  for (const auto* name : {"heun_projected", "implicit_midpoint", "lie_heun"}) compare_scheme(bound, name, out);
+  for (const auto* name : {"heun_projected", "implicit_midpoint", "lie_heun"}) compare_directions(bound, name, out);
   return out;
 }
 

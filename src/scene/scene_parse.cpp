@@ -13,7 +13,6 @@
 #include "reports/model/text.hpp"
 #include "scene/nearest.hpp"
 #include "scene/toml_table.hpp"
-#include "scene/toml_values.hpp"
 #include "systems/systems.hpp"
 
 namespace polhode {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double tolerance = 0.02, rough_tolerance = 0.1;  // of an error
 constexpr const extrapolation& combination = extrapolations.front();
-constexpr double reference_accuracy = 1e-12, rounding = 1e-12;  // of the observable's size
+constexpr double reference_accuracy = 1e-12, averages_rounding = 1e-12;  // of the observable's size
 
 /// What of an observable's truth is uncertain, in units of its size.
 double most_uncertain(const law_observables& all, const Eigen::VectorXd& uncertainty, const std::string& asked) {
@@ -50,7 +50,7 @@ class averages_goal : public goal {
     return resolved_to(rough_tolerance, c, dt);
   }
 
-  double floor() const override { return rounding; }
+  double floor() const override { return averages_rounding; }
   std::string unit() const override { return "root mean square of each observable over the sphere"; }
 
  protected:

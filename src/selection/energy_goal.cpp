@@ -6,7 +6,7 @@
 namespace polhode {
 namespace {
 
-constexpr double rounding = 1e-13;
+constexpr double energy_rounding = 1e-13;
 
 class energy_goal final : public goal {
  public:
@@ -25,7 +25,7 @@ class energy_goal final : public goal {
   }
 
   const subject& priced_on(const subject&) const override { return still_; }
-  double floor() const override { return rounding; }
+  double floor() const override { return energy_rounding; }
   double longest_step() const override { return time_; }
   std::string unit() const override { return "h_0"; }
   std::vector<std::string> notes() const override {

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int paths = 512, rough_paths = 64, plain_cells = 32;
 constexpr double most_cells = 4e8;  // of a check: some seconds
-constexpr double rounding = 1e-12;
-constexpr double quantile = 1.96;
+constexpr double path_rounding = 1e-12;
+constexpr double path_quantile = 1.96;
 
 class path_goal final : public goal {
  public:
@@ -46,7 +46,7 @@ class path_goal final : public goal {
     return c.scheme.needs_areas && channels > 1 ? (cells(c, dt) - 1.0) * channels : 0;
   }
 
-  double floor() const override { return rounding; }
+  double floor() const override { return path_rounding; }
   double longest_step() const override { return time_; }
   std::string unit() const override { return "|Pi_0|"; }
 
@@ -78,7 +78,7 @@ class path_goal final : public goal {
     }
     const double mean = sum / count, error = std::sqrt(std::max(0.0, squares / count - mean * mean) / (count - 1));
     const double unit = length(context_.subject.scene.momentum), value = std::sqrt(mean) / unit;
-    return {value, std::sqrt(mean + quantile * error) / unit - value};
+    return {value, std::sqrt(mean + path_quantile * error) / unit - value};
   }
 
   /// A scheme without areas misses what the cells know of them: all but 1/cells of the mean square.

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t components = 6;  // of a long state
 constexpr double relative = 0.1;       // of an error: known better than that it need not be
-constexpr double quantile = 1.96;
+constexpr double average_quantile = 1.96;
 constexpr double nothing = 1e-12;  // of the largest size: an observable that vanishes
 
 std::vector<observable> observables_for(const subject& s, const std::string& asked) {
@@ -36,7 +36,7 @@ sampled_averages::sampled_averages(const context& c, const goal_question& q)
       observables_(observables_for(c.subject, q.observable)) {}
 
 double sampled_averages::paths_needed(const candidate& c, double dt, double tolerance) const {
-  const double needed = std::pow(quantile * deviation(c, dt) / (fine * tolerance), 2);
+  const double needed = std::pow(average_quantile * deviation(c, dt) / (fine * tolerance), 2);
   return std::max(needed, double(first_paths));
 }
 
@@ -88,7 +88,7 @@ error_estimate sampled_averages::worst_of(const squared_errors& d, const std::ve
     if (!(sizes[f] <= vanishing))
       for (std::size_t t = 0; t < times.size(); ++t) {
         const auto m = level_mean(d, static_cast<int>(t * of.size() + f));
-        const double value = std::fabs(m.mean) / sizes[f], half = quantile * m.error / sizes[f];
+        const double value = std::fabs(m.mean) / sizes[f], half = average_quantile * m.error / sizes[f];
         if (!(value + half <= worst.bound())) worst = {of[f].name, value, half, times[t]};
         if (!std::isfinite(value)) break;
       }

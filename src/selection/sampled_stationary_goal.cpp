@@ -16,8 +16,8 @@
 namespace polhode {
 namespace {
 
-constexpr double usual = 0.25;     // of the fastest time scale: a step that is to be asked for at least
-constexpr double most_work = 4e8;  // components of steps, of one check: some seconds
+constexpr double usual = 0.25;                // of the fastest time scale: a step that is to be asked for at least
+constexpr double most_stationary_work = 4e8;  // components of steps, of one check: some seconds
 
 class sampled_stationary_goal final : public sampled_averages {
  public:
@@ -82,7 +82,7 @@ class sampled_stationary_goal final : public sampled_averages {
   double work_of_a_path(double dt) const override {
     return runs_.steps_of_a_path(dt) * context_.subject.model->dimension();
   }
-  double affordable_work() const override { return most_work; }
+  double affordable_work() const override { return most_stationary_work; }
   double deviation(const candidate&, double) const override {
     return deviation_ / std::sqrt(long_runs::worth_of_a_path());
   }

@@ -18,10 +18,10 @@
 namespace polhode {
 namespace {
 
-constexpr double coarsest = 0.5;   // of the fastest time scale: twice the step of the pilot
-constexpr double most_work = 1e8;  // components of steps of the driven equation, of one check: some seconds
-constexpr double share = 0.9;      // of the tolerance that a step is to leave
-constexpr std::size_t kept = 8;    // step sizes of which the truth is kept
+constexpr double coarsest_pilot = 0.5;  // of the fastest time scale: twice the step of the pilot
+constexpr double most_weak_work = 1e8;  // components of steps of the driven equation, of one check: some seconds
+constexpr double share_left = 0.9;      // of the tolerance that a step is to leave
+constexpr std::size_t kept = 8;         // step sizes of which the truth is kept
 
 class sampled_weak_goal final : public sampled_averages {
  public:
@@ -75,7 +75,7 @@ class sampled_weak_goal final : public sampled_averages {
 
   int steps_of(double dt) const { return static_cast<int>(std::lround(question_.time / dt)); }
   int pilot_steps() const {
-    return 2 * static_cast<int>(std::ceil(std::max(1.0, question_.time * rate_ / coarsest) * (1 - 1e-12)));
+    return 2 * static_cast<int>(std::ceil(std::max(1.0, question_.time * rate_ / coarsest_pilot) * (1 - 1e-12)));
   }
 
   std::shared_ptr<weak_at_step> truth_at(int steps, std::uint64_t seed) const {
@@ -123,7 +123,7 @@ class sampled_weak_goal final : public sampled_averages {
   double work_of_a_path(double dt) const override {
     return truth_at(steps_of(dt), context_.seed)->work() * context_.subject.model->dimension();
   }
-  double affordable_work() const override { return most_work; }
+  double affordable_work() const override { return most_weak_work; }
   double deviation(const candidate& c, double dt) const override {
     const double found = pilots_.at(c.name).deviation;
     return std::isfinite(found) ? found * dt * pilot_steps() / question_.time : 0;
@@ -132,7 +132,7 @@ class sampled_weak_goal final : public sampled_averages {
     return std::ranges::any_of(candidates(context_.subject), [&](const candidate& c) {
       const auto& p = pilots_.at(c.name);
       if (!std::isfinite(p.error)) return false;
-      const double step = question_.time / pilot_steps() * std::pow(share * tolerance / p.error, 1 / c.order);
+      const double step = question_.time / pilot_steps() * std::pow(share_left * tolerance / p.error, 1 / c.order);
       return affordable_at(c, question_.time / std::ceil(std::max(1.0, question_.time / step)), tolerance);
     });
   }

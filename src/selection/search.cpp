@@ -13,8 +13,8 @@
 namespace polhode {
 namespace {
 
-constexpr double coarsest = 0.5;  // of the fastest time scale
-constexpr double share = 0.9;     // of the tolerance that is aimed at
+constexpr double coarsest_step = 0.5;   // of the fastest time scale
+constexpr double share_aimed_at = 0.9;  // of the tolerance that is aimed at
 constexpr int most_tries = 10;
 constexpr double shortest = 0.1;  // of a step: down to there the tolerance is to be met
 constexpr double near = 0.7;      // of the tolerance: between two such steps it is looked once more
@@ -42,7 +42,7 @@ prospect search::predict(const candidate& who) const {
     out.fault = *reason;
     return out;
   }
-  double dt = whole_steps(coarsest / rate_);
+  double dt = whole_steps(coarsest_step / rate_);
   std::array<double, 3> error{};
   for (int i = 0; i < 3; ++i)
     error[static_cast<std::size_t>(i)] = goal_.rough_error(who, dt / (1 << i), context_.seed).value;
@@ -57,11 +57,12 @@ prospect search::predict(const candidate& who) const {
   const bool faster = std::isfinite(slope) && slope > 1.25 * who.order && slope < 4 * who.order && error[2] > 3 * least;
   const double order = faster ? slope : who.order;
   out.law = error_law{std::max(error[2], least) / std::pow(dt, order), order};
-  out.dt = whole_steps(out.law->step_for(share * question_.tolerance));
+  out.dt = whole_steps(out.law->step_for(share_aimed_at * question_.tolerance));
   // Between measured steps, between what was measured.
   for (int i = 1; i >= 0 && out.dt > dt; --i) {
     const double coarse = error[static_cast<std::size_t>(i)], fine = error[static_cast<std::size_t>(i + 1)];
-    const double local = std::log2(coarse / fine), step = dt * (1 << (1 - i)), wanted = share * question_.tolerance;
+    const double local = std::log2(coarse / fine), step = dt * (1 << (1 - i)),
+                 wanted = share_aimed_at * question_.tolerance;
     if (!(local > 0) || !(fine <= wanted)) break;
     if (coarse <= wanted && i > 0) continue;
     out.dt = whole_steps(std::min(step * std::pow(wanted / fine, 1 / local), coarse <= wanted ? HUGE_VAL : 2 * step));
@@ -134,7 +135,7 @@ descent search::look_below(const candidate& who, double dt, std::uint64_t seed) 
 /// From a step that is better than it need be, towards the one that is too long: between the two by a power law, and
 /// where none is known by the scheme's own.
 double search::longer_than(const descent& good, const std::optional<descent>& bad, double order) const {
-  const double aim = share * question_.tolerance;
+  const double aim = share_aimed_at * question_.tolerance;
   const double own = good.longest * std::clamp(std::pow(aim / good.worst, 1 / order), 1.0, 4.0);
   if (!bad || !std::isfinite(bad->worst)) return whole_steps(bad ? std::sqrt(good.longest * bad->too_long) : own);
   const double part = std::log(aim / good.worst) / std::log(bad->worst / good.worst);
@@ -168,7 +169,7 @@ std::optional<choice> search::check(const prospect& p, std::string& fault) const
     if (good && seen.too_long > 0 && seen.too_long <= good->longest) good.reset();  // a hill between its rungs
     if (!good) {
       fault = fmt::format("error {:.2g} at dt = {:.3g}", seen.worst, seen.too_long);
-      const double factor = std::pow(share * question_.tolerance / seen.worst, 1 / p.law->order);
+      const double factor = std::pow(share_aimed_at * question_.tolerance / seen.worst, 1 / p.law->order);
       dt = whole_steps(seen.too_long * (std::isfinite(factor) ? std::clamp(factor, 0.1, 4.0) : 0.25));
       continue;
     }

@@ -2,19 +2,117 @@
 #include "selection/select.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "ensemble/noise/paths.hpp"
-#include "selection/advice.hpp"
-#include "selection/requirements.hpp"
+#include "reports/model/errors.hpp"
+#include "selection/goal.hpp"
 #include "selection/search.hpp"
 #include "selection/snippet.hpp"
 
 namespace polhode {
 namespace {
+
+// What a user may require of a scheme besides its accuracy.
+
+const std::vector<std::string>& requirements() {
+  static const std::vector<std::string> all{"casimir-exact", "explicit", "implicit", "no-areas", "monotone-energy"};
+  return all;
+}
+
+/// What the candidate lacks; empty: nothing that its info can tell.
+std::optional<std::string> lacks(const candidate& c, const std::vector<std::string>& wanted) {
+  for (const auto& name : wanted) {
+    if (name == "casimir-exact" && !c.scheme.info.casimir.exact) return "does not keep the Casimir (required)";
+    if (name == "explicit" && c.scheme.info.implicit) return "implicit (explicit is required)";
+    if (name == "implicit" && !c.scheme.info.implicit) return "explicit (implicit is required)";
+    if (name == "no-areas" && c.scheme.needs_areas) return "needs Levy areas (no areas is required)";
+  }
+  return std::nullopt;
+}
+
+/// Throws input_error on an unknown name, on a contradiction, and where no candidate has all that its info can tell.
+void check_requirements(const std::vector<std::string>& wanted, const std::vector<candidate>& all) {
+  const auto has = [&](const char* name) { return std::ranges::find(wanted, name) != wanted.end(); };
+  for (const auto& name : wanted)
+    if (std::ranges::find(requirements(), name) == requirements().end())
+      throw input_error(fmt::format("--require '{}': not known; accepted: {}", name, fmt::join(requirements(), ", ")));
+  if (has("explicit") && has("implicit"))
+    throw input_error("--require 'explicit,implicit': contradictory; accepted: one of the two");
+  if (std::ranges::all_of(all, [&](const candidate& c) { return lacks(c, wanted).has_value(); }))
+    throw input_error(
+        fmt::format("--require '{}': no scheme has all of these; see polhode list schemes", fmt::join(wanted, ",")));
+}
+
+/// Does the energy never rise in a run without noise at this dt?
+bool monotone_energy(const subject& s, const candidate& c, double dt) {
+  constexpr int steps = 4096;
+  constexpr double rounding = 1e-14;
+  const auto still = s.without_noise();
+  const auto stepper = c.scheme.make(dt);
+  auto states = replicated(still.scene.momentum);
+  double before = still.model->energy(still.scene.momentum);
+  for (int i = 0; i < steps; ++i) {
+    stepper->advance(states, silence(1));
+    const double h = still.model->energy(lane_of(states, 0, still.model->dimension()));
+    if (!(h <= before + rounding * std::fabs(before))) return false;
+    before = h;
+  }
+  return true;
+}
+
+// What the measured error laws say to the questions that people ask about integrators.
+
+/// Schemes that keep the Casimir exactly, at the winner's step.
+std::string on_keeping_the_casimir(const std::vector<prospect>& all, const choice& winner) {
+  const prospect *best = nullptr, *worst = nullptr;
+  const auto error = [&](const prospect* p) { return p->law->at(winner.dt); };
+  for (const auto& p : all) {
+    if (!p.law || !p.who.scheme.info.casimir.exact || p.who.combination != nullptr) continue;
+    if (!best || error(&p) < error(best)) best = &p;
+    if (!worst || error(&p) > error(worst)) worst = &p;
+  }
+  if (!best || best == worst || error(worst) < 2 * error(best)) return "";
+  return fmt::format(
+      "keeping |Pi| is not accuracy: at dt = {:.3g} {} and {} both keep it, with errors of about {:.1e} and "
+      "{:.1e}",
+      winner.dt, best->who.name, worst->who.name, error(best), error(worst));
+}
+
+/// cost = k (factor / tolerance)^(1/order): where two such laws cross.
+double crossing(const prospect& low, const prospect& high) {
+  const double k = std::log(high.cost * high.dt) - std::log(low.cost * low.dt);
+  const double a = 1 / low.law->order, b = 1 / high.law->order;
+  return std::exp((a * std::log(low.law->factor) - b * std::log(high.law->factor) - k) / (a - b));
+}
+
+/// The cheapest scheme of a higher order than the winner's, and below which tolerance it pays.
+std::string on_higher_order(const std::vector<prospect>& all, const choice& winner, double tolerance) {
+  const auto first = std::ranges::find(all, winner.scheme, [](const prospect& p) { return p.who.name; });
+  for (const auto& p : all) {  // by rising cost
+    if (!p.law || !p.fault.empty() || p.law->order < first->law->order + 0.4 || p.who.name == winner.scheme) continue;
+    const double t = crossing(*first, p);
+    if (!(t < tolerance) || p.who.scheme.needs_areas) return "";
+    return fmt::format("order {:.2g} ({}) is not cheaper here; it is below a tolerance of about {:.0e}", p.law->order,
+                       p.who.name, t);
+  }
+  return "";
+}
+
+/// Sentences on keeping |Pi| and on higher order, from this scene's own error laws; by predicted costs.
+std::vector<std::string> advice(const std::vector<prospect>& all, const choice& winner, double tolerance) {
+  std::vector<std::string> out;
+  for (auto text : {on_keeping_the_casimir(all, winner), on_higher_order(all, winner, tolerance)})
+    if (!text.empty()) out.push_back(std::move(text));
+  return out;
+}
 
 bool is_required(const std::vector<std::string>& wanted, const char* name) {
   return std::ranges::find(wanted, name) != wanted.end();

@@ -21,9 +21,9 @@
 namespace polhode {
 namespace {
 
-constexpr std::array degrees{4, 6, 8, 10, 12, 14, 16, 20, 24, 28, 32};
+constexpr std::array frame_degrees{4, 6, 8, 10, 12, 14, 16, 20, 24, 28, 32};
 constexpr int affordable = 7000;  // unknowns in the block: seconds
-constexpr double rounding = 1e-14;
+constexpr double stretching_rounding = 1e-14;
 constexpr double cancelled = 4e-15;   // of the terms of an entry
 constexpr int stretching_degree = 2;  // a lower degree cuts off what is asked for
 
@@ -155,18 +155,20 @@ lyapunov_exponents lyapunov(const sphere_problem& problem, double tolerance, int
       problem, [&](const Eigen::Vector3d& pi) { return (0.5 * (problem.quadratic * pi) + problem.field / 3).dot(pi); },
       drawn_tolerance);
   if (!drawn.value) return {.reason = drawn.reason};
-  const double needed = needed_degree(problem), size = operator_on_frames(problem, degrees[0], 0).stretching.norm();
-  const bool proved = wanted > 0 || needed_share * needed > degrees.back();  // else three degrees tell, and are cheaper
+  const double needed = needed_degree(problem),
+               size = operator_on_frames(problem, frame_degrees[0], 0).stretching.norm();
+  const bool proved =
+      wanted > 0 || needed_share * needed > frame_degrees.back();  // else three degrees tell, and are cheaper
   const auto lambda1_at = [&](int degree) -> std::optional<projected_value> {
     if (degree < stretching_degree) return projected_value{.value = 0, .floor = 0, .resolved = false};
     const auto frames = operator_on_frames(problem, degree, proved ? 2 : 0);
     auto found = poisson_mean(frames.generator, frames.stretching, affordable, frame_supremum);
     if (found && !proved && size > 0) found->bound = unbounded;  // a spherical body does not stretch at all
-    if (found) found->floor = std::max(found->floor, rounding * frames.stretching.norm());
+    if (found) found->floor = std::max(found->floor, stretching_rounding * frames.stretching.norm());
     return found;
   };
-  const auto lambda1 =
-      raise_degree(degrees_to_try(degrees, wanted), {.absolute = tolerance, .size = size}, needed, lambda1_at, wanted);
+  const auto lambda1 = raise_degree(degrees_to_try(frame_degrees, wanted), {.absolute = tolerance, .size = size},
+                                    needed, lambda1_at, wanted);
   const double c = problem.radius, trace = problem.quadratic.trace();
   lyapunov_exponents found;
   found.lambda1 = lambda1.value;

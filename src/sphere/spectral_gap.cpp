@@ -20,12 +20,12 @@
 namespace polhode {
 namespace {
 
-constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64, 96};
-constexpr int most_sparse = 5000;        // unknowns in a block: seconds
-constexpr double least_accuracy = 0.01;  // of the gap: less is no answer
-constexpr double is_a_mode = 0.1;        // remainder of the slowest mode in the next degrees, over its rate
-constexpr double certain_digit = 10;     // the gap over its rounding error
-constexpr double faint = 100;            // needed degree from which averaging over circles is worth naming
+constexpr std::array gap_degrees{8, 12, 16, 24, 32, 48, 64, 96};
+constexpr int most_unknowns_of_gap = 5000;  // unknowns in a block: seconds
+constexpr double least_accuracy = 0.01;     // of the gap: less is no answer
+constexpr double is_a_mode = 0.1;           // remainder of the slowest mode in the next degrees, over its rate
+constexpr double certain_digit = 10;        // the gap over its rounding error
+constexpr double faint = 100;               // needed degree from which averaging over circles is worth naming
 
 /// The generator without the constant function, apart into its blocks; beyond: what it sends to the next two degrees.
 struct relaxing_parts {
@@ -82,7 +82,7 @@ reference_value spectral_gap(const sphere_problem& problem, double tolerance, in
   slowest_mode mode;
   const auto gap_at = [&](int degree) -> std::optional<projected_value> {
     const auto parts = parts_of(problem, degree);
-    if (std::ranges::max(parts.inside, {}, [](const auto& part) { return part.rows(); }).rows() > most_sparse)
+    if (std::ranges::max(parts.inside, {}, [](const auto& part) { return part.rows(); }).rows() > most_unknowns_of_gap)
       return {};
     mode = slowest_of(parts, mode);
     const auto pair = eigenpair_near(parts.inside[mode.block], mode.rate);
@@ -94,7 +94,7 @@ reference_value spectral_gap(const sphere_problem& problem, double tolerance, in
         .value = -pair.rate.real(), .floor = pair.rounding, .resolved = remainder <= is_a_mode * std::abs(pair.rate)};
   };
   const accuracy asked{.absolute = tolerance, .relative = least_accuracy, .size = std::numeric_limits<double>::min()};
-  auto gap = raise_degree(degrees_to_try(degrees, wanted), asked, needed_degree(problem), gap_at, wanted);
+  auto gap = raise_degree(degrees_to_try(gap_degrees, wanted), asked, needed_degree(problem), gap_at, wanted);
   if (!gap.converged()) gap.reason += averaged_in_words(problem);
   if (gap.converged() && !(*gap.value > certain_digit * gap.uncertainty))
     gap.reason = fmt::format(

@@ -16,8 +16,8 @@
 namespace polhode {
 namespace {
 
-constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64, 96};
-constexpr int most_sparse = 5000;  // unknowns in a block: seconds
+constexpr std::array law_degrees{8, 12, 16, 24, 32, 48, 64, 96};
+constexpr int most_unknowns_of_law = 5000;  // unknowns in a block: seconds
 
 std::string no_one_law(const sphere_problem& problem) {
   if (!problem.has_noise()) return "no noise: every attractor carries a stationary law, and none has a density";
@@ -29,9 +29,10 @@ reference_value stationary_mean_of(const sphere_problem& problem, const sphere_f
   const auto value_at = [&](int degree) {
     const auto [c, cut_off] = cut_to(problem, f, degree);
     const projected_value uniform{c[0], 0, 0};
-    auto found = has_uniform_law(problem) ? std::optional(uniform)
-                                          : poisson_mean(tall_backward_operator(problem, degree), c, most_sparse,
-                                                         [](const Eigen::VectorXd& r) { return harmonic_supremum(r); });
+    auto found = has_uniform_law(problem)
+                     ? std::optional(uniform)
+                     : poisson_mean(tall_backward_operator(problem, degree), c, most_unknowns_of_law,
+                                    [](const Eigen::VectorXd& r) { return harmonic_supremum(r); });
     if (found) {
       found->value /= unit_of_mean;
       found->floor = std::max(found->floor, rounding_of_sums * c.norm() / unit_of_mean);
@@ -39,9 +40,9 @@ reference_value stationary_mean_of(const sphere_problem& problem, const sphere_f
     }
     return found;
   };
-  asked.size = observable_coefficients(problem, f, degrees[0]).norm() / unit_of_mean;
+  asked.size = observable_coefficients(problem, f, law_degrees[0]).norm() / unit_of_mean;
   const double needed = has_uniform_law(problem) ? 0 : needed_degree(problem);
-  return raise_degree(degrees_to_try(degrees, wanted), asked, needed, value_at, wanted);
+  return raise_degree(degrees_to_try(law_degrees, wanted), asked, needed, value_at, wanted);
 }
 
 }  // namespace
@@ -49,15 +50,15 @@ reference_value stationary_mean_of(const sphere_problem& problem, const sphere_f
 stationary_law stationary(const sphere_problem& problem, double tolerance, int wanted) {
   if (const auto reason = no_one_law(problem); !reason.empty()) return {.reason = reason};
   if (has_uniform_law(problem)) {
-    const int degree = wanted > 0 ? wanted : degrees[0];
+    const int degree = wanted > 0 ? wanted : law_degrees[0];
     const Eigen::VectorXd uniform = Eigen::VectorXd::Unit(harmonic_count(degree), 0) / unit_of_mean;
     return {.density = uniform, .change = 0 * uniform, .uncertainty = 0, .degree = degree, .reason = {}};
   }
   const double needed = needed_degree(problem);
   stationary_law last;
   three_agree agreement;
-  for (const int degree : degrees_to_try(degrees, wanted)) {
-    auto density = left_null_vector(backward_operator(problem, degree), most_sparse);
+  for (const int degree : degrees_to_try(law_degrees, wanted)) {
+    auto density = left_null_vector(backward_operator(problem, degree), most_unknowns_of_law);
     if (!density) break;
     *density /= unit_of_mean;  // integral one
     Eigen::VectorXd change = *density;

@@ -85,8 +85,8 @@ class mapped_block {
 };
 
 /// At a block of points from all over the basis.
-bool has_half_turns(const tangent_kernel& k, const frame_basis& basis, double radius, const noise_nodes& nodes,
-                    int active) {
+bool frames_turn_half(const tangent_kernel& k, const frame_basis& basis, double radius, const noise_nodes& nodes,
+                      int active) {
   const auto spread = [&](const points_on_sphere& all) {
     points_in_space some(block_lanes, 3);
     for (Eigen::Index i = 0; i < block_lanes; ++i) some.row(i) = all.row(i * all.rows() / block_lanes);
@@ -151,7 +151,7 @@ Eigen::Vector2d discretisation_exponents(const subject& s, const scheme_entry& s
                                          const transfer_rule& rule) {
   const auto step = step_of(s, scheme, dt, rule);
   const frame_basis invariant(rule.basis.degree, frame_basis::functions::invariant);
-  if (has_half_turns(*step.stepper, invariant, step.radius, step.nodes, s.model->layout().active))
+  if (frames_turn_half(*step.stepper, invariant, step.radius, step.nodes, s.model->layout().active))
     return on_basis(step, invariant).exponents();
   return on_basis(step, frame_basis(rule.basis.degree)).exponents();
 }

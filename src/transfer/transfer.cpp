@@ -41,7 +41,7 @@ Eigen::MatrixXd mapped_basis(const kernel& k, const shell_basis& basis, const po
 }
 
 /// At a block of points from all over the basis.
-bool has_half_turns(const kernel& k, const shell_basis& basis, const noise_nodes& noise, int active) {
+bool shells_turn_half(const kernel& k, const shell_basis& basis, const noise_nodes& noise, int active) {
   const auto& all = basis.points();
   points_in_space some(block_lanes, 3);
   for (Eigen::Index i = 0; i < block_lanes; ++i) some.row(i) = all.row(i * all.rows() / block_lanes);
@@ -113,7 +113,8 @@ transfer_maker::known_noise& transfer_maker::noise_of(const noise_rule& rule) {
 transfer_operator transfer_maker::operator()(const transfer_rule& rule) {
   auto& noise = noise_of(rule.noise);
   shell_basis basis(rule.basis.degree, rule.basis.radial, shell_of(*step_, subject_, noise.nodes, steps_, rule.basis));
-  if (!noise.half_turns) noise.half_turns = has_half_turns(*step_, basis, noise.nodes, subject_.model->layout().active);
+  if (!noise.half_turns)
+    noise.half_turns = shells_turn_half(*step_, basis, noise.nodes, subject_.model->layout().active);
   return transfer_on(*step_, std::move(basis), noise.nodes, *noise.half_turns);
 }
 
@@ -141,7 +142,7 @@ Eigen::VectorXd change_by_far_noise(const subject& s, const scheme_entry& scheme
   const auto far = far_nodes_of(*s.model, scheme.needs_areas, dt);
   const int active = s.model->layout().active;
   const auto answer = [&](const noise_nodes& nodes) {
-    return ask(transfer_on(*stepper, basis, nodes, has_half_turns(*stepper, basis, nodes, active)));
+    return ask(transfer_on(*stepper, basis, nodes, shells_turn_half(*stepper, basis, nodes, active)));
   };
   return (answer(far) - answer(noise)).cwiseAbs();
 }

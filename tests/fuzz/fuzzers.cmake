@@ -12,12 +12,12 @@ file(GLOB fuzzed CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/model/*.cpp ${P
 file(GLOB tapes CONFIGURE_DEPENDS ${src}/ensemble/tapes/*.cpp)
 list(APPEND fuzzed ${systems} ${tapes} ${src}/ensemble/chen.cpp ${src}/platform/isa.cpp ${src}/problem/parameters.cpp ${src}/references/free_rotation.cpp
   ${src}/algebra/decompositions.cpp ${src}/sphere/sphere_problem.cpp ${src}/sphere/equilibria.cpp ${src}/sphere/site_observable.cpp
-  ${src}/scene/scene_parse.cpp ${src}/scene/toml_table.cpp ${src}/scene/toml_values.cpp ${src}/scene/nearest.cpp
+  ${src}/scene/scene_parse.cpp ${src}/scene/toml_table.cpp ${src}/scene/nearest.cpp
   ${src}/recorded/recording.cpp ${src}/recorded/recording_csv.cpp ${src}/recorded/recording_npy.cpp
   ${src}/recorded/transitions.cpp
   ${src}/foreign/greeting.cpp ${src}/foreign/frames.cpp ${src}/foreign/dialogue.cpp ${src}/foreign/naming.cpp
   ${writers}/json.cpp ${writers}/json_read.cpp ${writers}/json_rows.cpp ${writers}/json_values.cpp
-  ${writers}/json_plots.cpp ${writers}/numbers.cpp ${writers}/npy.cpp ${writers}/comparison_text.cpp)
+  ${writers}/numbers.cpp ${writers}/npy.cpp ${writers}/comparison_text.cpp)
 
 # Faces and what plays tapes on them are most of the compiler's time, and stay out: no harness binds.
 set(unbound "")

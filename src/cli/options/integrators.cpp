@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include "cli/options/arguments.hpp"
+#include "cli/terminal/terminal.hpp"
 #include "foreign/open.hpp"
 #include "foreign/process.hpp"
 #include "reports/model/errors.hpp"
+#include "systems/systems.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -37,6 +39,13 @@ foreign::foreign_schemes opened_integrators(const integrator_arguments& given) {
   for (const auto& one : given.with)
     for (auto& scheme : foreign::open_integrators(one, deadline)) out.push_back(std::move(scheme));
   return out;
+}
+
+scene opened_scene(const std::string& name_or_path) {
+  auto s = load_scene(name_or_path);
+  const auto notice = find_system(s.system)->offers(s).notice;
+  if (!notice.empty()) print_error(fmt::format("note: scene {}: {}", s.name, notice));
+  return s;
 }
 
 }  // namespace polhode::cli

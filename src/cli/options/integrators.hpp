@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options --with and --deadline: integrators from elsewhere.
+// What a command works on: its scene, and integrators from elsewhere (--with, --deadline).
 #pragma once
 
 #include <optional>
@@ -8,6 +8,7 @@
 
 #include "cli/options/parser.hpp"
 #include "foreign/foreign_scheme.hpp"
+#include "scene/scene.hpp"
 
 namespace polhode::cli {
 
@@ -21,5 +22,8 @@ void add_integrators(CLI::App&, integrator_arguments&);
 
 /// Throws input_error of one line.
 foreign::foreign_schemes opened_integrators(const integrator_arguments&);
+
+/// As load_scene; what its system has to say about it goes to standard error, one line.
+scene opened_scene(const std::string& name_or_path);
 
 }  // namespace polhode::cli

@@ -14,7 +14,7 @@
 namespace polhode::cli {
 namespace {
 
-constexpr std::size_t columns = 4, narrow = 72, number = 16, verdict = 9;
+constexpr std::size_t columns = 4, narrow_table = 72, number_width = 16, verdict_width = 9;
 using cells = std::array<std::string, columns>;
 
 std::vector<std::string> lines_of(const std::string& text, std::size_t width) {
@@ -28,7 +28,7 @@ std::vector<std::string> lines_of(const std::string& text, std::size_t width) {
 }
 
 /// Side by side, each cell broken into its own lines.
-std::string row_of(const cells& row, const std::array<std::size_t, columns>& widths) {
+std::string row_beside(const cells& row, const std::array<std::size_t, columns>& widths) {
   std::array<std::vector<std::string>, columns> lines;
   std::size_t tallest = 0;
   for (std::size_t k = 0; k < columns; ++k) {
@@ -58,10 +58,11 @@ std::string verdict_of(const report::reproduced_number& n) {
 }
 
 std::string beside(const report::reproduction& r, std::size_t width) {
-  const std::array<std::size_t, columns> widths{width - 2 * number - verdict - 6, number, number, verdict};
-  auto out = row_of({"quantity", "published", "ours", "verdict"}, widths);
+  const std::array<std::size_t, columns> widths{width - 2 * number_width - verdict_width - 6, number_width,
+                                                number_width, verdict_width};
+  auto out = row_beside({"quantity", "published", "ours", "verdict"}, widths);
   for (const auto& n : r.numbers)
-    out += row_of({n.quantity, report::shown_published(n), report::shown_ours(n), verdict_of(n)}, widths);
+    out += row_beside({n.quantity, report::shown_published(n), report::shown_ours(n), verdict_of(n)}, widths);
   return out;
 }
 
@@ -92,7 +93,7 @@ std::string to_text(std::span<const report::reproduction> all, std::size_t width
   for (const auto& r : all) {
     out += wrapped(fmt::format("{}: {}: {}", r.name, r.title, report::sentence(r)), width, 2) + '\n';
     out += wrapped("source: " + r.source, width, 2) + "\n\n";
-    out += width < narrow ? below(r, width) : beside(r, width);
+    out += width < narrow_table ? below(r, width) : beside(r, width);
     if (const auto reasons = reasons_of(r, width); !reasons.empty()) out += '\n' + reasons;
     if (&r != &all.back()) out += '\n';
   }

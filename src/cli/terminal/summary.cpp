@@ -18,12 +18,12 @@ namespace {
 
 using report::verdict_kind;
 using report::verdict_kinds;
-constexpr std::size_t narrow = 66, most_shown = 12;
+constexpr std::size_t narrow_board = 66, most_shown = 12;
 using headings = std::array<std::string_view, verdict_kinds.size()>;
 constexpr headings full{"holds", "refuted", "inconclusive", "not tried", "skipped"},
     brief{"holds", "ref", "inc", "n/t", "skip"};
 
-const headings& headings_for(std::size_t width) { return width < narrow ? brief : full; }
+const headings& headings_for(std::size_t width) { return width < narrow_board ? brief : full; }
 
 struct row {
   std::string experiment;
@@ -32,7 +32,7 @@ struct row {
 
 std::size_t index_of(verdict_kind kind) { return static_cast<std::size_t>(kind); }
 
-row& row_of(std::vector<row>& rows, const std::string& experiment) {
+row& row_of_experiment(std::vector<row>& rows, const std::string& experiment) {
   const auto found = std::ranges::find(rows, experiment, &row::experiment);
   return found != rows.end() ? *found : rows.emplace_back(row{.experiment = experiment});
 }
@@ -41,12 +41,12 @@ row& row_of(std::vector<row>& rows, const std::string& experiment) {
 std::vector<row> count(const report::results& r) {
   std::vector<row> rows;
   std::set<std::pair<std::string, std::string>> skipped;
-  for (const auto& e : r.experiments) row_of(rows, e.name);
+  for (const auto& e : r.experiments) row_of_experiment(rows, e.name);
   for (const auto& v : r.verdicts) {
     if (v.kind == verdict_kind::skipped)
       skipped.insert({v.experiment, v.scheme});
     else
-      ++row_of(rows, v.experiment).counts[index_of(v.kind)];
+      ++row_of_experiment(rows, v.experiment).counts[index_of(v.kind)];
   }
   for (const auto& s : r.skipped) {
     if (s.experiment.empty()) continue;  // a scheme that does not run here stands in no row
@@ -55,13 +55,14 @@ std::vector<row> count(const report::results& r) {
     else
       for (const auto& scheme : r.schemes) skipped.insert({s.experiment, scheme.name});
   }
-  for (const auto& [experiment, scheme] : skipped) ++row_of(rows, experiment).counts[index_of(verdict_kind::skipped)];
+  for (const auto& [experiment, scheme] : skipped)
+    ++row_of_experiment(rows, experiment).counts[index_of(verdict_kind::skipped)];
   return rows;
 }
 
 std::string table(std::span<const row> rows, std::size_t width) {
   const auto& names = headings_for(width);
-  const std::string gap(width < narrow ? 1 : 2, ' ');
+  const std::string gap(width < narrow_board ? 1 : 2, ' ');
   std::size_t first = std::string_view{"experiment"}.size();
   for (const auto& r : rows) first = std::max(first, display_width(r.experiment));
   auto out = fmt::format("{:<{}}", "experiment", first);
@@ -74,13 +75,15 @@ std::string table(std::span<const row> rows, std::size_t width) {
 }
 
 /// A number that is not finite comes back from a file as none.
-std::string number(const std::optional<double>& x) { return report::finite(x) ? fmt::format("{:.4g}", *x) : "none"; }
+std::string shown_number(const std::optional<double>& x) {
+  return report::finite(x) ? fmt::format("{:.4g}", *x) : "none";
+}
 
 std::string described(const report::verdict& v) {
   auto out = fmt::format("{}: {} {}: {}", name_of(v.kind), v.experiment, v.scheme, v.claim);
-  if (v.expected) out += fmt::format(", claimed {}", number(v.expected));
-  if (v.estimate) out += fmt::format(", found {}", number(v.estimate));
-  if (v.low && v.high) out += fmt::format(" in [{}, {}]", number(v.low), number(v.high));
+  if (v.expected) out += fmt::format(", claimed {}", shown_number(v.expected));
+  if (v.estimate) out += fmt::format(", found {}", shown_number(v.estimate));
+  if (v.low && v.high) out += fmt::format(" in [{}, {}]", shown_number(v.low), shown_number(v.high));
   return v.reason.empty() ? out : fmt::format("{} ({})", out, v.reason);
 }
 

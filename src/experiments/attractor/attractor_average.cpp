@@ -29,15 +29,15 @@
 namespace polhode {
 namespace {
 
-constexpr int degree = 2;
-constexpr double forgotten = 1e-3;  // a hundredth of the bound
-constexpr int looks = 12;           // at a path, once it is forgotten
-constexpr int between_looks = 3;    // the part of that time that lies between them
-constexpr double mean_bound = 0.1;  // as in experiment gibbs: a tenth of a standard deviation, of any function
-constexpr double tight_share = 0.4;
-constexpr double law_tolerance = 0.02;      // of the scheme's own bias
-constexpr double most_path_steps = 1.35e8;  // of one scheme at quick effort
-constexpr int least_paths = 320;
+constexpr int moment_degree = 2;
+constexpr double start_forgotten = 1e-3;  // a hundredth of the bound
+constexpr int looks = 12;                 // at a path, once it is forgotten
+constexpr int between_looks = 3;          // the part of that time that lies between them
+constexpr double mean_bound = 0.1;        // as in experiment gibbs: a tenth of a standard deviation, of any function
+constexpr double tight_mean = 0.4;
+constexpr double law_tolerance = 0.02;         // of the scheme's own bias
+constexpr double most_average_steps = 1.35e8;  // of one scheme at quick effort
+constexpr int least_noise_paths = 320;
 constexpr int bodies = sum_lanes;  // of a path
 constexpr const char* average_claim = "mean over noise paths";
 
@@ -48,9 +48,9 @@ struct own_law {
 };
 
 own_law own_law_of(const context& c, const attractor_frame& f, const scheme_entry& scheme) {
-  const Eigen::VectorXd exact = harmonic_moments::of_density(*f.law.density, degree);
+  const Eigen::VectorXd exact = harmonic_moments::of_density(*f.law.density, moment_degree);
   const transfer_question q{[](const transfer_operator& op) -> Eigen::VectorXd {
-                              return harmonic_moments::of_density(op.stationary_law().transpose(), degree);
+                              return harmonic_moments::of_density(op.stationary_law().transpose(), moment_degree);
                             },
                             {exact, Eigen::VectorXd::Ones(exact.size()), law_tolerance}};
   const auto found = refine(c.subject, scheme, f.dt, 1, q);
@@ -81,11 +81,11 @@ struct path_group {
 void run_group(const context& c, const attractor_frame& f, const time_course& course, const path_group& paths,
                std::span<const int> open, std::vector<scheme_run>& runs) {
   constexpr std::int64_t piece = 32;  // steps: their increments stay in the nearest cache
-  const Eigen::VectorXd truth = harmonic_moments::of_density(*f.law.density, degree);
+  const Eigen::VectorXd truth = harmonic_moments::of_density(*f.law.density, moment_degree);
   const auto start = uniform_states(c.seed, static_cast<std::uint64_t>(paths.first) * bodies, f.problem.radius);
   std::vector<std::vector<double>> states(open.size(), start);
   increments_side_by_side noise(paths.noise);
-  harmonic_moments means(degree);
+  harmonic_moments means(moment_degree);
   for (int look = 0; look < looks; ++look) {
     for (auto at = course.before(look); at < course.until(look); at += piece) {
       const auto view = noise.view(at, static_cast<int>(std::min(piece, course.until(look) - at)));
@@ -159,7 +159,7 @@ std::vector<scheme_run> prepared(const context& c, const attractor_frame& f, int
     const auto k = static_cast<std::size_t>(i);
     const auto& scheme = f.schemes[k];
     runs[k] = {&scheme, scheme.make(f.dt), own_law_of(c, f, scheme),
-               Eigen::MatrixXd(harmonic_count(degree) - 1, looks * paths)};
+               Eigen::MatrixXd(harmonic_count(moment_degree) - 1, looks * paths)};
   });
   return runs;
 }
@@ -167,21 +167,21 @@ std::vector<scheme_run> prepared(const context& c, const attractor_frame& f, int
 }  // namespace
 
 void report_averages(const context& c, const attractor_frame& f, noise_log& log, report::results& out) {
-  const double wait = -std::log(forgotten) / f.gap;
+  const double wait = -std::log(start_forgotten) / f.gap;
   const time_course course{f.steps_in(wait, f.dt), f.steps_in(wait / between_looks, f.dt)};
-  sampling_plan plan{least_paths, by_effort(c.effort, 5120, 20'480, 81'920)};
-  const double most = affordable(c.effort, most_path_steps);
+  sampling_plan plan{least_noise_paths, by_effort(c.effort, 5120, 20'480, 81'920)};
+  const double most = affordable(c.effort, most_average_steps);
   const auto work = [&] { return 1.0 * bodies * static_cast<double>(course.steps()) * plan.most; };
-  while (work() > most && plan.most > least_paths) plan.most /= 2;
+  while (work() > most && plan.most > least_noise_paths) plan.most /= 2;
   if (!affords(c, f.schemes,
                {"attractor", average_claim, "forgetting the start", "path-steps a scheme", work(),
-                [](effort e) { return affordable(e, most_path_steps); }},
+                [](effort e) { return affordable(e, most_average_steps); }},
                out))
     return;
   auto runs = prepared(part_of(c, 0, 0), f, plan.most);
   std::vector<grand_mean> found(runs.size());
   // One look remembers the one before by so much at most: the variance of a mean of many is (1 + r) / (1 - r) as large.
-  const double r = std::pow(forgotten, 1.0 / between_looks), correlated = std::sqrt((1 + r) / (1 - r));
+  const double r = std::pow(start_forgotten, 1.0 / between_looks), correlated = std::sqrt((1 + r) / (1 - r));
   const auto part = log.open({"averages"}, blocks_of(plan.most));
   const auto hear = [&](int path, const increment_view& v) { log.add_path(path, v, f.dt, part); };
   const auto sizes = sample_until_tight(
@@ -191,7 +191,7 @@ void report_averages(const context& c, const attractor_frame& f, noise_log& log,
         const auto k = static_cast<std::size_t>(scheme);
         found[k] = mean_of(runs[k].means.leftCols(looks * paths), c.seed);
         found[k].error *= correlated;
-        return found[k].error <= tight_share * mean_bound;
+        return found[k].error <= tight_mean * mean_bound;
       });
   for (std::size_t k = 0; k < runs.size(); ++k) {
     recorder record("attractor", runs[k].scheme->info.name, out);

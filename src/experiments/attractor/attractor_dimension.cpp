@@ -19,9 +19,9 @@
 namespace polhode {
 namespace {
 
-constexpr int coarsest = 16;             // boxes along a hemisphere: larger ones see the sphere and its rim
-constexpr double longer = 3;             // than the mean time to fall below a box: rates fluctuate along a path
-constexpr double most_path_steps = 3e8;  // at quick effort
+constexpr int coarsest = 16;                  // boxes along a hemisphere: larger ones see the sphere and its rim
+constexpr double longer = 3;                  // than the mean time to fall below a box: rates fluctuate along a path
+constexpr double most_dimension_steps = 3e8;  // at quick effort
 constexpr std::array names{"box-counting", "information", "correlation"};
 
 struct dimension_plan {
@@ -95,11 +95,11 @@ void report_dimensions(const context& c, const attractor_frame& f, noise_log& lo
   const dimension_plan plan{f.dt, f.steps_in(time, f.dt), by_effort(c.effort, 20'480, 40'960, 40'960),
                             by_effort(c.effort, 5, 32, 64)};
   const double path_steps = static_cast<double>(plan.steps * plan.bodies) * plan.paths;
-  if (path_steps > affordable(c.effort, most_path_steps)) {
+  if (path_steps > affordable(c.effort, most_dimension_steps)) {
     out.skipped.push_back({"attractor", "",
                            fmt::format("dimensions: contracting below a box takes {:.1e} path-steps, and {:.1e} are "
                                        "affordable at this effort",
-                                       path_steps, affordable(c.effort, most_path_steps))});
+                                       path_steps, affordable(c.effort, most_dimension_steps))});
     return;
   }
   const double exact = f.exponents.dimension;

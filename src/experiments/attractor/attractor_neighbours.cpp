@@ -22,12 +22,12 @@
 namespace polhode {
 namespace {
 
-constexpr double close = 1e-6;        // of the radius: small against the sphere, large against rounding
-constexpr double folds = 3;           // where they meet, the distance falls by exp(3) on the way
-constexpr double contractions = 10;   // where they part, areas fall by about exp(10)
-constexpr double forgotten = 1e-3;    // of the start, before the clock runs
+constexpr double close = 1e-6;                 // of the radius: small against the sphere, large against rounding
+constexpr double folds = 3;                    // where they meet, the distance falls by exp(3) on the way
+constexpr double contractions = 10;            // where they part, areas fall by about exp(10)
+constexpr double directions_forgotten = 1e-3;  // of the start, before the clock runs
 constexpr double rate_margin = 0.05;  // of |lambda_2|: at so coarse a step a scheme of order one is off by that
-constexpr double tight_share = 0.5;
+constexpr double tight_exponent = 0.5;
 constexpr double most_steps = 10'000;
 
 /// What is asked, and where it is written.
@@ -50,7 +50,7 @@ clock clock_of(const attractor_frame& f) {
   clock t{f.dt / 4, 0, 0, 0};
   t.piece = f.steps_in(-1 / f.lambda2(), t.dt);
   const double piece = static_cast<double>(t.piece) * t.dt;
-  t.before = f.steps_in(-std::log(forgotten) / f.gap, piece);
+  t.before = f.steps_in(-std::log(directions_forgotten) / f.gap, piece);
   const double lambda1 = *f.exponents.lambda1;
   t.measured = f.steps_in(lambda1 < 0 ? -folds / lambda1 : -contractions / f.lambda2(), piece);
   return t;
@@ -142,7 +142,7 @@ class neighbours_block {
   std::uint64_t first_path_;
 };
 
-report::verdict judge_rate(const clock& t, const interval_estimate& found, double exact, double margin) {
+report::verdict judge_exponent(const clock& t, const interval_estimate& found, double exact, double margin) {
   if (!std::isfinite(found.value)) return {.expected = exact, .reason = "bodies were lost: not finite"};
   report::verdict v{.expected = exact, .estimate = found.value, .low = found.low, .high = found.high};
   v.kind = judge(exact, found.low, found.high, margin);
@@ -191,13 +191,13 @@ void report_neighbours(const context& c, const attractor_frame& f, noise_log& lo
   const auto sizes =
       sample_until_tight(c, plan, static_cast<int>(f.schemes.size()), run_block, [&](int scheme, int paths) {
         const auto found = mean_interval(so_far(static_cast<std::size_t>(scheme), paths));
-        return half_width(found) <= tight_share * margin;
+        return half_width(found) <= tight_exponent * margin;
       });
   for (std::size_t k = 0; k < f.schemes.size(); ++k) {
     recorder record("attractor", f.schemes[k].info.name, out);
     const auto found = mean_interval(so_far(k, sizes[k].used));
     const auto written = record.value({words.quantity, "", "per time", "sampled"}, found);
-    record.verdict(words.claim, judge_rate(t, found, exact, margin), {written});
+    record.verdict(words.claim, judge_exponent(t, found, exact, margin), {written});
     record.remark(sizes[k].text());
   }
 }

@@ -17,9 +17,9 @@
 namespace polhode {
 namespace {
 
-constexpr double apart = 1e-6;         // of |mu|: neighbours
-constexpr double tight_share = 0.4;    // of the margin: the half-width at which sampling stops
-constexpr double drift_bound = 1e-12;  // of a Casimir, as in the experiment casimir after a million steps
+constexpr double apart = 1e-6;            // of |mu|: neighbours
+constexpr double tight_neighbours = 0.4;  // of the margin: the half-width at which sampling stops
+constexpr double drift_bound = 1e-12;     // of a Casimir, as in the experiment casimir after a million steps
 constexpr const char* neighbours_claim = "neighbours meet or part at the rate lambda_1";
 constexpr const char* orbit_claim = "bodies stay on the orbit";
 
@@ -86,7 +86,7 @@ void report_schemes(const context& c, const orbit_frame& f, const std::vector<sc
   const double distance = apart * length(c.subject.scene.momentum);
   scheme_paths paths(c, f, schemes, equation, 1,
                      [&](const scheme_entry& e) { return neighbour_flow(e.make(f.dt), distance); });
-  paths.sample(tight_share * f.margin);
+  paths.sample(tight_neighbours * f.margin);
   report_neighbours(f, schemes, equation, paths, out);
   report_orbits_kept(c, f, schemes, paths, out);
 }

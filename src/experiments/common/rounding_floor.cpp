@@ -19,8 +19,9 @@ namespace polhode {
 namespace {
 
 constexpr int steps = 16, values = noise_difference + 1;
-constexpr double spacing = 0x1p-10;     // in phase, over all steps: its sixth power is below rounding
-constexpr double difference = 0x1p-17;  // of a component, over |mu|: rounding and the third derivative weigh the same
+constexpr double spacing = 0x1p-10;  // in phase, over all steps: its sixth power is below rounding
+constexpr double component_shift =
+    0x1p-17;  // of a component, over |mu|: rounding and the third derivative weigh the same
 
 std::vector<double> energies_of(const model& m, std::span<const double> states) {
   std::vector<double> one(states.size() / block_lanes), energies(block_lanes);
@@ -38,13 +39,13 @@ double energy_condition(const model& m, std::span<const double> states) {
   for (std::size_t row = 0; row < states.size(); row += block_lanes) {
     const auto energies_at = [&](double sign) {
       for (std::size_t lane = 0; lane < block_lanes; ++lane)
-        moved[row + lane] = states[row + lane] + sign * difference * std::sqrt(squares[lane]);
+        moved[row + lane] = states[row + lane] + sign * component_shift * std::sqrt(squares[lane]);
       return energies_of(m, moved);
     };
     const auto above = energies_at(1), below = energies_at(-1);
     std::ranges::copy(states.subspan(row, block_lanes), moved.begin() + static_cast<std::ptrdiff_t>(row));
     for (std::size_t lane = 0; lane < block_lanes; ++lane)
-      slopes[lane] += std::pow((above[lane] - below[lane]) / (2 * difference), 2);
+      slopes[lane] += std::pow((above[lane] - below[lane]) / (2 * component_shift), 2);
   }
   const double sum = std::accumulate(slopes.begin(), slopes.end(), 0.0);
   return std::sqrt(sum / static_cast<double>(states.size()));

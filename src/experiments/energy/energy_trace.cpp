@@ -15,9 +15,9 @@ namespace {
 constexpr int directions = 8;  // degree of their quadrature
 constexpr std::array channel_nodes{5, 7, 9, 11};
 constexpr int area_nodes = 2, more_area_nodes = 3;
-constexpr double tolerance = 1e-4;  // of the largest error, where nodes are refined
-constexpr double rounding = 1e-15;  // of the greatest energy, of the mean over a step
-constexpr double still = 1e-12;     // of noise times energy: a drift that is none
+constexpr double tolerance = 1e-4;       // of the largest error, where nodes are refined
+constexpr double mean_rounding = 1e-15;  // of the greatest energy, of the mean over a step
+constexpr double still = 1e-12;          // of noise times energy: a drift that is none
 
 /// What is the same for all schemes: the start in row 0, then directions all over the sphere.
 struct trace_frame {
@@ -62,7 +62,7 @@ transfer_answer answer(const trace_frame& frame, const subject& s, const scheme_
   const auto drift = [&](const noise_rule& rule) -> Eigen::VectorXd {
     return (mean_after_step(s, scheme, dt, rule, frame.points, frame.energy) - exact.value) / dt;
   };
-  const double floor = (exact.uncertainty + rounding * frame.greatest_energy()) / dt;
+  const double floor = (exact.uncertainty + mean_rounding * frame.greatest_energy()) / dt;
   noise_rule rule{channel_nodes[0], area_nodes};
   Eigen::VectorXd found = drift(rule);
   double change = HUGE_VAL;

@@ -14,7 +14,7 @@ namespace polhode {
 namespace {
 
 constexpr double uniform_deviation = 0.298;  // of Pi_k^2 / c^2 on the uniform sphere: sqrt(4/45)
-constexpr double tight_share = 1.0 / 3;      // of a margin: the half-width at which sampling stops
+constexpr double tight_moments = 1.0 / 3;    // of a margin: the half-width at which sampling stops
 
 }  // namespace
 
@@ -64,8 +64,8 @@ gibbs_finding find(const gibbs_law& law, const std::vector<gibbs_moment>& moment
 // The Kolmogorov-Smirnov interval reaches as far above its distance whatever that is.
 bool tight(const std::vector<gibbs_moment>& moments, const gibbs_finding& f) {
   for (std::size_t i = 0; i < moments.size(); ++i)
-    if (half_width(f.means[i]) > tight_share * moments[i].margin) return false;
-  return f.ks.high - f.ks.value <= tight_share * ks_bound;
+    if (half_width(f.means[i]) > tight_moments * moments[i].margin) return false;
+  return f.ks.high - f.ks.value <= tight_moments * ks_bound;
 }
 
 void report_finding(const std::vector<gibbs_moment>& moments, double dt, const gibbs_finding& f, recorder& record) {

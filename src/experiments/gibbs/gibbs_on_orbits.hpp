@@ -16,7 +16,7 @@ namespace polhode {
 inline constexpr std::size_t averaged_components = 6;  ///< of a long state the first
 
 /// Means of the energy, the components and their squares of the schemes that keep the orbit, and the whole law of what
-/// the system knows it of (marginal_laws.hpp). Skipped where the system knows no law, open where forgetting the start
+/// the system knows it of. Skipped where the system knows no law, open where forgetting the start
 /// takes too many steps.
 void report_sampled_means(const context&, report::results&);
 

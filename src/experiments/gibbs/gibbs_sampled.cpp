@@ -20,7 +20,7 @@
 namespace polhode {
 namespace {
 
-constexpr double most_steps = 10'000;  // of a path, before sampling is too dear to be offered
+constexpr double most_path_steps = 10'000;  // of a path, before sampling is too dear to be offered
 
 /// The least eigenvalue of sum sigma_i sigma_i^T: sigma^2 where the noise is isotropic, else its weakest direction.
 double noise_strength(const subject& s) {
@@ -36,19 +36,19 @@ double burn_in(const subject& s) {
 
 double step_size(const subject& s) { return 0.04 / fastest_rate(s); }
 
-struct design {
+struct sphere_design {
   double dt, burn, spacing;
 };
 
-design plan(const context& c) {
+sphere_design plan(const context& c) {
   const auto& s = c.subject;
   return {step_size(s), burn_in(s), 1 / noise_strength(s)};
 }
 
 /// Runs one block of paths of the open schemes through the same noise.
-void run_block(const context& c, const design& d, std::span<const scheme_entry> schemes,
-               std::span<const std::unique_ptr<kernel>> kernels, std::span<const int> open, int block,
-               std::vector<path_means>& out, noise_log& log) {
+void run_spheres(const context& c, const sphere_design& d, std::span<const scheme_entry> schemes,
+                 std::span<const std::unique_ptr<kernel>> kernels, std::span<const int> open, int block,
+                 std::vector<path_means>& out, noise_log& log) {
   constexpr int chunk = 200;
   const auto& s = c.subject;
   const std::vector<std::size_t> indices(open.begin(), open.end());
@@ -74,7 +74,7 @@ void run_block(const context& c, const design& d, std::span<const scheme_entry> 
   }
 }
 
-void report_samples(const context& c, const std::vector<scheme_entry>& schemes, report::results& out) {
+void report_spheres(const context& c, const std::vector<scheme_entry>& schemes, report::results& out) {
   const auto& s = c.subject;
   const double radius = length(s.scene.momentum);
   const gibbs_law law = s.offers->gibbs ? s.offers->gibbs() : gibbs_law::by_quadrature(*s.sphere());
@@ -89,7 +89,7 @@ void report_samples(const context& c, const std::vector<scheme_entry>& schemes, 
   std::vector<gibbs_finding> found(kernels.size());
   const auto sizes = sample_until_tight(
       c, paths, static_cast<int>(kernels.size()),
-      [&](int block, std::span<const int> open) { run_block(c, d, schemes, kernels, open, block, samples, log); },
+      [&](int block, std::span<const int> open) { run_spheres(c, d, schemes, kernels, open, block, samples, log); },
       [&](int scheme, int so_far) {
         const auto k = static_cast<std::size_t>(scheme);
         found[k] = find(law, moments, samples[k], so_far);
@@ -126,8 +126,8 @@ void report_sampled_law(const context& c, report::results& out) {
                        "the wells of h are deep: forgetting the start",
                        "steps a path",
                        burn_in(c.subject) / step_size(c.subject),
-                       [](effort) { return most_steps; }};
-  if (affords(c, schemes, law, out)) report_samples(c, schemes, out);
+                       [](effort) { return most_path_steps; }};
+  if (affords(c, schemes, law, out)) report_spheres(c, schemes, out);
 }
 
 }  // namespace polhode

@@ -10,18 +10,18 @@
 namespace polhode {
 namespace {
 
-constexpr double forgetting = 3, averaging = 20, apart = 0.5;  // autocorrelation times
+constexpr double run_forgetting = 3, run_averaging = 20, apart = 0.5;  // autocorrelation times
 constexpr double forgetting_of_the_pool = 10;
-constexpr double most_steps = 4e5;  // of the pilot run
-constexpr int pool = 16;            // blocks
-constexpr int chunk = 200;
+constexpr double most_pilot_steps = 4e5;  // of the pilot run
+constexpr int pool = 16;                  // blocks
+constexpr int run_chunk = 200;
 constexpr std::uint64_t pilot_paths = std::uint64_t{1} << 40, pool_paths = std::uint64_t{1} << 41;
 
 /// Advances a block; step: of its noise.
 void advance(const kernel& stepper, increment_buffer& noise, std::uint64_t seed, std::uint64_t first_path,
              std::int64_t steps, std::uint64_t& step, std::vector<double>& states) {
-  for (std::int64_t left = steps; left > 0; left -= chunk) {
-    const int n = static_cast<int>(std::min<std::int64_t>(left, chunk));
+  for (std::int64_t left = steps; left > 0; left -= run_chunk) {
+    const int n = static_cast<int>(std::min<std::int64_t>(left, run_chunk));
     stepper.advance(states, noise.fill(seed, first_path, step, n, stepper.dt()));
     step += static_cast<std::uint64_t>(n);
   }
@@ -41,7 +41,7 @@ long_runs::long_runs(const context& c, const std::vector<observable>& all) : con
     return;
   }
   const double dt = 0.04 / fastest_rate(c.subject);
-  const auto found = relaxation_of(c, all, dt, most_steps, pilot_paths);
+  const auto found = relaxation_of(c, all, dt, most_pilot_steps, pilot_paths);
   if (!found.reason.empty()) {
     reason_ = "the start is not forgotten: " + found.reason;
     return;
@@ -63,16 +63,16 @@ long_runs::long_runs(const context& c, const std::vector<observable>& all) : con
 
 double long_runs::size(std::size_t f) const { return std::hypot(exact_[f], deviation_[f]); }
 
-double long_runs::worth_of_a_path() { return averaging / 2; }
+double long_runs::worth_of_a_path() { return run_averaging / 2; }
 
-double long_runs::steps_of_a_path(double dt) const { return std::ceil((forgetting + averaging) * time_ / dt); }
+double long_runs::steps_of_a_path(double dt) const { return std::ceil((run_forgetting + run_averaging) * time_ / dt); }
 
 void long_runs::fill_pool(double dt) {
   pool_.resize(pool);
   const auto equation = context_.subject.model->reference(dt);
   parallel_for(context_.threads, pool, [&](int b) {
     const auto first_path = pool_paths + static_cast<std::uint64_t>(b * block_lanes);
-    increment_buffer noise(*context_.subject.model, chunk, false, {context_.generator, noise_quality::fast});
+    increment_buffer noise(*context_.subject.model, run_chunk, false, {context_.generator, noise_quality::fast});
     auto [states, step] = spread_start(context_, dt, first_path);
     advance(*equation, noise, context_.seed, first_path,
             static_cast<std::int64_t>(std::ceil(forgetting_of_the_pool * time_ / dt)), step, states);
@@ -92,12 +92,12 @@ void long_runs::run_block(const kernel& stepper, bool areas, std::uint64_t seed,
   const auto steps = [&](double times) {
     return std::max<std::int64_t>(1, std::llround(times * time_ / stepper.dt()));
   };
-  const std::int64_t spacing = steps(apart), looks = std::max<std::int64_t>(1, steps(averaging) / spacing);
-  increment_buffer noise(*context_.subject.model, chunk, areas, {context_.generator, noise_quality::fast});
+  const std::int64_t spacing = steps(apart), looks = std::max<std::int64_t>(1, steps(run_averaging) / spacing);
+  increment_buffer noise(*context_.subject.model, run_chunk, areas, {context_.generator, noise_quality::fast});
   auto states = pool_[static_cast<std::size_t>(block % pool)];
   std::uint64_t step = 0;
   for (std::int64_t look = 0; look <= looks; ++look) {
-    advance(stepper, noise, seed, static_cast<std::uint64_t>(first), look == 0 ? steps(forgetting) : spacing, step,
+    advance(stepper, noise, seed, static_cast<std::uint64_t>(first), look == 0 ? steps(run_forgetting) : spacing, step,
             states);
     for (int lane = 0; lane < block_lanes && look > 0; ++lane) {
       const auto mu = lane_of(states, lane, dimension);

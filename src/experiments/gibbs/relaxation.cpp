@@ -14,11 +14,11 @@
 namespace polhode {
 namespace {
 
-constexpr int chunk = 200, blocks = 2, looks = 64;  // looks: in each half of a segment
-constexpr double spread_times = 3;                  // relaxation times of the first degree, 1 / sigma^2
-constexpr double first_segment = 16;                // fastest time scales
-constexpr double long_enough = 20;                  // autocorrelation times
-constexpr double unlikely = 4;                      // standard errors
+constexpr int relaxation_chunk = 200, blocks = 2, looks_in_half = 64;  // looks: in each half of a segment
+constexpr double spread_times = 3;    // relaxation times of the first degree, 1 / sigma^2
+constexpr double first_segment = 16;  // fastest time scales
+constexpr double long_enough = 20;    // autocorrelation times
+constexpr double unlikely = 4;        // standard errors
 
 struct moments {
   double mean = 0, error = 0, variance = 0;
@@ -77,7 +77,8 @@ class pilot {
         first_path_(first_path),
         equation_(c.subject.model->reference(dt)) {
     for (int b = 0; b < blocks; ++b)
-      blocks_.push_back({increment_buffer(*c.subject.model, chunk, false, {c.generator, noise_quality::fast}), {}});
+      blocks_.push_back(
+          {increment_buffer(*c.subject.model, relaxation_chunk, false, {c.generator, noise_quality::fast}), {}});
     parallel_for(c.threads, blocks,
                  [&](int b) { blocks_[static_cast<std::size_t>(b)].at = spread_start(c, dt, path(b)); });
   }
@@ -89,9 +90,9 @@ class pilot {
   std::vector<segment> watch(std::int64_t steps) {
     std::vector<segment> out(observables_.size(), segment(static_cast<std::size_t>(blocks) * block_lanes));
     parallel_for(context_.threads, blocks, [&](int b) {
-      for (int i = 0; i < 2 * looks; ++i) {
+      for (int i = 0; i < 2 * looks_in_half; ++i) {
         advance(b, steps);
-        look(b, i < looks, out);
+        look(b, i < looks_in_half, out);
       }
     });
     return out;
@@ -101,8 +102,8 @@ class pilot {
   std::uint64_t path(int b) const { return first_path_ + static_cast<std::uint64_t>(b * block_lanes); }
   void advance(int b, std::int64_t steps) {
     auto& [noise, at] = blocks_[static_cast<std::size_t>(b)];
-    for (std::int64_t left = steps; left > 0; left -= chunk) {
-      const int n = static_cast<int>(std::min<std::int64_t>(left, chunk));
+    for (std::int64_t left = steps; left > 0; left -= relaxation_chunk) {
+      const int n = static_cast<int>(std::min<std::int64_t>(left, relaxation_chunk));
       equation_->advance(at.states, noise.fill(context_.seed, path(b), at.steps, n, dt_));
       at.steps += static_cast<std::uint64_t>(n);
     }
@@ -114,8 +115,8 @@ class pilot {
       const auto p = static_cast<std::size_t>(b * block_lanes + lane);
       for (std::size_t f = 0; f < out.size(); ++f) {
         const double value = observables_[f].value(mu);
-        (first_half ? out[f].first : out[f].second)[p] += value / looks;
-        out[f].square[p] += value * value / (2 * looks);
+        (first_half ? out[f].first : out[f].second)[p] += value / looks_in_half;
+        out[f].square[p] += value * value / (2 * looks_in_half);
       }
     }
   }
@@ -134,12 +135,12 @@ paths_so_far spread_start(const context& c, double dt, std::uint64_t first_path,
   const auto& s = c.subject;
   const auto free = s.without_dissipation();
   const auto equation = free.model->reference(dt);
-  increment_buffer noise(*s.model, chunk, false, {c.generator, noise_quality::fast});
+  increment_buffer noise(*s.model, relaxation_chunk, false, {c.generator, noise_quality::fast});
   const double strength = isotropic_strength(s.scene);
   paths_so_far out{replicated(s.scene.momentum)};
   const auto steps = static_cast<std::uint64_t>(std::ceil(spread_times / (strength * strength * dt)));
   while (out.steps < steps) {
-    const int n = static_cast<int>(std::min<std::uint64_t>(steps - out.steps, chunk));
+    const int n = static_cast<int>(std::min<std::uint64_t>(steps - out.steps, relaxation_chunk));
     const auto view = noise.fill(c.seed, first_path, out.steps, n, dt);
     if (log != nullptr) log->add(block, view, dt);
     equation->advance(out.states, view);
@@ -152,12 +153,12 @@ paths_so_far spread_start(const context& c, double dt, std::uint64_t first_path,
 relaxation relaxation_of(const context& c, const std::vector<observable>& observables, double dt, double most_steps,
                          std::uint64_t first_path) {
   pilot paths(c, observables, dt, first_path);
-  const auto first = std::max(1.0, std::ceil(first_segment / (fastest_rate(c.subject) * dt * 2 * looks)));
+  const auto first = std::max(1.0, std::ceil(first_segment / (fastest_rate(c.subject) * dt * 2 * looks_in_half)));
   auto look = static_cast<std::int64_t>(first);
-  paths.advance(2 * looks * look);
+  paths.advance(2 * looks_in_half * look);
   for (;; look *= 2) {
     const auto found = paths.watch(look);
-    const double length = static_cast<double>(2 * looks * look), time = length * dt;
+    const double length = static_cast<double>(2 * looks_in_half * look), time = length * dt;
     relaxation out;
     for (const auto& f : found) {
       out.deviation.push_back(std::sqrt(f.variance()));

@@ -8,7 +8,6 @@
 namespace polhode {
 namespace {
 
-constexpr double tolerance = 5e-4;             // of an error
 constexpr double sensitivity_accuracy = 1e-8;  // of the density, in L2
 
 /// The distance in L2 of two laws in harmonics; beyond its degree a law has none.
@@ -30,8 +29,8 @@ Eigen::VectorXd with_one_more(const Eigen::VectorXd& v, double last) {
 }
 
 /// With what moves the means: difference quotients, no better than their share need be.
-std::vector<error_column> columns_of(const subject& s, const law_observables& all, const Eigen::VectorXd& mean,
-                                     double density) {
+std::vector<error_column> density_columns(const subject& s, const law_observables& all, const Eigen::VectorXd& mean,
+                                          double density) {
   const auto p = *s.sphere();
   const auto moved = [&](const sphere_problem& other) -> Eigen::VectorXd {
     const auto law = law_of(other, s.model->noise() == noise_class::isotropic, sensitivity_accuracy);
@@ -54,13 +53,13 @@ bias_reference bias_by_density(const subject& s, const stationary_law& law) {
   const auto& density = *law.density;
   const Eigen::VectorXd mean = means_under(all, s.sphere()->radius, density);
   const Eigen::VectorXd scale = with_one_more(all.size, density.norm());
-  return {columns_of(s, all, mean, density.norm()),
+  return {density_columns(s, all, mean, density.norm()),
           {[density, all](const transfer_operator& op) {
              const Eigen::RowVectorXd own = op.stationary_law();
              return with_one_more((own * coefficients_on(op.basis, all)).transpose(),
                                   distance(own.transpose(), density));
            },
-           {with_one_more(mean, 0), scale, tolerance}},
+           {with_one_more(mean, 0), scale, bias_tolerance}},
           law.uncertainty / density.norm() * scale};
 }
 

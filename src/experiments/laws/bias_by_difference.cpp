@@ -12,7 +12,6 @@
 namespace polhode {
 namespace {
 
-constexpr double tolerance = 5e-4;      // of an error
 constexpr double usable_mean = 1e-5;    // of an observable's size
 constexpr int sensitivity_degree = 40;  // at which the effects of noise and dissipation are told
 
@@ -62,7 +61,7 @@ std::string unknown_mean(const sphere_problem& p, const stationary_law& law) {
   return found.reason.empty() ? "the mean of h is not known well enough" : found.reason;
 }
 
-std::vector<error_column> columns_of(const sphere_problem& p, const law_observables& all) {
+std::vector<error_column> difference_columns(const sphere_problem& p, const law_observables& all) {
   const Eigen::MatrixXd functions = coefficients_of(all, p.radius, sensitivity_degree);
   const auto means = [&](const sphere_problem& of) -> Eigen::RowVectorXd {
     const auto law = project_generator(backward_operator(of, sensitivity_degree), functions).law;
@@ -86,11 +85,11 @@ std::optional<bias_reference> bias_by_difference(const subject& s, const station
   if (!reason.empty()) return std::nullopt;
   const auto n = all.count();
   bias_reference out;
-  out.columns = columns_of(p, all);
+  out.columns = difference_columns(p, all);
   out.question.ask = [equation = std::make_shared<projected_equation>(p, all)](const transfer_operator& op) {
     return differences(op, equation->of(op.basis.degree()));
   };
-  out.question.target = {Eigen::VectorXd::Zero(2 * n), all.size.replicate(2, 1), tolerance, n};
+  out.question.target = {Eigen::VectorXd::Zero(2 * n), all.size.replicate(2, 1), bias_tolerance, n};
   out.uncertainty = Eigen::VectorXd::Zero(n);
   return out;
 }

@@ -11,6 +11,8 @@
 
 namespace polhode {
 
+inline constexpr double bias_tolerance = 5e-4;  ///< to which an error is to be known
+
 /// What is asked of a stationary law on the sphere: every observable that `select` judges, but the Casimir, which no
 /// law there changes, and the square of h.
 law_observables bias_observables(const subject&);

@@ -22,14 +22,14 @@
 namespace polhode {
 namespace {
 
-constexpr double fineness = 128;        // steps per fastest time scale where exponents are compared
-constexpr double margin_share = 1e-3;   // of the fastest rate: how far an exponent may lie
-constexpr double tight_value = 0.35;    // of the margin: the half-width at which sampling stops
-constexpr double known_share = 0.1;     // of the margin: how uncertain an exact value may be
-constexpr double relaxations = 8;       // until the start is forgotten, to e^-8
-constexpr double observed = 5;          // times as long as that
-constexpr double observed_briefly = 1;  // where the exponents are known without sampling
-constexpr double no_matter = 1e-3;      // of the margin: rounding
+constexpr double compared_fineness = 128;  // steps per fastest time scale where exponents are compared
+constexpr double compared_margin = 1e-3;   // of the fastest rate: how far an exponent may lie
+constexpr double tight_value = 0.35;       // of the margin: the half-width at which sampling stops
+constexpr double known_share = 0.1;        // of the margin: how uncertain an exact value may be
+constexpr double relaxations = 8;          // until the start is forgotten, to e^-8
+constexpr double observed = 5;             // times as long as that
+constexpr double observed_briefly = 1;     // where the exponents are known without sampling
+constexpr double no_matter = 1e-3;         // of the margin: rounding
 constexpr const char* length_claim = "finds lambda_1";
 
 struct exponent {
@@ -87,7 +87,7 @@ std::optional<double> time_to_forget(const context& c, std::span<const scheme_en
   const bool affordable =
       affords(c, schemes,
               {"lyapunov", length_claim, "forgetting the start", "steps a path",
-               (1 + observed) * time * fineness * rate, [](effort e) { return by_effort(e, 1e5, 2e5, 2e6); }},
+               (1 + observed) * time * compared_fineness * rate, [](effort e) { return by_effort(e, 1e5, 2e5, 2e6); }},
               out);
   return affordable ? std::optional(time) : std::nullopt;
 }
@@ -124,12 +124,12 @@ void report_scheme(const sampled_growth& sampled, std::size_t k, double dt, cons
 
 }  // namespace
 
-double compared_step(const subject& s) { return 1 / (fineness * fastest_rate(s)); }
+double compared_step(const subject& s) { return 1 / (compared_fineness * fastest_rate(s)); }
 
 void report_sampled_exponents(const context& c, const std::vector<scheme_entry>& schemes,
                               const lyapunov_exponents& exact, report::results& out,
                               const std::function<known_growths()>& ask) {
-  const double margin = margin_share * fastest_rate(c.subject);
+  const double margin = compared_margin * fastest_rate(c.subject);
   const auto forgotten = time_to_forget(c, schemes, fastest_rate(c.subject), out);
   if (!forgotten) return;
   const bool known = exact.lambda1 && std::max(exact.uncertainty, exact.sum_uncertainty) <= known_share * margin;

@@ -1,19 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/lyapunov/orbit_growth.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
-
 #include <polhode/noise/normal.hpp>
+#include <utility>
+#include <vector>
 
 namespace polhode {
 namespace {
+
+class derivative final : public tangent_flow {
+ public:
+  explicit derivative(std::unique_ptr<tangent_kernel> k) : kernel_(std::move(k)) {}
+  double dt() const override { return kernel_->dt(); }
+  void advance(std::span<double> states, std::span<double> tangents, const increment_view& view) const override {
+    const std::vector<double> start(states.begin(), states.end());
+    const auto pair = tangent_vectors * states.size();
+    for (std::size_t first = 0; first < tangents.size(); first += pair) {
+      std::ranges::copy(start, states.begin());
+      kernel_->advance(states, tangents.subspan(first, pair), view);
+    }
+  }
+
+ private:
+  std::unique_ptr<tangent_kernel> kernel_;
+};
+
+class neighbours final : public tangent_flow {
+ public:
+  neighbours(std::unique_ptr<kernel> k, double distance) : kernel_(std::move(k)), distance_(distance) {}
+  double dt() const override { return kernel_->dt(); }
+  void advance(std::span<double> states, std::span<double> tangents, const increment_view& view) const override {
+    const auto size = states.size();
+    std::vector<double> moved(tangents.size());
+    for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = states[i % size] + distance_ * tangents[i];
+    kernel_->advance(states, view);
+    for (std::size_t first = 0; first < moved.size(); first += size)
+      kernel_->advance(std::span(moved).subspan(first, size), view);
+    for (std::size_t i = 0; i < moved.size(); ++i) tangents[i] = (moved[i] - states[i % size]) / distance_;
+  }
+
+ private:
+  std::unique_ptr<kernel> kernel_;
+  double distance_;
+};
 
 constexpr auto lanes = static_cast<Eigen::Index>(block_lanes);
 constexpr std::uint64_t first_draw = 1024;  // behind those of starts
 
 /// One lane of a vector [component][lane].
-using lane_vector = Eigen::Map<Eigen::VectorXd, 0, Eigen::InnerStride<block_lanes>>;
+using lane_of_vector = Eigen::Map<Eigen::VectorXd, 0, Eigen::InnerStride<block_lanes>>;
 /// All lanes of it: [lane][component].
 using all_lanes = Eigen::Map<Eigen::Array<double, block_lanes, Eigen::Dynamic>>;
 
@@ -22,6 +59,14 @@ all_lanes lanes_of(std::vector<double>& vectors, int which, std::size_t size) {
 }
 
 }  // namespace
+
+std::unique_ptr<tangent_flow> derivative_flow(std::unique_ptr<tangent_kernel> k) {
+  return std::make_unique<derivative>(std::move(k));
+}
+
+std::unique_ptr<tangent_flow> neighbour_flow(std::unique_ptr<kernel> k, double distance) {
+  return std::make_unique<neighbours>(std::move(k), distance);
+}
 
 orbit_block::orbit_block(const orbit_geometry& g, const orbit_start& start, std::uint64_t seed,
                          std::uint64_t first_path, int vectors, bool volume)
@@ -81,7 +126,7 @@ void orbit_block::project() {
   for (int lane = 0; lane < block_lanes; ++lane) {
     const Eigen::MatrixXd basis = geometry_.tangents(state(lane));
     for (int k = 0; k < vectors_; ++k) {
-      lane_vector v(tangents_.data() + static_cast<std::size_t>(k) * states_.size() + lane, basis.rows());
+      lane_of_vector v(tangents_.data() + static_cast<std::size_t>(k) * states_.size() + lane, basis.rows());
       v = (basis * (basis.transpose() * v)).eval();
     }
   }

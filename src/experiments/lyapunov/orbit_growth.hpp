@@ -4,13 +4,32 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "ensemble/orbit_start.hpp"
+#include "ensemble/tangent_kernel.hpp"
 #include "experiments/lyapunov/orbit_geometry.hpp"
-#include "experiments/lyapunov/tangent_flow.hpp"
 
 namespace polhode {
+
+// States with any number of tangents through the steps of a noise: by the derivative of a scheme's own step, or by
+// differences of neighbours, for a kernel that has no derivative. The two know nothing of each other.
+
+class tangent_flow {
+ public:
+  virtual ~tangent_flow() = default;
+  virtual double dt() const = 0;
+  /// States [component][lane], tangents [vector][component][lane], of about length one: through all steps of the view.
+  virtual void advance(std::span<double> states, std::span<double> tangents, const increment_view&) const = 0;
+};
+
+/// Two tangents at a time, each pair with the states anew. An even number of tangents.
+std::unique_ptr<tangent_flow> derivative_flow(std::unique_ptr<tangent_kernel>);
+
+/// Neighbours at `distance` times the tangents (Benettin, Galgani, Giorgilli, Strelcyn, Meccanica 15 (1980) 9).
+std::unique_ptr<tangent_flow> neighbour_flow(std::unique_ptr<kernel>, double distance);
 
 /// Of a block of paths over a time, per unit of it. `rates`, [lane][k]: the logarithmic growth of the k-th vector of an
 /// orthonormal basis that the flow carries on (Benettin et al. 1980), which tends to lambda_k. `volume`: that of

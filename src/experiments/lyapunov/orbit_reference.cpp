@@ -16,7 +16,7 @@
 namespace polhode {
 namespace {
 
-constexpr double margin_share = 0.32;        // of the fastest rate times that and dt
+constexpr double orbit_margin = 0.32;        // of the fastest rate times that and dt
 constexpr double apart = 1e-6;               // of |mu|: neighbours
 constexpr double first_time = 64;            // fastest time scales
 constexpr std::array fineness{32, 64, 128};  // steps per fastest time scale
@@ -102,7 +102,7 @@ orbit_frame::orbit_frame(const context& c)
     : geometry(*c.subject.model, c.subject.scene.momentum),
       start(*c.subject.model, c.subject.scene.momentum),
       dt(1 / (by_effort(c.effort, fineness[0], fineness[1], fineness[2]) * fastest_rate(c.subject))),
-      margin(margin_share * std::pow(fastest_rate(c.subject), 2) * dt),
+      margin(orbit_margin * std::pow(fastest_rate(c.subject), 2) * dt),
       paths(paths_of(c.effort, geometry.dimension())),
       most_chunks(4 * first_chunks(c.effort) << by_effort(c.effort, 2, 4, 6)) {}
 

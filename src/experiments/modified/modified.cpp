@@ -6,17 +6,199 @@
 // Zygalakis, SIAM J. Sci. Comput. 33 (2011) 102, and Abdulle, Cohen, Vilmart, Zygalakis, SIAM J. Sci. Comput. 34 (2012)
 // A1800). The rigid body whose generator is nearest to it says what the scheme's inertia, dissipation and noise are in
 // effect; what no rigid body does is the residual.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/common/judge.hpp"
 #include "experiments/common/operator_work.hpp"
+#include "experiments/common/recorder.hpp"
 #include "experiments/common/undecided.hpp"
-#include "experiments/modified/converging_numbers.hpp"
+#include "experiments/laws/law_averages.hpp"
+#include "experiments/laws/transfer_report.hpp"
 #include "experiments/modified/modified_constants.hpp"
-#include "experiments/modified/modified_report.hpp"
 #include "experiments/modified/modified_steps.hpp"
 #include "experiments/modified/modified_table.hpp"
 #include "experiments/modified/modified_verdict.hpp"
+#include "statistics/orders/power_series.hpp"
 
 namespace polhode {
 namespace {
+
+// Numbers of the equation that those of a scheme converge to at its weak order, as power series in dt.
+
+struct converging_numbers {
+  std::string claim, quantity;  ///< of the verdict; of the measurements, the errors over dt
+  exact_averages exact;         ///< names, values other than zero and their uncertainty
+};
+
+constexpr double narrow_number = 1e-3;  // half-width, relative, at the coarsest dt
+
+report::verdict judge(const converging_numbers& what, const error_table& t, Eigen::Index first, int order) {
+  const auto& averages = what.exact;
+  report::verdict v{.expected = 0.0};
+  if (t.dt.size() < static_cast<std::size_t>(order) + 2) {
+    v.reason = "too few step sizes";
+    return v;
+  }
+  double widest = 0, farthest = 0;  // from zero, in half-widths
+  for (Eigen::Index i = 0; i < averages.count(); ++i) {
+    std::vector<double> value, uncertainty;
+    for (std::size_t level = 0; level < t.dt.size(); ++level) {
+      value.push_back(t.error[level][first + i] / averages.value[i]);
+      uncertainty.push_back(t.uncertainty[level][first + i] / averages.value[i]);
+    }
+    const auto series = series_by_all_levels(t.dt, value, uncertainty, static_cast<std::size_t>(order));
+    for (std::size_t power = 0; power < series.size(); ++power) {
+      const double unit = std::pow(std::ranges::max(t.dt), static_cast<double>(power));
+      const double common = power == 0 ? averages.uncertainty[i] / averages.value[i] : 0;  // to all levels
+      const double half = unit * (series[power].high - series[power].low) / 2 + common, at = unit * series[power].value;
+      const double far = std::fabs(at) / std::max(half, 1e-300);
+      if (far > 1 ? far <= farthest : farthest > 1 || half <= widest) continue;
+      (far > 1 ? farthest : widest) = far > 1 ? far : half;
+      v.estimate = at;
+      v.low = at - half;
+      v.high = at + half;
+      v.reason = fmt::format("of {} at order dt^{}: {:.2e} [{:.1e}, {:.1e}] of its size",
+                             averages.names[static_cast<std::size_t>(i)], power, at, at - half, at + half);
+    }
+  }
+  v.kind = farthest > 1              ? report::verdict_kind::refuted
+           : widest <= narrow_number ? report::verdict_kind::holds
+                                     : report::verdict_kind::inconclusive;
+  return v;
+}
+
+/// Over dt, with the order at which it falls.
+report::series_id report_errors(const converging_numbers& what, const error_table& t, Eigen::Index first,
+                                Eigen::Index i, recorder& record) {
+  curve errors{{what.quantity, what.exact.names[static_cast<std::size_t>(i)], "", "transfer"}};
+  std::vector<double> resolved;
+  for (std::size_t level = 0; level < t.dt.size(); ++level) {
+    const double error = std::fabs(t.error[level][first + i]),
+                 u = t.uncertainty[level][first + i] + what.exact.uncertainty[i];
+    errors.add(t.dt[level], error, std::max(0.0, error - u), error + u);
+    resolved.push_back(error > 50 * u ? error : std::numeric_limits<double>::quiet_NaN());
+  }
+  return record.series(errors, fit_order(t.dt, resolved, 0));
+}
+
+/// Measurements over dt, fits, and the verdict: of the relative errors (columns `first` … of the table) all
+/// coefficients below dt^order have to vanish (the truth's uncertainty, the same at every dt, is the first one's),
+/// within intervals below a thousandth at the coarsest dt.
+void report_convergence(const converging_numbers& what, const error_table& t, Eigen::Index first, int order,
+                        recorder& record) {
+  if (what.exact.count() == 0) return;
+  std::vector<report::series_id> errors;
+  for (Eigen::Index i = 0; i < what.exact.count(); ++i) errors.push_back(report_errors(what, t, first, i, record));
+  record.verdict(what.claim, judge(what, t, first, order), errors);
+}
+
+// What is written of a scheme's modified equation: its parameters over dt, their distances from the scene's, the
+// residual.
+
+constexpr double nothing_left = 1e-11;  // a residual that is rounding
+
+/// A parameter's group, columns first ... first + count - 1 of the table, and how it is reported.
+struct group {
+  const char *name, *quantity, *unit;
+  Eigen::Index first, count;
+};
+constexpr group groups[] = {{"inverse inertia", "effective inverse inertia", "1/I", 0, 3},
+                            {"dissipation", "effective dissipation", "theta/I", 3, 3},
+                            {"noise", "effective noise", "sigma^2", 6, 6}};
+
+std::string name_of(Eigen::Index column) {
+  return std::string(modified_columns::names()[static_cast<std::size_t>(column)]);
+}
+
+/// Off the diagonal of Q there is something to see where the scene has it, or the scheme makes it.
+bool is_shown(const modified_columns& columns, const error_table& t, Eigen::Index column) {
+  if (column != 7 && column != 8 && column != 10) return true;
+  bool seen = columns.exact[column] != 0;
+  for (std::size_t i = 0; i < t.dt.size(); ++i)
+    seen = seen || std::fabs(t.error[i][column]) > 10 * t.uncertainty[i][column] + 1e-9 * columns.unit[column];
+  return seen;
+}
+
+report::series_id report_parameter(const group& g, const modified_columns& columns, Eigen::Index column,
+                                   const error_table& t, recorder& record) {
+  curve parameter{{g.quantity, name_of(column), g.unit, "transfer"}};
+  for (std::size_t i = 0; i < t.dt.size(); ++i) {
+    const double value = columns.exact[column] + t.error[i][column], u = t.uncertainty[i][column];
+    parameter.add(t.dt[i], value, value - u, value + u);
+  }
+  return record.series(parameter);
+}
+
+/// A norm and its uncertainty over dt, with the order at which it falls.
+class norm_over_dt {
+ public:
+  explicit norm_over_dt(quantity what) : curve_{std::move(what)} {}
+  void add(double dt, double norm, double u) {
+    curve_.add(dt, norm, std::max(0.0, norm - u), norm + u);
+    dt_.push_back(dt);
+    resolved_.push_back(norm > 50 * u ? norm : std::numeric_limits<double>::quiet_NaN());
+    largest_ = std::max(largest_, norm - u);
+  }
+  std::optional<order_fit> fit() const { return fit_order(dt_, resolved_, 0); }
+  const curve& points() const { return curve_; }
+  double largest() const { return largest_; }  ///< surely
+
+ private:
+  curve curve_;
+  std::vector<double> dt_, resolved_;
+  double largest_ = 0;
+};
+
+/// |p - p_scene| of a group.
+report::series_id report_distance(const group& g, const error_table& t, recorder& record) {
+  norm_over_dt distance({"error", g.name, g.unit, "transfer"});
+  for (std::size_t i = 0; i < t.dt.size(); ++i)
+    distance.add(t.dt[i], t.error[i].segment(g.first, g.count).norm(),
+                 t.uncertainty[i].segment(g.first, g.count).norm());
+  return record.series(distance.points(), distance.fit());
+}
+
+report::series_id report_residual(int order, const error_table& t, recorder& record) {
+  norm_over_dt residual({"residual", "", "", "transfer"});
+  for (std::size_t i = 0; i < t.dt.size(); ++i)
+    residual.add(t.dt[i], t.error[i][modified_columns::residual], t.uncertainty[i][modified_columns::residual]);
+  const auto fit = residual.fit();
+  const auto written = record.series(residual.points(), fit);
+  auto v = judge_order(order, fit, true);
+  if (!fit && t.dt.size() >= 4 && residual.largest() < nothing_left) {
+    v.kind = report::verdict_kind::holds;
+    v.reason = "no residual: at every dt the scheme solves the equation of a rigid body";
+  }
+  record.verdict("residual falls at the weak order", std::move(v), {written});
+  return written;
+}
+
+/// Of one scheme, with the verdict on its residual. What the verdict on its parameters rests on.
+std::vector<report::series_id> report_modified_equation(const modified_columns& columns, int order,
+                                                        const error_table& t, recorder& record) {
+  std::vector evidence{report_residual(order, t, record)};
+  for (const auto& g : groups) evidence.push_back(report_distance(g, t, record));
+  for (const auto& g : groups)
+    for (Eigen::Index j = g.first; j < g.first + g.count; ++j)
+      if (is_shown(columns, t, j)) evidence.push_back(report_parameter(g, columns, j, t, record));
+  return evidence;
+}
+
+/// The scene's own parameters, a level in each plot.
+void report_own_parameters(const modified_columns& columns, recorder& record) {
+  for (const auto& g : groups)
+    for (Eigen::Index j = g.first; j < g.first + g.count; ++j)
+      if (columns.exact[j] != 0 || j < 6 || j == 6 || j == 9 || j == 11)
+        record.value({g.quantity, name_of(j), g.unit, "scene"}, columns.exact[j]);
+}
 
 constexpr const char* gap_claim = "spectral gap converges";
 

@@ -11,16 +11,18 @@
 namespace polhode {
 namespace {
 
-constexpr double narrow = 1e-4;  // half-width, of a parameter at the coarsest dt
+constexpr double narrow_parameter = 1e-4;  // half-width, of a parameter at the coarsest dt
 
 // Half-width of the coefficients of the residual's square y^2, which is to be as narrow as what is known of y allows: a
-// residual of `narrow` at dt = 0 shows; and as the levels are known to a share u = unseen_share of themselves at best,
-// their squares to 2 u, a coefficient c_j dt_0^j of the seven halved levels is known to 2 u sum_i |w_ji| (dt_i /
-// dt_0)^2p of the largest square, w the weights of the series (statistics/orders/power_series.cpp). That sum is 0.011
+// residual of `narrow_parameter` at dt = 0 shows; and as the levels are known to a share u = unseen_share of themselves
+// at best, their squares to 2 u, a coefficient c_j dt_0^j of the seven halved levels is known to 2 u sum_i |w_ji| (dt_i
+// / dt_0)^2p of the largest square, w the weights of the series (statistics/orders/power_series.cpp). That sum is 0.011
 // and 1.18 for j = 0 and 1 where p = 1, and 1e-4, 0.012 and 0.46 for j = 0, 1, 2 where p = 2: below 1.2. The series'
 // own truncation has no share in it: where that is wider, nothing is concluded.
 constexpr double most_gain = 1.2;
-double allowed_square(double largest) { return std::max(narrow * narrow, 2 * most_gain * unseen_share * largest); }
+double allowed_square(double largest) {
+  return std::max(narrow_parameter * narrow_parameter, 2 * most_gain * unseen_share * largest);
+}
 
 /// A coefficient of one column, times dt^power at the coarsest dt, in the column's scale.
 struct found_term {
@@ -64,13 +66,13 @@ std::vector<found_term> terms_of(const modified_columns& columns, const error_ta
       out.push_back({square ? "square of the residual" : modified_columns::names()[static_cast<std::size_t>(j)],
                      power,
                      {unit * s.value, unit * s.low, unit * s.high},
-                     square ? allowed_square(c.largest()) : narrow});
+                     square ? allowed_square(c.largest()) : narrow_parameter});
     }
   }
   return out;
 }
 
-std::string shown(const found_term& f) {
+std::string shown_term(const found_term& f) {
   return fmt::format("{} at {}: {:.2e} [{:.1e}, {:.1e}] of its size", f.column,
                      f.power == 0 ? std::string("dt = 0") : fmt::format("order dt^{}", f.power), f.share.value,
                      f.share.low, f.share.high);
@@ -97,7 +99,7 @@ report::verdict judge_parameters(const modified_columns& columns, const error_ta
     v.kind = report::verdict_kind::refuted;
   else if (widest.width() <= 1)
     v.kind = report::verdict_kind::holds;
-  v.reason = fmt::format("{}; {}", shown(decisive),
+  v.reason = fmt::format("{}; {}", shown_term(decisive),
                          refuted ? "not zero"
                                  : fmt::format("the least certain of {} terms below dt^{}, all of which "
                                                "include zero",

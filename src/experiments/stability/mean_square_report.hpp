@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of mean squares beside the equilibria (mean_square.hpp): rates of growth, their errors and the order.
+// What is said of mean squares beside the equilibria: rates of growth, their errors and the order.
 #pragma once
 
 #include "experiments/common/experiment.hpp"

@@ -49,7 +49,7 @@ report::measurement row_in(const stability_case&, quantity, std::optional<double
 /// Is told of the noise of one block after another, each from its step 0 on, and of the length of a step.
 using block_listener = std::function<void(std::int64_t first_step, const increment_view&, double dt)>;
 
-/// The scene first; their mean energies are not known yet (mean_energies.hpp).
+/// The scene first; their mean energies are not known yet.
 std::vector<stability_case> stability_cases(const context&);
 
 }  // namespace polhode

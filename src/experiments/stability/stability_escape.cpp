@@ -15,7 +15,7 @@
 namespace polhode {
 namespace {
 
-constexpr int steps = 32, directions = 6;
+constexpr int escape_steps = 32, directions = 6;
 constexpr double growth = 1e6, farthest = 1e6, accuracy = 1.01;
 constexpr double rare = 1e-6;  // of paths, within the horizon
 constexpr int most_halvings = 10;
@@ -25,7 +25,7 @@ bool runs_off(const kernel& k, const points_in_space& from) {
   std::vector<double> states(3 * block_lanes);
   for (int first = 0; first < from.rows(); first += block_lanes) {
     load_block(from, first, states.data());
-    k.advance(states, silence(steps));
+    k.advance(states, silence(escape_steps));
     for (int lane = 0; lane < lanes_in_use(from, first); ++lane) {
       const double* at = states.data() + lane;
       if (!(std::hypot(at[0], at[block_lanes], at[2 * block_lanes]) <= growth * from.row(first).norm())) return true;

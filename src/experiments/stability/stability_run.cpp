@@ -61,7 +61,7 @@ void run_block(const stability_plan& p, int chunk, int block, common_normals& no
 }
 
 /// All of the same noise.
-void run(const model& m, const stability_plan& p, std::vector<watched_run>& runs) {
+void run_watched(const model& m, const stability_plan& p, std::vector<watched_run>& runs) {
   const auto chunk = static_cast<int>(std::clamp<std::int64_t>(p.steps / 64, 1, most_chunk));
   common_normals noise(m, p, chunk);
   for (int block = 0;; ++block) {
@@ -82,7 +82,7 @@ std::vector<stability_outcome> run_until_broken(std::span<const stability_member
     kernels.push_back(m.scheme->make(m.dt));
     runs.emplace_back(*m.in, *kernels.back(), m.scheme->info.implicit, m.scheme->needs_areas, m.hear, p);
   }
-  run(*members.front().in->bound.model, p, runs);
+  run_watched(*members.front().in->bound.model, p, runs);
   std::vector<stability_outcome> out;
   for (const auto& r : runs) out.push_back(r.outcome());
   return out;
@@ -102,7 +102,7 @@ stability_outcome true_paths(const stability_case& c, int paths, std::uint64_t s
   const auto reference = c.bound.model->reference(p.dt);
   std::vector<watched_run> alone;
   alone.emplace_back(c, *reference, false, false, hear, p);
-  run(*c.bound.model, p, alone);
+  run_watched(*c.bound.model, p, alone);
   return alone.front().outcome();
 }
 

@@ -13,9 +13,9 @@
 namespace polhode {
 namespace {
 
-constexpr double share = 1e-4;      // of an observable's size
-constexpr int highest_degree = 16;  // seconds, of all observables
-constexpr double interval = 1.96;   // standard errors
+constexpr double share = 1e-4;              // of an observable's size
+constexpr int highest_degree = 16;          // seconds, of all observables
+constexpr double interval_of_means = 1.96;  // standard errors
 
 }  // namespace
 
@@ -72,7 +72,7 @@ void report_truth(const held_truth& truth, report::results& out) {
     record.value({"true mean", name, "", "exact"}, *exact.value, *exact.value - exact.uncertainty,
                  *exact.value + exact.uncertainty);
     record.value({"mean of the driven equation", name, "", "sampled"}, sampled.mean,
-                 sampled.mean - interval * sampled.error, sampled.mean + interval * sampled.error);
+                 sampled.mean - interval_of_means * sampled.error, sampled.mean + interval_of_means * sampled.error);
     record.value({"distance from the true mean", name, "standard errors", "sampled"}, z);
   }
 }

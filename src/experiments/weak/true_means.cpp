@@ -10,7 +10,6 @@ namespace polhode {
 namespace {
 
 constexpr double reference_accuracy = 1e-13;  // of an observable's size
-constexpr double usable = 1e-7;               // of it: where that accuracy is out of reach
 
 /// The column of f, whose true expectation is `exact`, with what moves it: difference quotients, no better than their
 /// share need be.
@@ -19,7 +18,7 @@ error_column column_of(const subject& s, const sphere_problem& p, const char* na
   constexpr double accuracy = 1e-8;
   const auto moved = [&](const sphere_problem& other) {
     const auto value = expectation(other, f, start_of(s), s.scene.horizon, accuracy * scale);
-    return value.value && value.uncertainty <= usable * scale ? (*value.value - exact) / sensitivity_share : 0;
+    return value.value && value.uncertainty <= usable_truth * scale ? (*value.value - exact) / sensitivity_share : 0;
   };
   return {"error", name, scale, moved(with_more_noise(p, sensitivity_share)),
           p.damping > 0 ? moved(with_more_dissipation(p, sensitivity_share)) : 0};
@@ -36,7 +35,7 @@ true_means true_means_of(const subject& s, report::results& out) {
     const auto f = *named_observable(name, problem);
     const double scale = size_on_sphere(f, problem.radius);
     const auto value = expectation(problem, f, start_of(s), s.scene.horizon, reference_accuracy * scale);
-    if (!value.value || value.uncertainty > usable * scale) {
+    if (!value.value || value.uncertainty > usable_truth * scale) {
       leave_open(s.schemes, "weak", fmt::format("weak order of E[{}]", name), "its true value is " + value.reason, out);
       continue;
     }

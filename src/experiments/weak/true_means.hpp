@@ -11,6 +11,9 @@ namespace polhode {
 
 inline constexpr std::array weak_observables{"energy", "pi1", "pi2", "pi3", "pi1^2", "pi2^2", "pi3^2", "exp(pi3)"};
 
+/// Of an observable's size: how well a true mean is known at least, where the accuracy asked for is out of reach.
+inline constexpr double usable_truth = 1e-7;
+
 struct true_means {
   std::vector<error_column> columns;
   std::vector<sphere_function> functions;

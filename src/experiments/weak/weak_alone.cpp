@@ -24,7 +24,7 @@
 namespace polhode {
 namespace {
 
-constexpr double interval = 1.96, margin = 0.02, resolved = 5;
+constexpr double interval = 1.96, margin = 0.02;
 constexpr int chunk = 16;
 
 struct known_mean {
@@ -158,8 +158,8 @@ void report_one(const context& c, const level_grid& grid, const std::vector<know
     }
     record.series(one);
   }
-  const auto together = along_their_errors(s.differences, sizes, resolved);
-  const auto fit = fit_order_of_clear_means(dt, together, resolved, c.seed);
+  const auto together = along_their_errors(s.differences, sizes, clear_error);
+  const auto fit = fit_order_of_clear_means(dt, together, clear_error, c.seed);
   curve all{{sampled_error, all_together, "1", "sampled"}};
   for (int l = 0; l < together.levels; ++l) {
     const auto m = level_mean(together, l);

@@ -10,20 +10,20 @@
 namespace polhode {
 namespace {
 
-constexpr int cells = 4;           // of the truth in the finest of the twins' steps
-constexpr double resolution = 16;  // of the fastest time scale: that step
+constexpr int twin_cells = 4;           // of the truth in the finest of the twins' steps
+constexpr double twin_resolution = 16;  // of the fastest time scale: that step
 constexpr noise_quality precise = noise_quality::precise;
 
 /// At least two levels, the step itself the coarsest.
 level_grid grid_for(double horizon, int steps, double rate) {
   level_grid out{horizon, {steps, 2 * steps}};
-  while (horizon / out.steps.back() * rate > 1 / resolution) out.steps.push_back(2 * out.steps.back());
+  while (horizon / out.steps.back() * rate > 1 / twin_resolution) out.steps.push_back(2 * out.steps.back());
   return out;
 }
 
 driven_kernels without_directions(const subject& s, const level_grid& grid) {
   const auto dt = grid.dt();
-  driven_kernels out{s.model->reference(dt.back() / cells), {}, {}};
+  driven_kernels out{s.model->reference(dt.back() / twin_cells), {}, {}};
   for (const double step : dt) out.twins.push_back(s.model->reference(step));
   return out;
 }
@@ -42,7 +42,7 @@ weak_at_step::weak_at_step(const context& c, std::uint64_t seed, const std::vect
     : context_(c),
       observables_(f),
       grid_(grid_for(horizon, steps, rate)),
-      cells_in_a_step_(grid_.steps.back() / steps * polhode::cells),
+      cells_in_a_step_(grid_.steps.back() / steps * twin_cells),
       driven_(without_directions(c.subject, grid_)),
       looks_(looks_of(steps)),
       controls_(c.subject.model->layout(), static_cast<int>(looks_.size()), horizon, most_paths),
@@ -87,8 +87,8 @@ void weak_at_step::extend(int blocks) {
 
 void weak_at_step::run_truth(int block) {
   const int first = block * block_lanes, dimension = context_.subject.model->dimension();
-  driven_block truth(context_, grid_, polhode::cells, {context_.generator, precise}, driven_);
-  twin_chain chain(context_.subject, grid_, polhode::cells, driven_);
+  driven_block truth(context_, grid_, twin_cells, {context_.generator, precise}, driven_);
+  twin_chain chain(context_.subject, grid_, twin_cells, driven_);
   auto& out = truth_[static_cast<std::size_t>(block)];
   out.areas_known.reserve(static_cast<std::size_t>(columns() * block_lanes));
   out.areas_unknown.reserve(out.areas_known.capacity());
@@ -110,7 +110,7 @@ void weak_at_step::run_truth(int block) {
 
 void weak_at_step::run_scheme(const kernel& stepper, bool with_areas, int block, squared_errors& out) const {
   const int first = block * block_lanes, dimension = context_.subject.model->dimension();
-  coupled_increments noise(*context_.subject.model, grid_, polhode::cells, {context_.generator, precise});
+  coupled_increments noise(*context_.subject.model, grid_, twin_cells, {context_.generator, precise});
   auto states = replicated(context_.subject.scene.momentum);
   const auto& known = truth_[static_cast<std::size_t>(block)];
   auto truth = (with_areas ? known.areas_known : known.areas_unknown).begin();

@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "experiments/laws/law_errors.hpp"
+#include "experiments/weak/true_means.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr const char* largest_quantity = "largest error up to T";
-constexpr double usable = 1e-7;  // of an observable's size: where the accuracy asked for is out of reach
 
 Eigen::VectorXd scales_of(const std::vector<error_column>& columns) {
   return Eigen::VectorXd::NullaryExpr(static_cast<Eigen::Index>(columns.size()),
@@ -57,7 +57,7 @@ weak_course::weak_course(const subject& s, const std::vector<error_column>& colu
       horizon_(s.scene.horizon),
       shared_(shared_parts(grid, most_shared)),
       truth_(true_curve(s, functions_, scales_of(columns), accuracy)) {
-  if ((truth_.uncertainty().array() > usable * scales_of(columns).array()).any()) reason_ = truth_.reason();
+  if ((truth_.uncertainty().array() > usable_truth * scales_of(columns).array()).any()) reason_ = truth_.reason();
   all_.push_back({.quantity = largest_quantity, .observable = "all, in their sizes", .scale = 1, .distance = true});
   for (const auto& c : columns)
     for (std::int64_t i = 1; i < shared_; ++i)

@@ -18,6 +18,8 @@ inline constexpr const char* weak_order_claim = "weak order";
 /// The series of sampled errors, and under which observable those of all together stand.
 inline constexpr const char *sampled_error = "difference", *all_together = "all, in their sizes";
 
+inline constexpr double clear_error = 5;  ///< standard errors of |d|: from there on a level is fitted
+
 /// For each scheme: |d| a level and observable with its 95 % interval, the variance of all together, the path-steps
 /// spent, a fit over the levels whose |d| is five times its standard error (paths resampled), and the verdicts on order
 /// and limit. The order is that of all observables together (common_error.hpp); an interval wider than the margin of an

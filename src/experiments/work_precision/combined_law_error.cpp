@@ -9,7 +9,7 @@ namespace {
 
 constexpr double coarsest = 0.02, finest = 1e-6;        // tolerances of what is combined, of an error
 constexpr double most_finer = 0.01, least_finer = 0.3;  // from one try to the next
-constexpr double hardly = 0.85;                         // falls to that share where the finest operators are in it
+constexpr double hardly_combined = 0.85;                // falls to that share where the finest operators are in it
 
 law_error combined_at(const extrapolation& combination, double dt, double tolerance, const law_error_at& error_at) {
   error_table table{std::string(combination.name), {}, {}, {}};
@@ -34,7 +34,7 @@ law_error combined_error(const extrapolation& combination, double dt, double rel
     auto found = combined_at(combination, dt, tolerance, error_at);
     const double wanted = std::max(accuracy, relative * found.error.cwiseAbs().maxCoeff());
     const double known = found.uncertainty.maxCoeff();
-    const bool at_its_end = known < before && known > hardly * before;
+    const bool at_its_end = known < before && known > hardly_combined * before;
     if (!(known > wanted) || tolerance <= finest || at_its_end) return found;
     before = known;
     tolerance = std::max(finest, tolerance * std::clamp(wanted / known, most_finer, least_finer));

@@ -13,7 +13,7 @@ bool beats(const cost_point& a, const cost_point& b) {
 }
 
 /// Between two values, a share of the way from the first in their logarithms.
-double between(double first, double second, double share) { return first * std::pow(second / first, share); }
+double along_logarithms(double first, double second, double share) { return first * std::pow(second / first, share); }
 
 }  // namespace
 
@@ -34,8 +34,10 @@ std::optional<reached> reach(std::vector<cost_point> of_scheme, double accuracy)
   double share = 0;
   if (fine.error > 0 && std::isfinite(coarse.error))
     share = std::log(accuracy / fine.error) / std::log(coarse.error / fine.error);
-  return reached{fine.scheme, between(fine.dt, coarse.dt, share), between(fine.cost, coarse.cost, share),
-                 between(fine.cost_low, coarse.cost_low, share), between(fine.cost_high, coarse.cost_high, share)};
+  return reached{fine.scheme, along_logarithms(fine.dt, coarse.dt, share),
+                 along_logarithms(fine.cost, coarse.cost, share),
+                 along_logarithms(fine.cost_low, coarse.cost_low, share),
+                 along_logarithms(fine.cost_high, coarse.cost_high, share)};
 }
 
 std::vector<reached> ranking(std::span<const cost_point> points, double accuracy) {

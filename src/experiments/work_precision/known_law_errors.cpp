@@ -14,7 +14,7 @@ namespace {
 
 constexpr double tolerance = 0.1;      // of an error
 constexpr double finest_error = 1e-9;  // of an observable's size: what a combination is resolved to
-constexpr double hardly = 1.25;        // falls by less from a step to its half: something may lie between
+constexpr double hardly_falls = 1.25;  // falls by less from a step to its half: something may lie between
 
 /// A scheme, or a combination of its averages over step sizes.
 struct priced_average {
@@ -113,13 +113,13 @@ std::vector<std::vector<known_error>> measured_rows(const context& c, const meas
 }
 
 /// Between a step and its half, where the error hardly falls: a row each.
-std::vector<priced_row> between(const measure& m, const std::vector<priced_row>& rows,
-                                const std::vector<std::vector<known_error>>& found) {
+std::vector<priced_row> rows_between(const measure& m, const std::vector<priced_row>& rows,
+                                     const std::vector<std::vector<known_error>>& found) {
   std::vector<priced_row> out;
   for (std::size_t r = 0; r < rows.size(); ++r)
     for (std::size_t i = 0; i + 1 < found[r].size(); ++i) {
       const auto &coarse = found[r][i], &fine = found[r][i + 1];
-      const bool falls = coarse.value < finest_error || fine.value * hardly < coarse.value;
+      const bool falls = coarse.value < finest_error || fine.value * hardly_falls < coarse.value;
       const double dt = m.possible(coarse.dt * 2 / 3);
       if (!falls && dt < coarse.dt && dt > fine.dt) out.push_back({rows[r].who, {dt}});
     }
@@ -129,7 +129,7 @@ std::vector<priced_row> between(const measure& m, const std::vector<priced_row>&
 void replace(const context& c, const measure& m, double longest, error_kind& kind) {
   const auto rows = first_rows(c, kind, longest);
   auto by_row = measured_rows(c, m, rows);
-  std::ranges::move(measured_rows(c, m, between(m, rows, by_row)), std::back_inserter(by_row));
+  std::ranges::move(measured_rows(c, m, rows_between(m, rows, by_row)), std::back_inserter(by_row));
   std::vector<known_error> found;
   for (const auto& row : by_row) found.insert(found.end(), row.begin(), row.end());
   std::erase_if(kind.errors, [&](const known_error& e) {

@@ -11,7 +11,7 @@ namespace polhode {
 namespace {
 
 constexpr int degree = 16, more_degrees = 4;
-constexpr double rounding = 1e-15;  // of the greatest energy
+constexpr double drift_rounding = 1e-15;  // of the greatest energy
 
 sphere_problem without_dissipation(sphere_problem p) {
   p.damping = 0;
@@ -46,7 +46,7 @@ double relaxed_energy(const sphere_problem& p, double energy, double time) {
 mean_energies energy_without_dissipation(const sphere_problem& problem, const points_on_sphere& from, double time) {
   const auto p = without_dissipation(problem);
   Eigen::VectorXd value = energies(p, from);
-  const double floor = rounding * value.cwiseAbs().maxCoeff();
+  const double floor = drift_rounding * value.cwiseAbs().maxCoeff();
   if (is_isotropic(p.covariance) && !p.has_field() && p.varying.empty()) {
     for (double& h : value) h = relaxed_energy(p, h, time);
     return {value, floor};

@@ -18,7 +18,7 @@ constexpr double underflow = 740;   // exp(-740) is the last that is normal
 constexpr double wide = 4;          // a panel to the one before
 constexpr int deepest = 8;          // bisections of a panel
 constexpr double accuracy = 1e-15;  // of a panel
-constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
+constexpr double moment_rounding = 32 * std::numeric_limits<double>::epsilon();
 constexpr double asymptotic = 20;  // from here the series of 1 - r has all digits
 
 struct bessel_ratio {
@@ -97,12 +97,12 @@ bingham_moments bingham(double a, double b, double beta) {
   const auto mean_at = [=](double t, double x) { return t * (b + d * ratio_at(x).missing); };
   const sum total = law.integrate([](double, double) { return 1.0; });
   bingham_moments out;
-  out.relative_uncertainty = rounding + total.error / total.value;
+  out.relative_uncertainty = moment_rounding + total.error / total.value;
   const auto expected = [&](const auto& g) {
     const sum s = law.integrate(g);
     if (s.value > 0)
       out.relative_uncertainty =
-          std::max(out.relative_uncertainty, rounding + s.error / s.value + total.error / total.value);
+          std::max(out.relative_uncertainty, moment_rounding + s.error / s.value + total.error / total.value);
     return s.value / total.value;
   };
   out.square[0] = expected([](double t, double x) { return t * ratio_at(x).missing / 2; });

@@ -16,7 +16,7 @@ namespace polhode {
 namespace {
 
 constexpr double most_turns = 1e7;  // seconds
-constexpr double rounding = 1e-14;
+constexpr double motion_rounding = 1e-14;
 constexpr double first_piece = 0.37;  // of the time: no divisor of the solver's first step
 
 using vector = Eigen::Vector3d;
@@ -48,7 +48,7 @@ reference_value on_the_path(const sphere_problem& p, const sphere_function& f, c
   if (!std::isfinite(value)) return {.reason = "no noise, and the solver of the path broke down"};
   const double other = f(second_opinion(p, start, time));
   return {.value = value,
-          .uncertainty = std::max(std::fabs(value - other), rounding * std::max(1.0, std::fabs(value)))};
+          .uncertainty = std::max(std::fabs(value - other), motion_rounding * std::max(1.0, std::fabs(value)))};
 }
 
 }  // namespace polhode

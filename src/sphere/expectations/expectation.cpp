@@ -19,7 +19,7 @@
 namespace polhode {
 namespace {
 
-constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64, 96, 128};
+constexpr std::array expectation_degrees{8, 12, 16, 24, 32, 48, 64, 96, 128};
 constexpr double long_ago = 60;  // relaxation times: exp(-60) hides any constant before it
 
 /// The stationary mean, where by then every other mode has died; the rate of noise bounds the cost of asking.
@@ -51,10 +51,11 @@ reference_value expectation_of(const sphere_problem& problem, const sphere_funct
   };
   // Where three degrees can tell they may: the proved bound grows with time, the error need not.
   const double needed = needed_degree(problem);
-  const bool comparable = degrees.back() >= needed_share * needed;
-  if (comparable) asked.size = observable_coefficients(problem, f, degrees.front()).norm() / unit_of_mean;
+  const bool comparable = expectation_degrees.back() >= needed_share * needed;
+  if (comparable) asked.size = observable_coefficients(problem, f, expectation_degrees.front()).norm() / unit_of_mean;
   const std::vector<int> chosen{wanted};
-  auto found = raise_degree(wanted > 0 ? std::span<const int>(chosen) : degrees, asked, needed, value_at, wanted);
+  auto found =
+      raise_degree(wanted > 0 ? std::span<const int>(chosen) : expectation_degrees, asked, needed, value_at, wanted);
   found.relaxed = relaxed;
   if (found.converged()) return found;
   const auto late = expectation_long_after(problem, f, time, asked.absolute, wanted);

@@ -18,10 +18,10 @@
 namespace polhode {
 namespace {
 
-constexpr std::array degrees{8, 12, 16, 24, 32, 48, 64};
+constexpr std::array curve_degrees{8, 12, 16, 24, 32, 48, 64};
 constexpr int fewest_nodes = 16, most_nodes = 1024;
-constexpr double affordable = 1e10;  // multiplications
-constexpr double rounding = 1e-14;   // of a function's size
+constexpr double affordable = 1e10;       // multiplications
+constexpr double curve_rounding = 1e-14;  // of a function's size
 
 /// cos(pi j / n), j = 0..n, as times from 0 on.
 double node_time(double j, int n, double time) { return time * (1 - std::cos(std::numbers::pi * j / n)) / 2; }
@@ -142,12 +142,12 @@ Eigen::VectorXd expectation_curve::at(double t) const {
 expectation_curve expectations(const sphere_problem& problem, std::span<const sphere_function> functions,
                                const Eigen::VectorXd& scale, const Eigen::Vector3d& start, double time,
                                double accuracy) {
-  const Eigen::VectorXd least = std::max(accuracy, rounding) * scale;
+  const Eigen::VectorXd least = std::max(accuracy, curve_rounding) * scale;
   const auto none = Eigen::VectorXd::Constant(scale.size(), HUGE_VAL);
   Eigen::VectorXd change = none, earlier = none;
   std::optional<answer> last;
   int nodes = fewest_nodes;
-  for (const int degree : degrees) {
+  for (const int degree : curve_degrees) {
     auto next = answer_at(problem, functions, least, start, time, degree, nodes);
     if (!next) break;
     earlier = change;
@@ -159,7 +159,7 @@ expectation_curve expectations(const sphere_problem& problem, std::span<const sp
   }
   if (!last) return {time, Eigen::MatrixXd::Zero(1, scale.size()), none, "no affordable degree answers"};
   const expectation_curve found(time, last->coefficients, none, "");
-  const Eigen::VectorXd uncertainty = change.cwiseMax(rounding * scale) + last->off +
+  const Eigen::VectorXd uncertainty = change.cwiseMax(curve_rounding * scale) + last->off +
                                       distance_at_the_horizon(found, problem, functions, scale, start, time, accuracy);
   const bool converged = (uncertainty.array() <= 10 * least.array()).all();
   return {time, last->coefficients, uncertainty,

@@ -15,7 +15,7 @@
 namespace polhode {
 namespace {
 
-constexpr std::array degrees{8, 12, 16, 24, 32, 48};
+constexpr std::array transition_degrees{8, 12, 16, 24, 32, 48};
 
 transition_law at_degree(const sphere_problem& problem, double time, int reach, int degree) {
   const auto tall = tall_backward_operator(problem, degree);
@@ -39,7 +39,8 @@ transition_law at_degree(const sphere_problem& problem, double time, int reach, 
 
 transition_law transition(const sphere_problem& problem, double time, int reach, double tolerance, int wanted) {
   transition_law last;
-  for (const int degree : wanted > 0 ? std::vector<int>{wanted} : std::vector<int>(degrees.begin(), degrees.end())) {
+  for (const int degree :
+       wanted > 0 ? std::vector<int>{wanted} : std::vector<int>(transition_degrees.begin(), transition_degrees.end())) {
     if (degree < reach) continue;
     last = at_degree(problem, time, reach, degree);
     if (last.uncertainty <= tolerance) return last;

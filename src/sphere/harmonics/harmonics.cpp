@@ -9,12 +9,8 @@
 namespace polhode {
 namespace {
 
-using triplets = std::vector<Eigen::Triplet<double>>;
-
-double square(double x) { return x * x; }
-
 // z Y_lm = up(l + 1, m) Y_{l+1,m} + up(l, m) Y_{l-1,m}
-double up(int l, int m) { return std::sqrt((square(l) - square(m)) / (4 * square(l) - 1)); }
+double up(int l, int m) { return std::sqrt((l * l - m * m) / (4.0 * l * l - 1)); }
 
 // |J_+ |l m>| / |l m+1>
 double ladder(int l, int m) { return std::sqrt(l * (l + 1.0) - m * (m + 1.0)); }
@@ -34,16 +30,10 @@ Eigen::MatrixXd waves_on_a_ring(int n, int degree) {
   return out;
 }
 
-sparse_matrix assemble(int size, const triplets& entries) {
-  sparse_matrix a(size, size);
-  a.setFromTriplets(entries.begin(), entries.end());
-  return a;
-}
-
 // L_1 C_m = (ladder(m) S_{m+1} + ladder(m-1) S_{m-1}) / 2, C_m the cosines, S_m the sines; S_0 = 0 and C_0 weighs
 // sqrt 2.
 sparse_matrix first_generator(int degree) {
-  triplets entries;
+  sparse_entries entries;
   const auto add = [&](int row, int column, double value) {
     entries.emplace_back(row, column, value);
     entries.emplace_back(column, row, -value);
@@ -54,18 +44,24 @@ sparse_matrix first_generator(int degree) {
       if (m < l) add(harmonic_index(l, -(m + 1)), cosine, ladder(l, m) / (m == 0 ? std::numbers::sqrt2 : 2));
       if (m > 1) add(harmonic_index(l, -(m - 1)), cosine, ladder(l, m - 1) / 2);
     }
-  return assemble(harmonic_count(degree), entries);
+  return sparse_from(harmonic_count(degree), entries);
 }
 
 sparse_matrix third_generator(int degree) {
-  triplets entries;
+  sparse_entries entries;
   for (int l = 1; l <= degree; ++l)
     for (int m = -l; m <= l; ++m)
       if (m != 0) entries.emplace_back(harmonic_index(l, -m), harmonic_index(l, m), -m);
-  return assemble(harmonic_count(degree), entries);
+  return sparse_from(harmonic_count(degree), entries);
 }
 
 }  // namespace
+
+sparse_matrix sparse_from(int size, const sparse_entries& entries) {
+  sparse_matrix a(size, size);
+  a.setFromTriplets(entries.begin(), entries.end());
+  return a;
+}
 
 Eigen::MatrixXd harmonics(const points_on_sphere& x, int degree) {
   const Eigen::ArrayXd z = x.col(2);
@@ -150,7 +146,7 @@ std::array<sparse_matrix, 3> rotation_generators(int degree) {
 }
 
 std::array<sparse_matrix, 3> coordinates(int degree) {
-  triplets entries;
+  sparse_entries entries;
   for (int l = 1; l <= degree; ++l)
     for (int m = 1 - l; m < l; ++m) {
       entries.emplace_back(harmonic_index(l, m), harmonic_index(l - 1, m), up(l, m));
@@ -158,7 +154,7 @@ std::array<sparse_matrix, 3> coordinates(int degree) {
     }
   const auto l = rotation_generators(degree);
   std::array<sparse_matrix, 3> x;
-  x[2] = assemble(harmonic_count(degree), entries);  // the others turn from it: [L_i, x_j] = eps_ikj x_k
+  x[2] = sparse_from(harmonic_count(degree), entries);  // the others turn from it: [L_i, x_j] = eps_ikj x_k
   x[0] = sparse_matrix(x[2] * l[1]) - sparse_matrix(l[1] * x[2]);
   x[1] = sparse_matrix(l[0] * x[2]) - sparse_matrix(x[2] * l[0]);
   return x;

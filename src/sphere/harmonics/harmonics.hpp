@@ -9,11 +9,16 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <vector>
 
 namespace polhode {
 
 using sparse_matrix = Eigen::SparseMatrix<double>;
+using sparse_entries = std::vector<Eigen::Triplet<double>>;
 using points_on_sphere = Eigen::Matrix<double, Eigen::Dynamic, 3>;  ///< a unit vector a row
+
+/// A square matrix from its entries; those at one place add up.
+sparse_matrix sparse_from(int size, const sparse_entries&);
 
 /// sqrt(4 pi): a function's first coefficient over its mean on the sphere, its norm over its root mean square.
 inline const double unit_of_mean = std::sqrt(4 * std::numbers::pi);

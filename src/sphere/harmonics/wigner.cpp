@@ -7,19 +7,9 @@
 namespace polhode {
 namespace {
 
-using triplets = std::vector<Eigen::Triplet<double>>;
-
-double square(double x) { return x * x; }
-
-sparse_matrix assemble(int degree, const triplets& entries) {
-  sparse_matrix a(wigner_count(degree), wigner_count(degree));
-  a.setFromTriplets(entries.begin(), entries.end());
-  return a;
-}
-
 /// The sphere's generator on the first index (from the left), or its negative on the second (from the right).
 sparse_matrix spread(const sparse_matrix& generator, int degree, bool left) {
-  triplets entries;
+  sparse_entries entries;
   for (int l = 0; l <= degree; ++l)
     for (int m = -l; m <= l; ++m)
       for (sparse_matrix::InnerIterator entry(generator, harmonic_index(l, m)); entry; ++entry) {
@@ -30,7 +20,7 @@ sparse_matrix spread(const sparse_matrix& generator, int degree, bool left) {
           else
             entries.emplace_back(wigner_index(l, other, to), wigner_index(l, other, m), -entry.value());
       }
-  return assemble(degree, entries);
+  return sparse_from(wigner_count(degree), entries);
 }
 
 }  // namespace
@@ -49,22 +39,22 @@ group_generators wigner_generators(int degree) {
 // is proportional to left_i right_3 (Wigner-Eckart), and sum_i x_i left_i = right_3, sum_i left_i^2 = -l(l+1) set the
 // factor.
 std::array<sparse_matrix, 3> wigner_coordinates(int degree, const group_generators& turn) {
-  triplets between, inverse_casimir;
+  sparse_entries between, inverse_casimir;
   for (int l = 1; l <= degree; ++l)
     for (int a = -l; a <= l; ++a)
       for (int b = -l; b <= l; ++b) {
         const int high = wigner_index(l, a, b);
         inverse_casimir.emplace_back(high, high, -1.0 / (l * (l + 1)));
         if (std::abs(a) == l || std::abs(b) == l) continue;
-        const double up = std::sqrt((square(l) - square(a)) * (square(l) - square(b)) / (4 * square(l) - 1)) / l;
+        const double up = std::sqrt(1.0 * (l * l - a * a) * (l * l - b * b) / (4 * l * l - 1)) / l;
         between.emplace_back(wigner_index(l - 1, a, b), high, up);
         between.emplace_back(high, wigner_index(l - 1, a, b), up);
       }
   const sparse_matrix& one = turn.left[0];
   const sparse_matrix& two = turn.left[1];
-  const sparse_matrix inside = assemble(degree, inverse_casimir) * turn.right[2];
+  const sparse_matrix inside = sparse_from(wigner_count(degree), inverse_casimir) * turn.right[2];
   std::array<sparse_matrix, 3> x;
-  x[2] = assemble(degree, between) + sparse_matrix(inside * turn.left[2]);
+  x[2] = sparse_from(wigner_count(degree), between) + sparse_matrix(inside * turn.left[2]);
   x[0] = sparse_matrix(x[2] * two) - sparse_matrix(two * x[2]);  // [left_i, x_j] = eps_ikj x_k
   x[1] = sparse_matrix(one * x[2]) - sparse_matrix(x[2] * one);
   return x;

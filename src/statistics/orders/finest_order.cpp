@@ -13,15 +13,15 @@ namespace {
 constexpr std::size_t fit_levels = 4;
 constexpr double changes = 1.5, asymptotic_change = 0.05;
 
-struct level {
+struct clear_level {
   double dt, error, uncertainty;
 };
 
-double slope(const level& fine, const level& coarse) {
+double slope(const clear_level& fine, const clear_level& coarse) {
   return std::log(std::fabs(coarse.error / fine.error)) / std::log(coarse.dt / fine.dt);
 }
 
-double slope_uncertainty(const level& fine, const level& coarse) {
+double slope_uncertainty(const clear_level& fine, const clear_level& coarse) {
   return (fine.uncertainty / std::fabs(fine.error) + coarse.uncertainty / std::fabs(coarse.error)) /
          std::log(coarse.dt / fine.dt);
 }
@@ -30,7 +30,7 @@ double slope_uncertainty(const level& fine, const level& coarse) {
 
 std::optional<order_fit> fit_finest_order(std::span<const double> dt, std::span<const double> error,
                                           std::span<const double> uncertainty, double resolved) {
-  std::vector<level> levels;
+  std::vector<clear_level> levels;
   order_fit fit;
   fit.used.assign(dt.size(), false);
   for (std::size_t i = dt.size(); i-- > 0 && levels.size() < fit_levels;) {

@@ -16,7 +16,7 @@ constexpr int most_degree = 8;
 /// weights(j, i): what the value at dt_i adds to c_j scale^j. A Vandermonde matrix in dt / scale of a few levels is
 /// inverted to rounding by Lagrange's polynomials: dt is positive, so the terms of each coefficient have one sign and
 /// nothing cancels.
-Eigen::MatrixXd weights_of(std::span<const double> dt, double scale) {
+Eigen::MatrixXd coefficient_weights(std::span<const double> dt, double scale) {
   const auto n = static_cast<Eigen::Index>(dt.size());
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -46,19 +46,19 @@ struct level_values {
   }
   /// Coefficients times powers of the scale.
   Eigen::VectorXd series(double scale) const {
-    return weights_of(dt, scale) *
+    return coefficient_weights(dt, scale) *
            Eigen::Map<const Eigen::VectorXd>(value.data(), static_cast<Eigen::Index>(value.size()));
   }
 };
 
-struct level {
+struct known_level {
   double dt, error, uncertainty;
 };
 
 /// From fine to coarse.
-std::vector<level> finite_levels(std::span<const double> dt, std::span<const double> error,
-                                 std::span<const double> uncertainty) {
-  std::vector<level> out;
+std::vector<known_level> known_levels(std::span<const double> dt, std::span<const double> error,
+                                      std::span<const double> uncertainty) {
+  std::vector<known_level> out;
   for (std::size_t i = dt.size(); i-- > 0;)
     if (std::isfinite(error[i]) && std::isfinite(uncertainty[i])) out.push_back({dt[i], error[i], uncertainty[i]});
   return out;
@@ -69,11 +69,11 @@ struct value_and_error {
 };
 
 /// The k-th coefficient of the polynomial through all of the levels.
-value_and_error interpolated(std::span<const level> levels, int k) {
+value_and_error interpolated(std::span<const known_level> levels, int k) {
   value_and_error out{0, 0};
   std::vector<double> dt;
   for (const auto& l : levels) dt.push_back(l.dt);
-  const auto weights = weights_of(dt, 1);
+  const auto weights = coefficient_weights(dt, 1);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const double weight = weights(k, static_cast<Eigen::Index>(i));
     out.value += weight * levels[i].error;
@@ -82,7 +82,7 @@ value_and_error interpolated(std::span<const level> levels, int k) {
   return out;
 }
 
-expansion_term term_of_degree(std::span<const level> levels, int k, std::size_t degree) {
+expansion_term term_of_degree(std::span<const known_level> levels, int k, std::size_t degree) {
   const auto [value, propagated] = interpolated(levels.first(degree + 1), k);
   const double lower = interpolated(levels.first(degree), k).value,
                coarser = interpolated(levels.subspan(1, degree + 1), k).value;
@@ -97,7 +97,7 @@ std::vector<interval_estimate> series_by_all_levels(std::span<const double> dt, 
   const double scale = std::ranges::max(dt);
   const level_values all{{dt.begin(), dt.end()}, {value.begin(), value.end()}};
   const auto fewer = all.without_coarsest(), fewest = fewer.without_coarsest();
-  const auto weights = weights_of(all.dt, scale);
+  const auto weights = coefficient_weights(all.dt, scale);
   const Eigen::VectorXd best = all.series(scale), second = fewer.series(scale), third = fewest.series(scale);
   std::vector<interval_estimate> out;
   for (std::size_t j = 0; j < count; ++j) {
@@ -115,7 +115,7 @@ std::vector<interval_estimate> series_by_all_levels(std::span<const double> dt, 
 
 std::optional<expansion_term> series_term_by_best_degree(std::span<const double> dt, std::span<const double> error,
                                                          std::span<const double> uncertainty, int k) {
-  const auto levels = finite_levels(dt, error, uncertainty);
+  const auto levels = known_levels(dt, error, uncertainty);
   std::optional<expansion_term> best;
   const auto least = static_cast<std::size_t>(k) + 1;
   for (std::size_t degree = least; degree <= most_degree && degree + 2 <= levels.size(); ++degree) {
