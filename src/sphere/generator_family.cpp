@@ -14,7 +14,7 @@ namespace {
 
 constexpr int fitted_columns = harmonic_count(generator_family::fitted_degree) - 1;
 
-Eigen::VectorXd columns_of(const sphere_problem& p) {
+Eigen::VectorXd operator_columns(const sphere_problem& p) {
   const auto whole = backward_operator(p, generator_family::reached_degree);
   return Eigen::MatrixXd(whole.middleCols(1, fitted_columns)).reshaped();
 }
@@ -38,15 +38,15 @@ body_parameters parameters_of(const sphere_problem& p) {
 generator_family::generator_family(double radius)
     : radius_(radius), members_(harmonic_count(reached_degree) * fitted_columns, 12) {
   for (int j = 0; j < 3; ++j) {
-    members_.col(j) = columns_of(turning_about(j, 0));
-    members_.col(3 + j) = columns_of(turning_about(j, 1)) - members_.col(j);
+    members_.col(j) = operator_columns(turning_about(j, 0));
+    members_.col(3 + j) = operator_columns(turning_about(j, 1)) - members_.col(j);
   }
   Eigen::Index column = 6;
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j) {
       sphere_problem p{Eigen::Matrix3d::Zero(), 0, 1, Eigen::Matrix3d::Zero()};
       p.covariance(i, j) = p.covariance(j, i) = 1;
-      members_.col(column++) = columns_of(p);
+      members_.col(column++) = operator_columns(p);
     }
   // Of least norm: what is invisible stays out, so k and theta k come without their means.
   solve_ = pseudo_inverse(members_);

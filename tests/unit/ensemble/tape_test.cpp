@@ -61,7 +61,8 @@ TEST(Tape, OfLieHeunIsTwoGeneratorsTwoActionsAndASum) {
 TEST(Tape, LastOperationWritesTheState) {
   for (const auto& row : scheme_table()) {
     const auto t = row.tapes({}, components, 0, dt).noisy.opening;
-    if (t->start().ends) EXPECT_EQ(t->start().code.back().out, 0) << row.info.name;
+    if (!t->start().ends) continue;
+    EXPECT_EQ(t->start().code.back().out, 0) << row.info.name;
   }
 }
 
