@@ -78,7 +78,7 @@ MAY = {
     'scene':         ['lab_systems', 'reports/model'],
     'run':           ['noise', 'platform', 'sphere', 'ensemble', 'problem', 'transfer', 'experiments', 'selection', 'lab_systems', 'scene', 'recorded', 'foreign',
                       'reports/model'],
-    'reproduction':  ['lie', 'systems', 'system_noise', 'schemes', 'driver', 'ensemble', 'sphere', 'statistics', 'problem', 'transfer', 'experiments', 'scene', 'run',
+    'reproduction':  ['helpers', 'lie', 'systems', 'system_noise', 'schemes', 'driver', 'ensemble', 'sphere', 'statistics', 'problem', 'transfer', 'experiments', 'scene', 'run',
                       'reports/model'],
     'mpi':           ['cli', 'run', 'reports/model', 'writers'],
     'python':        ['cli', 'run', 'scene', 'foreign', 'platform', 'lab_systems', 'reports/model', 'writers'],
