@@ -4,10 +4,11 @@
 option(POLHODE_UNITY "Compile the sources of each folder together" OFF)
 
 # These are compiled by themselves all the same, and so is what is generated; src/systems, where each source is a system;
-# and src/algebra, where each makes something else of Eigen: joined they cost as much time, and 1.9 GB of memory.
+# src/algebra, where each makes something else of Eigen: joined they cost as much time, and 1.9 GB of memory; and
+# src/foreign, where tests put another source in the place of one.
 set(POLHODE_ALONE
   ${POLHODE_ISA_SOURCES} ${POLHODE_AES_SOURCES} ${POLHODE_ISA_CALLERS}  # each has definitions of its own
-  cli/missing_memory.cpp)     # defines what the linker wraps around malloc
+  cli/missing_memory.cpp)  # defines what the linker wraps around malloc
 
 function(polhode_join_folders target)
   if(NOT POLHODE_UNITY)
@@ -22,7 +23,7 @@ function(polhode_join_folders target)
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
     cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE name)
-    if(NOT name MATCHES "^(\\.\\.|systems|algebra)/" AND NOT name IN_LIST POLHODE_ALONE)
+    if(NOT name MATCHES "^(\\.\\.|systems|algebra|foreign)/" AND NOT name IN_LIST POLHODE_ALONE)
       cmake_path(GET name PARENT_PATH folder)
       string(REPLACE "/" "_" folder "${folder}")
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${folder}")
