@@ -38,6 +38,7 @@ class faced_system_of final : public model_of<System, faced_system> {
 
   taped_traits traits() const override {
     taped_traits out;
+    if constexpr (System::dimension > 0) out.components = System::dimension;
     out.noise = constant_noise_system<System>    ? taped_noise::constant
                 : bracketed_noise_system<System> ? taped_noise::varying
                                                  : taped_noise::unbracketed;

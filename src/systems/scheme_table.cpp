@@ -89,29 +89,29 @@ step_tapes tapes_on(int components, int tangents, double dt) {
 
 /// The traits with one known to the compiler, where the scheme can tell.
 template <class Scheme, taped_traits traits>
-step_tapes at_components(int components, int tangents, double dt) {
+step_tapes at_components(int fixed, int components, int tangents, double dt) {
   constexpr auto of = [](int n) {
     taped_traits t = traits;
     t.components = n;
     return t;
   };
   if constexpr (Scheme::info.implicit) {  // it solves equations by a matrix of that size
-    if (tangents == 0 && components == 3) return tapes_on<Scheme, of(3)>(components, tangents, dt);
-    if (tangents == 0 && components == 6) return tapes_on<Scheme, of(6)>(components, tangents, dt);
+    if (tangents == 0 && fixed == 3) return tapes_on<Scheme, of(3)>(components, tangents, dt);
+    if (tangents == 0 && fixed == 6) return tapes_on<Scheme, of(6)>(components, tangents, dt);
   }
   return tapes_on<Scheme, traits>(components, tangents, dt);
 }
 template <class Scheme, taped_noise noise>
-step_tapes at_dissipation(bool exact, int components, int tangents, double dt) {
+step_tapes at_dissipation(bool exact, int fixed, int components, int tangents, double dt) {
   constexpr taped_traits approximate{.noise = noise, .exact_dissipation = false};
   if constexpr (merges_on<Scheme, taped_system<with(noise)>> != merges_on<Scheme, taped_system<approximate>>)
-    if (!exact) return at_components<Scheme, approximate>(components, tangents, dt);
-  return at_components<Scheme, with(noise)>(components, tangents, dt);
+    if (!exact) return at_components<Scheme, approximate>(fixed, components, tangents, dt);
+  return at_components<Scheme, with(noise)>(fixed, components, tangents, dt);
 }
 template <class Scheme, taped_noise noise>
 step_tapes under(const taped_traits& t, int components, int tangents, double dt) {
   if constexpr (steps_under<Scheme>(noise))
-    return at_dissipation<Scheme, noise>(t.exact_dissipation, components, tangents, dt);
+    return at_dissipation<Scheme, noise>(t.exact_dissipation, t.components, components, tangents, dt);
   else
     throw std::logic_error(fmt::format("{} does not step such a system", Scheme::info.name));
 }

@@ -8,7 +8,8 @@ namespace polhode {
 /// unbracketed: varying, with brackets that nobody knows.
 enum class taped_noise { none, constant, varying, unbracketed };
 
-/// What a scheme asks of a system at compile time. components: 3, 6, or -1 where the scheme need not know them.
+/// What a scheme asks of a system at compile time. components: those of a system of fixed size; -1 where that is
+/// known at run time alone, or the scheme need not know it.
 struct taped_traits {
   int components = -1;
   taped_noise noise = taped_noise::constant;
