@@ -214,5 +214,35 @@ class ABuild(unittest.TestCase):
         self.assertNotIn("Traceback", told)
 
 
+class WhatIsOnlyKnownLater(unittest.TestCase):
+    """An order of sources that is found during the build, as of modules of Fortran: a dry run cannot know it."""
+
+    RULES = """ninja_required_version = 1.10
+rule order
+  command = printf 'ninja_dyndep_version = 1\\nbuild CMakeFiles/late.dir/slow.f90.o: dyndep\\n' > $out
+rule compile
+  command = touch $out
+  description = Building Fortran object $out
+build late.dd: order
+build CMakeFiles/late.dir/slow.f90.o: compile || late.dd
+  dyndep = late.dd
+build all: phony CMakeFiles/late.dir/slow.f90.o
+build build.ninja: phony
+default all
+"""
+
+    def test_it_is_built(self):
+        with tempfile.TemporaryDirectory() as folder:
+            build = Path(folder) / "build"
+            build.mkdir()
+            (build / "CMakeCache.txt").write_text(f"CMAKE_GENERATOR:INTERNAL=Ninja\nCMAKE_PROJECT_NAME:STATIC=late\n"
+                                                  f"CMAKE_MAKE_PROGRAM:FILEPATH={shutil.which('ninja')}\n")
+            (build / "build.ninja").write_text(self.RULES)
+            done = subprocess.run([ROOT / "ci/compile", build], capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+            self.assertIn("compiling everything: 1 part on", done.stdout)
+            self.assertTrue((build / "CMakeFiles/late.dir/slow.f90.o").exists())
+
+
 if __name__ == "__main__":
     sys.exit(unittest.main())
