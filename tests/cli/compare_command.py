@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Drives `polhode compare` and the baselines of `verify` as a user does.   usage: compare_command.py POLHODE"""
-import json, os, re, subprocess, sys, tempfile, unittest
+import json, os, subprocess, sys, tempfile, unittest
 
 from patience import within
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'golden'))
+from markup import carried
 
 EXE = sys.argv.pop(1)
 
@@ -96,8 +99,8 @@ class Compare(unittest.TestCase):
         plain = self.run_it('compare', self.a, b)
         self.assertEqual(self.run_it('compare', self.a, b, '--html', page), plain)
         with open(page, encoding='utf-8') as f: text = f.read()
-        parts = {name: json.loads(re.search(f'<script type="application/json" id="{name}">(.*?)</script>', text, re.S)[1])
-                 for name in ('results', 'before', 'comparison')}
+        parts = {name: json.loads(part) for name, part in carried(text).items()}
+        self.assertEqual(sorted(parts), ['before', 'comparison', 'results'])
         for name, file in (('before', self.a), ('results', b)):
             with open(file) as f: self.assertEqual(parts[name], json.load(f))
         self.assertEqual([c['kind'] for c in parts['comparison']['changes']], ['worse'])
