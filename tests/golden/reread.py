@@ -17,7 +17,7 @@ import xml.etree.ElementTree as xml
 
 from markup import Page, unpacked
 
-FILES = {'results.json', 'measurements.csv', 'verdicts.csv', 'report.html', 'report.md', 'junit.xml'}
+FILES = {'results.json', 'digest.json', 'measurements.csv', 'verdicts.csv', 'report.html', 'report.md', 'junit.xml'}
 MEASURED = 'experiment,scheme,quantity,observable,dt,value,low,high,unit,method,at'.split(',')
 JUDGED = 'experiment,scheme,claim,expected,estimate,low,high,verdict,reason'.split(',')
 KINDS = ('holds', 'refuted', 'inconclusive', 'not tried', 'skipped')
