@@ -48,10 +48,10 @@ json in_digits(std::optional<double> x, int digits) {
   return near;
 }
 
-json in_short(std::optional<double> x) { return in_digits(x, error_digits); }
+json short_number(std::optional<double> x) { return in_digits(x, error_digits); }
 
 /// With the digits by which rows of two results are told to be the same.
-json place_of(std::optional<double> coordinate) { return in_digits(coordinate, 12); }
+json short_coordinate(std::optional<double> coordinate) { return in_digits(coordinate, 12); }
 
 /// The nearest number of so many digits that is not below.
 double upwards(double x, int digits) {
@@ -74,7 +74,7 @@ rounded_error rounded_error_of(const measurement& m) {
                          : std::min(error_digits, places_of(std::fabs(value)) - places_of(half) + 3);
   const double near = digits > 0 ? rounded(value, digits) : 0, uncertainty = half + std::fabs(value - near);
   const bool known = is_sampled(m) ? !finite(half_width(m)) : uncertainty <= rounding(near, error_digits);
-  return {in_short(near), known ? json(nullptr) : in_digits(upwards(uncertainty, 3), 3)};
+  return {short_number(near), known ? json(nullptr) : in_digits(upwards(uncertainty, 3), 3)};
 }
 
 json without_last_nulls(json list) {
@@ -83,7 +83,7 @@ json without_last_nulls(json list) {
 }
 
 /// Its interval holds the one before it was rounded, and the value.
-json figure_of(const measurement& m) {
+json figure_row(const measurement& m) {
   const auto value = finite(m.value);
   const double near = value ? rounded(*value, figure_digits) : 0, moved = value ? std::fabs(*value - near) : 0;
   const auto end = [&](std::optional<double> x, double sign) {
@@ -91,8 +91,9 @@ json figure_of(const measurement& m) {
     const double reach = value ? std::max(sign * *x, sign * near + moved) : sign * *x;
     return in_digits(sign * upwards(reach, figure_digits), figure_digits);
   };
-  return without_last_nulls(json::array({place_of(m.abscissa()), in_digits(value, figure_digits), end(m.low, -1),
-                                         end(m.high, 1), m.status == "ok" ? json(nullptr) : json(m.status)}));
+  return without_last_nulls(
+      json::array({short_coordinate(m.abscissa()), in_digits(value, figure_digits), end(m.low, -1), end(m.high, 1),
+                   m.status == "ok" ? json(nullptr) : json(m.status)}));
 }
 
 /// Tables by their heads, in the order in which they were first asked for.
@@ -137,10 +138,10 @@ std::string verdict_tables(const results& r) {
   for (const auto& v : r.verdicts) {
     const bool open = v.kind == verdict_kind::refuted || v.kind == verdict_kind::inconclusive;
     const bool has_width = v.low != v.estimate || v.high != v.estimate;
-    const auto end = [&](std::optional<double> x) { return has_width ? in_short(x) : json(nullptr); };
+    const auto end = [&](std::optional<double> x) { return has_width ? short_number(x) : json(nullptr); };
     tables.of({{"experiment", v.experiment}, {"claim", v.claim}})[std::string(name_of(v.kind))].emplace(
-        v.scheme, without_last_nulls(json::array({in_short(v.expected), in_short(v.estimate), end(v.low), end(v.high),
-                                                  open ? json(v.reason) : json(nullptr)})));
+        v.scheme, without_last_nulls(json::array({short_number(v.expected), short_number(v.estimate), end(v.low),
+                                                  end(v.high), open ? json(v.reason) : json(nullptr)})));
   }
   return tables.text();
 }
@@ -153,7 +154,7 @@ json head_of(const series_id& s, const measurement& m) {
             {"over", s.over},
             {"method", m.method}};
   for (const auto& c : m.at)
-    if (c.name != s.over) head["at"][c.name] = place_of(c.value);
+    if (c.name != s.over) head["at"][c.name] = short_coordinate(c.value);
   return head;
 }
 
@@ -170,8 +171,8 @@ std::string error_tables(const results& r) {
     const auto [error, uncertainty] = rounded_error_of(m);
     tables.of(head_of(f.series(), m))["schemes"].emplace(
         f.scheme,
-        without_last_nulls(json::array({in_short(f.order), half ? in_digits(upwards(*half, 3), 3) : json(nullptr),
-                                        place_of(m.abscissa()), error, uncertainty})));
+        without_last_nulls(json::array({short_number(f.order), half ? in_digits(upwards(*half, 3), 3) : json(nullptr),
+                                        short_coordinate(m.abscissa()), error, uncertainty})));
   }
   return tables.text();
 }
@@ -184,7 +185,7 @@ std::string figure_tables(const results& r) {
     const auto* const described = description_of(m);
     if (described == nullptr || fitted.contains(m.series())) continue;
     auto& of_scheme = tables.of(head_of(m.series(), m))["schemes"];
-    if (!described->at_first || !of_scheme.contains(m.scheme)) of_scheme[m.scheme] = figure_of(m);
+    if (!described->at_first || !of_scheme.contains(m.scheme)) of_scheme[m.scheme] = figure_row(m);
   }
   return tables.text();
 }
@@ -221,7 +222,7 @@ std::string timings_of(const results& r) {
     prices[m.scheme][m.observable][*accuracy] = m.value;
   }
   json of_accuracies = json::array();
-  for (const double a : accuracies) of_accuracies.push_back(place_of(a));
+  for (const double a : accuracies) of_accuracies.push_back(short_coordinate(a));
   std::string out;
   for (const auto& [scheme, cost] : step_costs(r)) {
     json line{{"scheme", scheme}, {"ns_per_step", in_digits(cost, timed_digits)}, {"cost_to_reach", json::object()}};
