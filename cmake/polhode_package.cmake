@@ -72,7 +72,7 @@ programs and recorded data, and writes a report.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libpolhode-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libboost-dev, libgsl-dev, libfmt-dev, libtomlplusplus-dev, \
-nlohmann-json3-dev, libpugixml-dev, libpng-dev, libcli11-dev")
+nlohmann-json3-dev, libpugixml-dev, libpng-dev, zlib1g-dev, libcli11-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS polhode)
 set(CPACK_COMPONENT_DEV_DESCRIPTION "stochastic geometric integrators, and what polhode is made of
 Header-only integrators for dissipative stochastic Lie-Poisson systems, a

@@ -16,7 +16,7 @@ from pathlib import Path
 LINKED = {  # Debian package: license
     "libeigen3-dev": "MPL-2.0", "libboost-dev": "BSL-1.0", "libgsl-dev": "GPL-3.0-or-later", "libfmt-dev": "MIT",
     "libtomlplusplus-dev": "MIT", "libcli11-dev": "BSD-3-Clause", "nlohmann-json3-dev": "MIT", "libpugixml-dev": "MIT",
-    "libpng-dev": "libpng-2.0", "pybind11-dev": "BSD-3-Clause"}
+    "libpng-dev": "libpng-2.0", "zlib1g-dev": "Zlib", "pybind11-dev": "BSD-3-Clause"}
 BUNDLED = ("echarts", "zrender", "tslib")
 
 

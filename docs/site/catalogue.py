@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A page and a JSON file for each scheme, and a table of all: from the comment of its header and from results.json.
+"""A page and a JSON file for each scheme, and a table of all: from the comment of its header and from digests of results.
 
-usage: catalogue.py RESULTS OUT   RESULTS holds SCENE/results.json, as reports/baseline does; OUT is made anew
+usage: catalogue.py POLHODE RESULTS OUT   the command, which lists the schemes and their claims; RESULTS holds
+SCENE/digest.json, as reports/baseline and every folder of reports do; OUT is made anew
 
 Nothing is measured here and nothing is judged by hand: "when to take it" counts where the scheme was cheapest or within
 a tenth of the cheapest, and "when not" repeats what was refuted, is not claimed, is asked of the user, or costs twice.
 """
 import json
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 
@@ -48,23 +50,40 @@ def prose(text):
                        for kind, lines in parts)
 
 
-def coordinate(row, name):
-    return next((c["value"] for c in row["at"] if c["name"] == name), None)
+def error_row(table, scheme, order, reach=None, dt=None, value=None, uncertainty=0):
+    """Of a digest (reports/writers/digest.hpp), as the rows of its figures."""
+    return figure_row(table, scheme, dt, value, *(() if value is None else (value - uncertainty, value + uncertainty)))
+
+
+def figure_row(table, scheme, dt=None, value=None, low=None, high=None, status="ok"):
+    return {"quantity": table["quantity"], "observable": table["observable"], "scheme": scheme, "dt": dt, "value": value,
+            "low": low, "high": high, "status": status}
 
 
 class Scene:
     def __init__(self, folder):
-        data = json.loads((folder / "results.json").read_text())
-        self.name, self.schemes = data["scene"]["name"], {one["name"]: one for one in data["schemes"]}
-        self.provenance = data["provenance"]
+        data = json.loads((folder / "digest.json").read_text())
+        self.name, self.schemes, self.provenance = data["scene"]["name"], data["schemes"], data["provenance"]
         self.rows, self.verdicts = {}, {}
-        for row in data["measurements"]:
+        rows = [error_row(table, scheme, *row) for table in data["errors"] for scheme, row in table["schemes"].items()]
+        rows += [figure_row(table, scheme, *row) for table in data["figures"] for scheme, row in table["schemes"].items()]
+        for row in rows:
             self.rows.setdefault((row["scheme"], row["quantity"]), []).append(row)
-        for verdict in data["verdicts"]:
-            self.verdicts.setdefault(verdict["scheme"], []).append(verdict)
+        for table in data["verdicts"]:
+            for kind in table.keys() - {"experiment", "claim"}:
+                for scheme, row in table[kind].items():
+                    expected, estimate, low, high, reason = [*row, None, None, None, None, None][:5]
+                    self.verdicts.setdefault(scheme, []).append(
+                        {"claim": table["claim"], "verdict": kind, "expected": expected, "estimate": estimate, "low": low,
+                         "high": high, "reason": reason})
+        accuracies = data["timings"]["accuracies"]
+        self.timings = {one["scheme"]: (one["ns_per_step"], {(goal, accuracy): price
+                                                             for goal, prices in one["cost_to_reach"].items()
+                                                             for accuracy, price in zip(accuracies, prices)})
+                        for one in data["timings"]["schemes"]}
 
     def of(self, scheme, quantity):
-        return self.rows.get((scheme, quantity), [])
+        return [row for row in self.rows.get((scheme, quantity), []) if row["value"] is not None]
 
     def orders(self, scheme):
         found = {v["claim"]: v for v in self.verdicts.get(scheme, [])}
@@ -72,48 +91,39 @@ class Scene:
                 for claim, short in ORDERS if claim in found and found[claim]["estimate"] is not None}
 
     def step_cost(self, scheme):
-        """ns a path-step: of the finest dt that was priced."""
-        steps = {coordinate(row, "dt"): row["value"] for row in self.of(scheme, "steps_per_time")}
-        costs = {coordinate(row, "dt"): row["value"] for row in self.of(scheme, "cost")}
-        both = sorted(dt for dt in steps if costs.get(dt) and steps[dt])
-        return costs[both[0]] / steps[both[0]] if both else None
+        """ns a path-step, at the finest dt that was priced."""
+        return self.timings.get(scheme, (None, {}))[0]
+
+    def prices(self, scheme):
+        """{(goal, accuracy): ns a path and unit of time}."""
+        return {(goal, accuracy): price for (goal, accuracy), price in self.timings.get(scheme, (None, {}))[1].items()
+                if price is not None and goal in GOALS and accuracy in ACCURACIES}
 
     def stable_dt(self, scheme):
-        row = next((row for row in self.of(scheme, "largest_stable_dt") if row["observable"] == "scene"), None)
+        row = next(iter(self.rows.get((scheme, "largest_stable_dt"), [])), None)  # without a value, too: its status says why
         return row and {"dt": row["value"], "broken_from": row["high"], "by": row["status"]}
 
     def bias(self, scheme):
-        """The largest relative bias of a stationary mean at the finest step of the table."""
-        rows = [row for row in self.of(scheme, "bias") if row["value"] is not None and coordinate(row, "dt")]
+        """The largest relative bias of a stationary mean at the finest step whose errors are resolved."""
+        rows = self.of(scheme, "bias")
         if not rows:
             return None
-        dt = min(coordinate(row, "dt") for row in rows)
-        worst = max((row for row in rows if coordinate(row, "dt") == dt), key=lambda row: row["high"])
-        return {"dt": dt, "observable": worst["observable"], "value": worst["value"], "low": worst["low"],
-                "high": worst["high"]}
+        dt = min(row["dt"] for row in rows)
+        worst = max((row for row in rows if row["dt"] == dt), key=lambda row: row["value"] if row["high"] is None else row["high"])
+        return {key: worst[key] for key in ("dt", "observable", "value", "low", "high")}
 
     def effective(self, scheme):
         """Effective parameters at the longest step of their table."""
         rows = [row for quantity in ("effective inverse inertia", "effective dissipation", "effective noise")
-                for row in self.of(scheme, quantity) if row["value"] is not None]
+                for row in self.of(scheme, quantity)]
         if not rows:
             return None
-        dt = max(coordinate(row, "dt") for row in rows)
-        return {"dt": dt, "parameters": {row["observable"]: row["value"] for row in rows if coordinate(row, "dt") == dt}}
+        dt = max(row["dt"] for row in rows)
+        return {"dt": dt, "parameters": {row["observable"]: row["value"] for row in rows if row["dt"] == dt}}
 
     def exponents(self, scheme):
-        return {row["quantity"]: {"dt": coordinate(row, "dt"), **{key: row[key] for key in ("value", "low", "high")}}
-                for quantity in ("lambda_1", "lambda_1 + lambda_2") for row in self.of(scheme, quantity)
-                if row["value"] is not None}
-
-    def prices(self, scheme):
-        """{(goal, accuracy): ns a path and unit of time}."""
-        out = {}
-        for row in self.of(scheme, "cost_to_reach"):
-            goal, accuracy = row["observable"], coordinate(row, "accuracy")
-            if row["value"] is not None and goal in GOALS and accuracy in ACCURACIES:
-                out[goal, accuracy] = row["value"]
-        return out
+        return {row["quantity"]: {key: row[key] for key in ("dt", "value", "low", "high")}
+                for quantity in ("lambda_1", "lambda_1 + lambda_2") for row in self.of(scheme, quantity)}
 
     def refuted(self, scheme):
         return [(v["claim"], v["reason"]) for v in self.verdicts.get(scheme, []) if v["verdict"] == "refuted"]
@@ -130,9 +140,9 @@ def cheapest(scenes):
     return least
 
 
-def record(name, scenes, least):
+def record(info, scenes, least):
+    name = info["name"]
     here = [scene for scene in scenes if name in scene.schemes]
-    info = here[0].schemes[name]
     title, text = formula(name)
     wins, ratios = [], {}
     for scene in here:
@@ -153,6 +163,10 @@ def record(name, scenes, least):
 
 def number(x, digits=3):
     return "–" if x is None else f"{x:.{digits}g}"
+
+
+def ends(o):
+    return "" if o["low"] is None or o["high"] is None else f" [{o['low']:.6g}, {o['high']:.6g}]"
 
 
 def interval(o):
@@ -221,7 +235,7 @@ def page(one):
                      (s["largest_stable_dt"] or {}).get("by", "–").replace("first broken: ", ""),
                      number((s["stationary_bias"] or {}).get("value")), number((s["stationary_bias"] or {}).get("dt")),
                      number(s["ns_per_step"])) for scene, s in scenes.items()])]
-    exponents = [(f"`{scene}`", f"{kind}", f"{e['value']:.6g} [{e['low']:.6g}, {e['high']:.6g}]", number(e["dt"]))
+    exponents = [(f"`{scene}`", f"{kind}", f"{e['value']:.6g}{ends(e)}", number(e["dt"]))
                  for scene, s in scenes.items() for kind, e in s["exponents"].items()]
     if exponents:
         parts += ["## Lyapunov exponents of the scheme itself", table(("scene", "exponent", "value", "at dt"), exponents)]
@@ -262,6 +276,7 @@ def overview(everyone):
                       f"Every scheme that ships, on the scene `{scene}`; each page has the other scenes. A click on a head sorts, "
                       "the field filters. Times cheapest: how often over all scenes, goals and accuracies from 1e-2 to 1e-6 a "
                       "scheme was the cheapest or within a tenth of it.", "", "```{raw} html",
+                      f'<p><a href="../{scene}/report.html">The report of <code>{scene}</code></a></p>',
                       '<input class="catalogue-filter" type="search" placeholder="filter: words, or column=value" '
                       'aria-label="Filter the schemes">',
                       '<div class="catalogue-frame"><table class="catalogue"><thead><tr>'
@@ -270,13 +285,15 @@ def overview(everyone):
                       *(one["name"] for one in everyone), "```", ""])
 
 
-def main(results, out):
-    scenes = [Scene(folder) for folder in sorted(Path(results).iterdir()) if (folder / "results.json").exists()]
+def main(polhode, results, out):
+    scenes = [Scene(folder) for folder in sorted(Path(results).iterdir()) if (folder / "digest.json").exists()]
     if not scenes:
-        sys.exit(f"catalogue: no SCENE/results.json in {results}")
+        sys.exit(f"catalogue: no SCENE/digest.json in {results}")
+    listed = json.loads(subprocess.run([polhode, "list", "schemes", "--format", "json"], stdout=subprocess.PIPE, check=True).stdout)
     least, out = cheapest(scenes), Path(out)
-    names = list(dict.fromkeys(name for scene in scenes for name in scene.schemes if (HEADERS / f"{name}.hpp").exists()))
-    everyone = [record(name, scenes, least) for name in names]
+    measured = {name for scene in scenes for name in scene.schemes}
+    everyone = [record(info, scenes, least) for info in listed
+                if info["name"] in measured and (HEADERS / f"{info['name']}.hpp").exists()]
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     for one in everyone:
@@ -287,6 +304,6 @@ def main(results, out):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit("usage: catalogue.py RESULTS OUT")
+    if len(sys.argv) != 4:
+        sys.exit("usage: catalogue.py POLHODE RESULTS OUT")
     main(*sys.argv[1:])

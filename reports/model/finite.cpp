@@ -20,6 +20,15 @@ std::optional<double> finite(std::optional<double> number) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
+std::optional<double> half_width(const measurement& row) {
+  if (!row.low && !row.high) return std::nullopt;
+  if (row.low && row.high) return (*row.high - *row.low) / 2;
+  if (!row.value) return 0;
+  return std::max(0.0, row.high ? *row.high - *row.value : *row.value - *row.low);
+}
+
+bool is_sampled(const measurement& row) { return row.method == "sampled"; }
+
 std::string status_of(const measurement& row) {
   if (row.status != "ok") return row.status;
   const auto lost = [](const coordinate& c) { return !std::isfinite(c.value); };

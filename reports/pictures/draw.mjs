@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The README's pictures of the committed report of the scene `paper`, by Chromium.   usage: draw.mjs [CHROMIUM]
+// The README's pictures of the report of the scene `paper`, by Chromium.   usage: draw.mjs PAGE [CHROMIUM]
 import { createRequire } from 'node:module';
-import { fileURLToPath } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const { chromium } = createRequire(here('../viewer/package.json'))('playwright-core');
 const browser = await chromium.launch({
-  executablePath: process.argv[2] ?? process.env.POLHODE_CHROMIUM ?? '/usr/bin/chromium',
+  executablePath: process.argv[3] ?? process.env.POLHODE_CHROMIUM ?? '/usr/bin/chromium',
   args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
 });
 const page = await (await browser.newContext({ viewport: { width: 1440, height: 1000 } })).newPage();
-await page.goto(new URL('../baseline/paper/report.html', import.meta.url).href);
+await page.goto(pathToFileURL(process.argv[2]).href);
 await page.waitForSelector('main');
 
 const save = (name, clip) => page.screenshot({ path: here(`${name}.png`), clip, fullPage: clip !== undefined });

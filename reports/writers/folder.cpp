@@ -11,6 +11,7 @@
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
 #include "reports/writers/csv.hpp"
+#include "reports/writers/digest.hpp"
 #include "reports/writers/disk.hpp"
 #include "reports/writers/html.hpp"
 #include "reports/writers/json.hpp"
@@ -29,10 +30,10 @@ struct written_file {
   std::string (*text)(const results&);
   bool always = true;
 };
-constexpr written_file files[] = {{"results.json", to_json},      {"measurements.csv", measurements_csv},
-                                  {"verdicts.csv", verdicts_csv}, {"report.html", to_html},
-                                  {"report.md", to_markdown},     {"junit.xml", to_junit},
-                                  {"report.tex", to_latex, false}};
+constexpr written_file files[] = {
+    {"results.json", to_json},      {"digest.json", to_digest},     {"measurements.csv", measurements_csv},
+    {"verdicts.csv", verdicts_csv}, {"report.html", to_html},       {"report.md", to_markdown},
+    {"junit.xml", to_junit},        {"report.tex", to_latex, false}};
 
 bool is_written_file(const fs::path& path) {
   return std::any_of(std::begin(files), std::end(files),

@@ -13,7 +13,7 @@ namespace polhode::report {
 
 enum class latex { no, yes };
 
-/// Writes out/<scene>/{results.json, measurements.csv, verdicts.csv, report.html, report.md, junit.xml} for each
+/// Writes out/<scene>/{results.json, digest.json, measurements.csv, verdicts.csv, report.html, report.md, junit.xml} for each
 /// result, and report.tex where LaTeX is asked for. A new `out` appears in one step with all its scenes; in an old one
 /// each scene is exchanged in one step. Throws input_error where `out` holds anything but reports, output_error where
 /// the disk refuses; neither leaves a trace.

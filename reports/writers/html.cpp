@@ -11,23 +11,12 @@
 
 #include "reports/writers/comparison_json.hpp"
 #include "reports/writers/json.hpp"
+#include "reports/writers/packed.hpp"
 #include "reports/writers/page_template.hpp"
 #include "reports/writers/text.hpp"
 
 namespace polhode::report {
 namespace {
-
-// Inside a script element nothing but "<" can end it or begin a comment; JSON has another name for it.
-std::string inert(std::string_view json) {
-  std::string out;
-  out.reserve(json.size());
-  for (const char c : json)
-    if (c == '<')
-      out += "\\u003c";
-    else
-      out += c;
-  return out;
-}
 
 // A place stands once in the template; what is put there is not searched.
 std::size_t place_in(std::string_view page, std::string_view place) {
@@ -56,7 +45,7 @@ std::string filled(std::span<const filling> all) {
 std::string page_of(const results& r, std::string before, std::string changes) {
   return filled(std::array<filling, 4>{
       {{title_place, escape_html(r.scene.name) + (r.to_come.empty() ? "" : " (unfinished)") + " · polhode"},
-       {results_place, inert(to_json(r))},
+       {results_place, packed(to_json(r))},
        {before_place, std::move(before)},
        {comparison_place, std::move(changes)}}});
 }
@@ -68,7 +57,7 @@ std::string to_html(const results& r) { return page_of(r, {}, {}); }
 std::string to_html(const results& before, const results& after, const comparison& changes) {
   auto drawn = before;
   drawn.densities.clear();  // the page turns those of `after` alone
-  return page_of(after, inert(to_json(drawn)), inert(to_json(std::span(&changes, 1))));
+  return page_of(after, packed(to_json(drawn)), packed(to_json(std::span(&changes, 1))));
 }
 
 }  // namespace polhode::report

@@ -9,7 +9,7 @@
 
 namespace polhode::report {
 
-/// The template with results.json and the scene's name in it. Texts of the results stay text: "<" is written \u003c.
+/// The template with results.json, packed, and the scene's name in it.
 std::string to_html(const results&);
 
 /// The same page of `after`, with `before` behind its plots and what has changed in front of all else.

@@ -143,8 +143,6 @@ json to_value(const density& d) {
           {"longitudes", d.longitudes}, {"heights", d.heights}, {"values", values}};
 }
 
-std::string compact(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
-
 // Lists one record a line: a document that can be searched and compared line by line.
 std::string laid_out(const json& document) {
   std::string out = "{";

@@ -13,6 +13,7 @@ namespace polhode::report {
 /// that is missing, NaN or infinite is null, and the record's status or reason says why.
 std::string to_json(const results&);
 
+/// Reads a digest (digest.hpp), too, with what it holds.
 /// Throws input_error, on one line, for text that is cut short, foreign, or of another schema version.
 /// Keys that are not known are passed over. A null where the model has no empty value reads as NaN.
 results from_json(std::string_view);

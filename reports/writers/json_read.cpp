@@ -2,59 +2,18 @@
 // Reading back what json.cpp wrote: every complaint names the place in the document.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
+#include "reports/writers/digest.hpp"
 #include "reports/writers/json.hpp"
 #include "reports/writers/json_node.hpp"
 #include "reports/writers/json_rows.hpp"
 
 namespace polhode::report {
 namespace {
-
-provenance provenance_from(const node& n) {
-  return {n["version"].text(),
-          n["commit"].text(),
-          n["compiler"].text(),
-          n["flags"].text(),
-          n["cpu"].text(),
-          n["isa"].text(),
-          n.maybe("generator") ? n["generator"].text() : "",
-          n["threads"].integer<int>(),
-          n["seed"].integer<std::uint64_t>(),
-          n["effort"].text(),
-          n["started"].text(),
-          n["wall_seconds"].number(),
-          n["cpu_seconds"].number()};
-}
-
-/// Whatever a system calls its parameters: the keys that not every scene has.
-parameter parameter_from(std::string name, const node& n) {
-  const auto numbers_of = [](const node& one) { return one.list([](const node& x) { return x.finite(); }); };
-  const bool is_strength = name == "theta" || name == "sigma";  // numbers in every system
-  if (n.value.is_string() && !is_strength) return {std::move(name), shape::word, {}, n.text()};
-  if (!n.value.is_array()) return {std::move(name), shape::number, {{n.finite()}}};
-  if (!n.value.empty() && !n.value[0].is_array()) return {std::move(name), shape::vector, {numbers_of(n)}};
-  return {std::move(name), shape::vectors, n.list(numbers_of)};
-}
-
-scene scene_from(const node& n) {
-  constexpr std::array<std::string_view, 5> of_every_scene{"name", "system", "momentum", "horizon", "steps"};
-  scene s;
-  s.name = n["name"].text();
-  s.system = n["system"].text();
-  for (const auto& [key, value] : n.value.items())
-    if (std::ranges::find(of_every_scene, key) == of_every_scene.end())
-      s.parameters.push_back(parameter_from(key, {value, n.where + "." + key}));
-  s.momentum = n["momentum"].list([](const node& one) { return one.finite(); });
-  s.horizon = n["horizon"].finite();
-  s.steps = n["steps"].list([](const node& one) { return one.integer<std::int64_t>(); });
-  return s;
-}
 
 std::string text_or_none(const node& n, const char* key) {
   const auto known = n.maybe(key);
@@ -166,8 +125,11 @@ results from_json(std::string_view text) {
   const json document = parsed(text);
   const node root{document, ""};
   const node schema = root["schema"];
-  if (schema["name"].text() != schema_name)
-    refuse("schema.name", fmt::format("\"{}\", found \"{}\"", schema_name, one_line(schema["name"].text(), 40)));
+  const auto name = schema["name"].text();
+  if (name == digest_schema_name) return digest_from(root);
+  if (name != schema_name)
+    refuse("schema.name",
+           fmt::format("\"{}\" or \"{}\", found \"{}\"", schema_name, digest_schema_name, one_line(name, 40)));
   const int version = schema["version"].integer<int>();
   if (version != 1 && version != schema_version)
     refuse("schema.version", fmt::format("1 or {}, found {}", schema_version, version));

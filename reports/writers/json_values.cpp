@@ -3,6 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "reports/writers/json_node.hpp"
 #include "reports/writers/numbers.hpp"
 
 namespace polhode::report {
@@ -15,7 +21,19 @@ json numbers(const Range& values) {
   return list;
 }
 
+/// Whatever a system calls its parameters: the keys that not every scene has.
+parameter parameter_from(std::string name, const node& n) {
+  const auto numbers_of = [](const node& one) { return one.list([](const node& x) { return x.finite(); }); };
+  const bool is_strength = name == "theta" || name == "sigma";  // numbers in every system
+  if (n.value.is_string() && !is_strength) return {std::move(name), shape::word, {}, n.text()};
+  if (!n.value.is_array()) return {std::move(name), shape::number, {{n.finite()}}};
+  if (!n.value.empty() && !n.value[0].is_array()) return {std::move(name), shape::vector, {numbers_of(n)}};
+  return {std::move(name), shape::vectors, n.list(numbers_of)};
+}
+
 }  // namespace
+
+std::string compact(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
 json number(std::optional<double> value) { return finite(value) ? json(*value) : json(nullptr); }
 
@@ -75,6 +93,36 @@ json to_value(const scheme& s) {
   out["measured"] = json::object();
   for (const auto& [name, order] : s.measured) out["measured"][name] = number(order);
   return out;
+}
+
+provenance provenance_from(const node& n) {
+  return {n["version"].text(),
+          n["commit"].text(),
+          n["compiler"].text(),
+          n["flags"].text(),
+          n["cpu"].text(),
+          n["isa"].text(),
+          n.maybe("generator") ? n["generator"].text() : "",
+          n["threads"].integer<int>(),
+          n["seed"].integer<std::uint64_t>(),
+          n["effort"].text(),
+          n["started"].text(),
+          n["wall_seconds"].number(),
+          n["cpu_seconds"].number()};
+}
+
+scene scene_from(const node& n) {
+  constexpr std::array<std::string_view, 5> of_every_scene{"name", "system", "momentum", "horizon", "steps"};
+  scene s;
+  s.name = n["name"].text();
+  s.system = n["system"].text();
+  for (const auto& [key, value] : n.value.items())
+    if (std::ranges::find(of_every_scene, key) == of_every_scene.end())
+      s.parameters.push_back(parameter_from(key, {value, n.where + "." + key}));
+  s.momentum = n["momentum"].list([](const node& one) { return one.finite(); });
+  s.horizon = n["horizon"].finite();
+  s.steps = n["steps"].list([](const node& one) { return one.integer<std::int64_t>(); });
+  return s;
 }
 
 json schema_of(std::string_view name, int version) { return {{"name", std::string(name)}, {"version", version}}; }

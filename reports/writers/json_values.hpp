@@ -16,9 +16,16 @@ using json = nlohmann::ordered_json;
 /// Null where there is no number, or none that is finite.
 json number(std::optional<double>);
 
+struct node;
+
+/// On one line, whatever its texts hold.
+std::string compact(const json&);
+
 json to_value(const provenance&);
 json to_value(const scene&);
 json to_value(const scheme&);
+provenance provenance_from(const node&);
+scene scene_from(const node&);
 
 /// {"name": …, "version": …}, with which every document of ours begins.
 json schema_of(std::string_view name, int version);

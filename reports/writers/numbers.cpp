@@ -3,11 +3,23 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 
 namespace polhode::report {
 
 std::string shortest(std::optional<double> number) { return finite(number) ? fmt::format("{}", *number) : ""; }
+
+double rounded(double number, int digits) {
+  const auto text = fmt::format("{:.{}e}", number, digits - 1);
+  double out = number;
+  std::from_chars(text.data(), text.data() + text.size(), out);
+  return out;
+}
+
+double rounding(double number, int digits) {
+  return number == 0 ? 0 : 0.5 * std::pow(10, std::floor(std::log10(std::fabs(number))) - (digits - 1));
+}
 
 std::string shown(std::optional<double> number) {
   if (!finite(number)) return "–";

@@ -12,6 +12,12 @@ namespace polhode::report {
 /// The shortest text that reads back as the same number; empty where there is none.
 std::string shortest(std::optional<double>);
 
+/// The nearest number of so many significant digits.
+double rounded(double, int digits);
+
+/// By how much rounding to so many digits changes a number at most.
+double rounding(double, int digits);
+
 /// Four significant digits, "1.234e-5"; a dash where there is none.
 std::string shown(std::optional<double>);
 

@@ -15,6 +15,7 @@
 #include "comparison/timings.hpp"
 #include "reports/model/comparison.hpp"
 #include "reports/model/errors.hpp"
+#include "reports/model/finite.hpp"
 #include "reports/model/results.hpp"
 #include "reports/model/text.hpp"
 
@@ -39,7 +40,6 @@ row_key row_of(const measurement& m) {
   return {m.series(), at, m.method};
 }
 
-bool sampled(const measurement& m) { return m.method == "sampled"; }
 bool timed(const measurement& m) { return m.method == "timed"; }
 bool has_interval(const measurement& m) { return m.low || m.high; }
 
@@ -61,23 +61,16 @@ std::vector<pair_of_rows> pairs(const results& before, const results& after) {
   return out;
 }
 
-/// Of an interval with one end its reach beyond the value.
-double half_width(const measurement& m) {
-  if (m.low && m.high) return (*m.high - *m.low) / 2;
-  if (!m.value) return 0;
-  return m.high ? std::max(0.0, *m.high - *m.value) : m.low ? std::max(0.0, *m.value - *m.low) : 0;
-}
-
 /// Drawn at random, and nobody knows how much that moves it.
 bool of_unknown_noise(const pair_of_rows& p) {
-  return sampled(p.after) && p.before.value && p.after.value && !(has_interval(p.before) && has_interval(p.after));
+  return is_sampled(p.after) && p.before.value && p.after.value && !(has_interval(p.before) && has_interval(p.after));
 }
 
 bool beyond_noise(const pair_of_rows& p, double z) {
   const double a = *p.before.value, b = *p.after.value;
-  const double u = half_width(p.before), v = half_width(p.after);
+  const double u = half_width(p.before).value_or(0), v = half_width(p.after).value_or(0);
   const double rounding = exact_agreement * std::max(std::fabs(a), std::fabs(b));
-  if (!sampled(p.after)) return std::fabs(b - a) > u + v + rounding;
+  if (!is_sampled(p.after)) return std::fabs(b - a) > u + v + rounding;
   return std::fabs(b - a) > z / 1.96 * std::hypot(u, v) + rounding;
 }
 
@@ -110,7 +103,7 @@ void compare_numbers(const results& before, const results& after, comparison& ou
   std::set<report::series_id> errors;
   for (const auto* r : {&before, &after})
     for (const auto& f : r->fits) errors.insert(f.series());
-  const auto n = std::ranges::count_if(rows, [](const auto& p) { return sampled(p.after) && !of_unknown_noise(p); });
+  const auto n = std::ranges::count_if(rows, [](const auto& p) { return is_sampled(p.after) && !of_unknown_noise(p); });
   const double z =
       boost::math::quantile(boost::math::normal(), 1 - level / 2 / static_cast<double>(std::max<long>(n, 1)));
   for (const auto& p : rows) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of the catalogue of schemes: sorted both ways by a click, filtered by words and by columns, usable on a phone.
 //
-//   node catalogue_test.mjs
+//   node catalogue_test.mjs POLHODE
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -14,7 +14,8 @@ import { atEnd, open } from './visit.mjs';
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'catalogue-'));
 after(() => rmSync(folder, { recursive: true }));
-execFileSync('python3', [join(root, 'docs/site/catalogue.py'), join(root, 'reports/baseline'), join(folder, 'pages')]);
+const catalogue = join(root, 'docs/site/catalogue.py');
+execFileSync('python3', [catalogue, process.argv[2], join(root, 'reports/baseline'), join(folder, 'pages')]);
 
 const index = readFileSync(join(folder, 'pages/index.md'), 'utf8');
 const table = index.match(/```\{raw\} html\n([\s\S]*?)\n```/)[1];

@@ -3,8 +3,9 @@
 //
 //   node faults_test.mjs
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { densities, pageOf } from './pages.mjs';
 import { until } from './plots.mjs';
 import { atEnd, downloaded, open } from './visit.mjs';
@@ -25,6 +26,31 @@ test('what cannot be read is said in one line', async () => {
     assert.ok(!said.includes('\n') && said.length < 300);
     await atEnd(page);
   }
+});
+
+test('a page that was cut short or changed says so in one line', async () => {
+  const url = pageOf(rich, 'changed'),
+    file = fileURLToPath(url);
+  for (const change of [(packed) => packed.slice(0, 1000), (packed) => packed.replace(/^../, 'AA'), () => '{}']) {
+    const page = readFileSync(file, 'utf8').replace(
+      /(id="results">)([^<]+)/,
+      (_, place, packed) => place + change(packed),
+    );
+    writeFileSync(file, page);
+    const opened = await open(url);
+    assert.match(await opened.textContent('main'), /^These results cannot be read: not packed [^\n]*$/);
+    await atEnd(opened);
+    pageOf(rich, 'changed');
+  }
+});
+
+test('a browser that cannot unpack says what is missing, and where it stands', async () => {
+  const page = await open(pageOf(rich, 'packed'), { prepare: () => delete window.DecompressionStream });
+  assert.match(await page.textContent('main'), /claims, plots and tables of this report are missing/);
+  const links = await page.locator('main a').evaluateAll((all) => all.map((a) => a.getAttribute('href')));
+  assert.deepEqual(links, ['report.md', 'results.json']);
+  assert.equal(await page.locator('figure').count(), 0);
+  await atEnd(page);
 });
 
 test('an older schema is shown with what it has', async () => {

@@ -5,6 +5,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { before } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
+import { deflateSync } from 'node:zlib';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const folder = join(here, '../../reports/viewer');
@@ -17,13 +18,13 @@ before(() => process.on('exit', () => process.exitCode || rmSync(scratch, { recu
 
 /** As html.cpp does it; `earlier` as texts of JSON. */
 export function fill(json, name, earlier = { before: '', comparison: '' }) {
-  const inert = (text) => text.replace(/</g, '\\u003c'),
+  const packed = (text) => (text === '' ? '' : deflateSync(text).toString('base64')),
     escaped = name.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
   return template
     .replace('@polhode-title@', () => `${escaped} · polhode`)
-    .replace('@polhode-results@', () => inert(json))
-    .replace('@polhode-before@', () => inert(earlier.before))
-    .replace('@polhode-comparison@', () => inert(earlier.comparison));
+    .replace('@polhode-results@', () => packed(json))
+    .replace('@polhode-before@', () => packed(earlier.before))
+    .replace('@polhode-comparison@', () => packed(earlier.comparison));
 }
 
 /** Writes the page and gives its address in the file system. */

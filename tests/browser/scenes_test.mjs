@@ -25,11 +25,11 @@ before(() => {
   for (const name of names) reports[name] = join(scratch, 'scenes', name);
 });
 
-test('every built-in scene opens: no complaint, no request, under 4 MB', async () => {
+test('every built-in scene opens: no complaint, no request, under 2 MB', async () => {
   assert.ok(Object.keys(reports).includes('paper'));
   for (const folder of Object.values(reports)) {
     const file = join(folder, 'report.html');
-    assert.ok(statSync(file).size < 4_000_000);
+    assert.ok(statSync(file).size < 2_000_000);
     const page = await open(pathToFileURL(file).href),
       results = JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8'));
     assert.equal(await page.textContent('h1'), results.scene.name);

@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Drives `polhode compare` and the baselines of `verify` as a user does.   usage: compare_command.py POLHODE"""
-import json, os, re, subprocess, sys, tempfile, unittest
+import json, os, subprocess, sys, tempfile, unittest
 
 from patience import within
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'golden'))
+from markup import carried
 
 EXE = sys.argv.pop(1)
 
@@ -55,6 +58,28 @@ class Compare(unittest.TestCase):
         self.assertEqual((rc, err), (0, ''))
         self.assertIn('nothing has changed beyond noise', out)
 
+    def test_a_digest_stands_for_its_results(self):
+        digest, kept = os.path.join(os.path.dirname(self.a), 'digest.json'), self.path('kept')
+        os.makedirs(kept)
+        with open(digest, encoding='utf-8') as f, open(os.path.join(kept, 'digest.json'), 'w') as g: g.write(f.read())
+        def grow(r):
+            for m in r['measurements']:
+                for k in ('value', 'low', 'high'):
+                    if m[k] is not None and m['used']: m[k] *= 3
+        grown = self.changed(grow)
+        for old in (digest, kept):
+            for new in (self.a, digest):
+                rc, out, err = self.run_it('compare', old, new, '--format', 'json')
+                self.assertEqual((rc, err), (0, ''))
+                self.assertEqual(json.loads(out)['changes'], [])
+            rc, out, _ = self.run_it('compare', old, grown)
+            self.assertEqual(rc, 1)
+            self.assertRegex(out, r'worse: \d+\n  energy \w+: \w+')
+        rc, out, err = self.run_it('compare', digest, self.a, '--html', self.path('short.html'))
+        self.assertEqual((rc, err), (0, ''))
+        with open(digest) as f, open(self.path('cut.json'), 'w') as g: g.write(f.read()[:-20])
+        self.refused('compare', self.path('cut.json'), self.a, names=['cut.json'])
+
     def test_a_refuted_claim_is_a_regression(self):
         def refute(r): r['verdicts'][0]['verdict'] = 'refuted'
         b = self.changed(refute)
@@ -96,8 +121,8 @@ class Compare(unittest.TestCase):
         plain = self.run_it('compare', self.a, b)
         self.assertEqual(self.run_it('compare', self.a, b, '--html', page), plain)
         with open(page, encoding='utf-8') as f: text = f.read()
-        parts = {name: json.loads(re.search(f'<script type="application/json" id="{name}">(.*?)</script>', text, re.S)[1])
-                 for name in ('results', 'before', 'comparison')}
+        parts = {name: json.loads(part) for name, part in carried(text).items()}
+        self.assertEqual(sorted(parts), ['before', 'comparison', 'results'])
         for name, file in (('before', self.a), ('results', b)):
             with open(file) as f: self.assertEqual(parts[name], json.load(f))
         self.assertEqual([c['kind'] for c in parts['comparison']['changes']], ['worse'])

@@ -93,7 +93,7 @@ SELECTIONS = [
 ]
 
 COMPARE = 'compare: two results are needed; accepted: compare OLD NEW, each a results.json or its folder'
-UNREAD = 'cannot be read; accepted: a results.json, or the folder of a scene'
+UNREAD = 'cannot be read; accepted: a results.json or digest.json, or the folder of a scene'
 COMPARISONS = [
     ('compare', COMPARE), ('compare good.json', COMPARE), ('compare good.json none.json', f'none.json: {UNREAD}'), ('compare good.json .', f'./results.json: {UNREAD}'), ('compare good.json good.toml', 'good.toml: results: not JSON, or cut short, at byte ... of ...'),
     ('compare good.json empty.csv', 'empty.csv: results: not JSON, or cut short, at byte 1 of 0'), *((f'compare good.json {file}', f'{file}: {UNREAD}') for file in ('/proc/self/mem', '/dev/zero', '/dev/null', 'loop')),
@@ -105,7 +105,7 @@ COMPARISONS = [
 # What is changed in good.json, to what (None: the key goes), and what is wrong.
 GONE = 'expected this key to be there'
 RESULTS = [
-    (('schema',), None, f'schema: {GONE}'), (('schema',), [], 'schema: expected an object'), (('schema', 'name'), 'mine', 'schema.name: expected "polhode-results", found "mine"'), (('schema', 'name'), 1, 'schema.name: expected a string'),
+    (('schema',), None, f'schema: {GONE}'), (('schema',), [], 'schema: expected an object'), (('schema', 'name'), 'mine', 'schema.name: expected "polhode-results" or "polhode-digest", found "mine"'), (('schema', 'name'), 1, 'schema.name: expected a string'),
     (('schema', 'version'), 3, 'schema.version: expected 1 or 2, found 3'), (('schema', 'version'), 1.5, 'schema.version: expected a whole number of at most 2147483647'), (('schema', 'version'), 1 << 40, 'schema.version: expected a whole number of at most 2147483647'),
     (('provenance', 'seed'), -1, 'provenance.seed: expected a whole number of at most 18446744073709551615'), (('provenance', 'wall_seconds'), 'long', 'provenance.wall_seconds: expected a number or null'), (('scene',), None, f'scene: {GONE}'),
     (('scene', 'theta'), 'x', 'scene.theta: expected a number'), (('scene', 'momentum', 0), 'x', 'scene.momentum[0]: expected a number'), (('scene', 'steps'), 4, 'scene.steps: expected a list'), (('scene', 'steps'), [4, 'x'], 'scene.steps[1]: expected a whole number of at most 9223372036854775807'),

@@ -79,7 +79,7 @@ class Ranks(Case):
         total = hashlib.sha256()
         path = os.path.join(self.folder.name, folder)
         for name in sorted(os.listdir(path)):
-            if name in ('summary.json', 'results.json', 'report.html', 'report.md', 'junit.xml'): continue
+            if name in ('summary.json', 'results.json', 'digest.json', 'report.html', 'report.md', 'junit.xml'): continue
             total.update(name.encode() + read(os.path.join(path, name)))
         for name in ('summary.json', 'results.json'):
             if not os.path.exists(os.path.join(path, name)): continue

@@ -3,8 +3,9 @@
 or none: arguments by a number, 1 for the old product and 2 for the new one."""
 import json, os, re, shutil, subprocess, sys, tempfile
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'cli'))
+sys.path[:0] = [os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', room) for room in ('cli', 'golden')]
 from case import EXE, Case, environment
+from markup import unpacked
 
 TINY = ('--experiments', 'casimir,energy', '--schemes', 'heun', '--effort', 'quick', '--threads', '1', '--quiet')
 ENSEMBLE = ('simulate', 'paper', '--scheme', 'heun', '--dt', '0.25', '--noise', 'independent', '--threads', '1', '--quiet')
@@ -35,7 +36,14 @@ def content(path):
     return found
 
 
-def lasting(found): return found and {name: PASSING.sub(b'', text) for name, text in found.items()}
+# What a page carries.
+PACKED = re.compile(rb'(?<=<script type="application/zlib" id=")(\w+">)([^<]+)')
+
+
+def lasting(found):
+    """Without what passes, pages unpacked."""
+    unpack = lambda part: part[1] + unpacked(part[2].decode()).encode()
+    return found and {name: PASSING.sub(b'', PACKED.sub(unpack, text)) for name, text in found.items()}
 
 
 def answers(found):

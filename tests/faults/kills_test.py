@@ -58,7 +58,7 @@ class Ended(Writing):
         found = content(os.path.join(folder, 'report'))
         if found is None: return None
         r = json.loads(found['single/results.json'])
-        self.assertEqual(len(found), 6)
+        self.assertEqual(len(found), 7)
         self.assertEqual('(unfinished)' in found['single/report.html'].decode(), 'to_come' in r)
         return [e['name'] for e in r['experiments']], r.get('to_come', [])
 

@@ -17,7 +17,8 @@ list(APPEND fuzzed ${systems} ${tapes} ${src}/ensemble/chen.cpp ${src}/platform/
   ${src}/recorded/transitions.cpp
   ${src}/foreign/greeting.cpp ${src}/foreign/frames.cpp ${src}/foreign/dialogue.cpp ${src}/foreign/naming.cpp
   ${writers}/json.cpp ${writers}/json_read.cpp ${writers}/json_rows.cpp ${writers}/json_values.cpp
-  ${writers}/numbers.cpp ${writers}/npy.cpp ${writers}/comparison_text.cpp)
+  ${writers}/digest.cpp ${writers}/digest_read.cpp ${writers}/numbers.cpp ${writers}/npy.cpp
+  ${writers}/comparison_text.cpp)
 
 # Faces and what plays tapes on them are most of the compiler's time, and stay out: no harness binds.
 set(unbound "")

@@ -84,8 +84,8 @@ class folder : public testing::Test {
     });
   }
 
-  const std::vector<std::string> complete{"junit.xml", "measurements.csv", "report.html",
-                                          "report.md", "results.json",     "verdicts.csv"};
+  const std::vector<std::string> complete{"digest.json", "junit.xml",    "measurements.csv", "report.html",
+                                          "report.md",   "results.json", "verdicts.csv"};
   fs::path root;
 };
 

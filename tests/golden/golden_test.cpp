@@ -8,6 +8,7 @@
 #include "reports/writers/junit.hpp"
 #include "reports/writers/latex.hpp"
 #include "reports/writers/markdown.hpp"
+#include "reports/writers/packed.hpp"
 #include "tests/golden/golden_file.hpp"
 #include "tests/golden/sample.hpp"
 
@@ -23,7 +24,7 @@ TEST(golden, junit_xml) { expect_golden(report::to_junit(sample()), "junit.xml")
 
 TEST(golden, an_empty_result_is_written_too) {
   const report::results nothing;
-  EXPECT_NE(report::to_html(nothing).find("\"verdicts\":[]"), std::string::npos);
+  EXPECT_NE(report::to_html(nothing).find(report::packed(report::to_json(nothing))), std::string::npos);
   EXPECT_NE(report::to_markdown(nothing).find("No claim was tried."), std::string::npos);
   EXPECT_NE(report::to_junit(nothing).find("tests=\"0\""), std::string::npos);
   EXPECT_EQ(report::to_json(report::from_json(report::to_json(nothing))), report::to_json(nothing));

@@ -1,9 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The markup of a report page, read strictly."""
+"""The markup of a report page, read strictly, and what the page carries."""
+import base64
+import re
+import zlib
 from html.parser import HTMLParser
 
 VOID = {'meta', 'br', 'img', 'link', 'hr', 'input'}
 ATTRIBUTES_THAT_FETCH = {'src', 'href', 'srcset', 'action', 'data', 'xlink:href', 'poster', 'background'}
+
+
+def unpacked(text):
+    """A text of the page as it was before it was packed."""
+    return zlib.decompress(base64.b64decode(text, validate=True)).decode()
+
+
+def carried(page):
+    """The texts that a page carries, by name, unpacked."""
+    packed = re.findall(r'<script type="application/zlib" id="(\w+)">([^<]*)</script>', page)
+    return {name: unpacked(text) for name, text in packed if text}
 
 
 class Page(HTMLParser):
@@ -21,7 +35,7 @@ class Page(HTMLParser):
             assert name not in ATTRIBUTES_THAT_FETCH or value.startswith('#'), f'{name}={value}'
         self.in_data = tag == 'script' and attributes.get('id') == 'results'
         if self.in_data:
-            assert attributes['type'] == 'application/json'
+            assert attributes['type'] == 'application/zlib'
             self.data.append('')
         if tag not in VOID:
             self.open.append(tag)

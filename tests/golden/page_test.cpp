@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page is the template with its places filled: nothing else changes, and no text of the results acts as markup.
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
+#include <boost/archive/iterators/binary_from_base64.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +14,7 @@
 #include "reports/writers/comparison_json.hpp"
 #include "reports/writers/html.hpp"
 #include "reports/writers/json.hpp"
+#include "reports/writers/packed.hpp"
 #include "reports/writers/page_template.hpp"
 #include "tests/golden/sample.hpp"
 
@@ -50,17 +54,28 @@ parts parts_of(const std::string& page) {
   return {found[0], found[1], found[2], found[3]};
 }
 
-std::string without_escapes(std::string json) {
-  constexpr std::string_view escaped = "\\u003c";
-  for (auto at = json.find(escaped); at != json.npos; at = json.find(escaped, at + 1))
-    json.replace(at, escaped.size(), "<");
-  return json;
+// The text that was packed; it is known how long that was.
+std::string unpacked(const std::string& base64, std::size_t size) {
+  using namespace boost::archive::iterators;
+  using bytes = transform_width<binary_from_base64<std::string::const_iterator>, 8, 6>;
+  std::string digits = base64, text(size, '\0');
+  const auto filling = static_cast<std::size_t>(std::ranges::count(digits, '='));
+  std::ranges::replace(digits, '=', 'A');
+  const std::string packed(bytes(digits.cbegin()), bytes(digits.cend()));
+  uLongf length = size;
+  EXPECT_EQ(::uncompress(reinterpret_cast<Bytef*>(text.data()), &length, reinterpret_cast<const Bytef*>(packed.data()),
+                         packed.size() - filling),
+            Z_OK);
+  EXPECT_EQ(length, size);
+  return text;
 }
+
+void expect_packed(const std::string& found, const std::string& text) { EXPECT_EQ(unpacked(found, text.size()), text); }
 
 TEST(page, holds_results_json_and_the_name) {
   const auto found = parts_of(report::to_html(sample_named("plain")));
   EXPECT_EQ(found.title, "plain · polhode");
-  EXPECT_EQ(without_escapes(found.json), report::to_json(sample_named("plain")));
+  expect_packed(found.json, report::to_json(sample_named("plain")));
   EXPECT_EQ(found.before + found.comparison, "");
 }
 
@@ -73,17 +88,15 @@ TEST(page, holds_the_earlier_results_and_the_comparison) {
   before.densities.push_back({"attractor", "", "law", {}, 2, 2, {1, 1, 1, 1}});
   const auto found = parts_of(report::to_html(before, sample_named("plain"), changes));
   EXPECT_EQ(found.title, "plain · polhode");
-  EXPECT_EQ((found.before + found.comparison).find('<'), std::string::npos);
-  EXPECT_EQ(without_escapes(found.json), report::to_json(sample_named("plain")));
-  EXPECT_EQ(without_escapes(found.before), report::to_json(drawn));
-  EXPECT_EQ(without_escapes(found.comparison), report::to_json(std::span(&changes, 1)));
+  expect_packed(found.json, report::to_json(sample_named("plain")));
+  expect_packed(found.before, report::to_json(drawn));
+  expect_packed(found.comparison, report::to_json(std::span(&changes, 1)));
 }
 
 TEST(page, hostile_text_stays_text) {
   const auto found = parts_of(report::to_html(sample()));
   EXPECT_EQ(found.title, "&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt; · polhode");
-  EXPECT_EQ(found.json.find('<'), std::string::npos);
-  EXPECT_EQ(without_escapes(found.json), report::to_json(sample()));
+  expect_packed(found.json, report::to_json(sample()));
 }
 
 TEST(page, a_name_that_looks_like_a_place_stays_a_name) {
@@ -92,8 +105,21 @@ TEST(page, a_name_that_looks_like_a_place_stays_a_name) {
     const std::string name(place);
     const auto found = parts_of(report::to_html(sample_named(name.c_str())));
     EXPECT_EQ(found.title, name + " · polhode");
-    EXPECT_EQ(without_escapes(found.json), report::to_json(sample_named(name.c_str())));
+    expect_packed(found.json, report::to_json(sample_named(name.c_str())));
   }
+}
+
+TEST(page, what_it_carries_is_no_markup_and_short) {
+  const auto text = report::to_json(sample());
+  for (std::size_t length : {0, 1, 2, 3, 4, 1000}) {
+    const auto found = report::packed(text.substr(0, length));
+    EXPECT_EQ(found.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/="), found.npos);
+    EXPECT_EQ(found.size() % 4, 0u);
+    if (length > 0) expect_packed(found, text.substr(0, length));
+  }
+  EXPECT_EQ(report::packed(""), "");
+  EXPECT_EQ(report::packed(text), report::packed(text));
+  EXPECT_LT(report::packed(text).size(), text.size() / 4);
 }
 
 TEST(page, template_is_small_and_asks_for_nothing) {

@@ -2,7 +2,7 @@
 // The report: reads the results that the program put into the page, and builds the page from them.
 import { readComparison, type Comparison } from './comparison';
 import type { Measurement, Results } from './data';
-import { h } from './dom';
+import { h, type Child } from './dom';
 import { asWritten } from './numbers';
 import { byExperiment, experimentNames, schemeNames } from './order';
 import { advice } from './page/advice';
@@ -18,6 +18,7 @@ import { Source } from './plots/source';
 import { readResults } from './read';
 import { followAddress } from './state';
 import './styles/index.css';
+import { canUnpack, unpacked } from './unpacked';
 
 /** The run that this one is held against. */
 interface Earlier {
@@ -82,18 +83,46 @@ function preparePaper(printables: Printable[]): void {
   matchMedia('print').addEventListener('change', (event) => turn(event.matches));
 }
 
-function start(): void {
+/** In place of the report: why there is none. */
+function fault(...said: Child[]): void {
+  document.body.append(h('main', {}, h('p', { class: 'fault', role: 'alert' }, ...said)));
+}
+
+/** What is missing where a browser cannot unpack, and where it stands. */
+function notUnpacked(isComparison: boolean): Child[] {
+  const file = (name: string): HTMLElement => h('a', { href: name }, name);
+  return [
+    'The claims, plots and tables of this report are missing: they stand compressed in this file, and this browser ',
+    'cannot unpack them (Chromium can from version 80 on, Safari from 16.4, Firefox from 113). ',
+    ...(isComparison
+      ? ['The same numbers are in the two results.json that were compared.']
+      : [
+          'The same results are beside it: ',
+          file('report.md'),
+          ' to be read, ',
+          file('results.json'),
+          ' for programs.',
+        ]),
+  ];
+}
+
+async function start(): Promise<void> {
   const source = (id: string): string => document.getElementById(id)?.textContent ?? '';
+  if (!canUnpack()) {
+    fault(...notUnpacked(source('before') !== ''));
+    return;
+  }
   let results: Results,
     earlier: Earlier | null = null;
   try {
-    results = readResults(source('results'));
+    results = readResults(await unpacked(source('results')));
     if (source('before') !== '')
-      earlier = { results: readResults(source('before')), comparison: readComparison(source('comparison')) };
+      earlier = {
+        results: readResults(await unpacked(source('before'))),
+        comparison: readComparison(await unpacked(source('comparison'))),
+      };
   } catch (error) {
-    document.body.append(
-      h('main', {}, h('p', { class: 'fault', role: 'alert' }, error instanceof Error ? error.message : String(error))),
-    );
+    fault(error instanceof Error ? error.message : String(error));
     return;
   }
   const { page, printables, schemes } = build(results, earlier);
@@ -103,4 +132,4 @@ function start(): void {
   addEventListener('hashchange', () => followAddress(schemes));
 }
 
-start();
+void start();

@@ -18,7 +18,9 @@ namespace polhode::cli {
 
 std::filesystem::path results_file(const std::filesystem::path& given) {
   std::error_code ignored;
-  return std::filesystem::is_directory(given, ignored) ? given / "results.json" : given;
+  if (!std::filesystem::is_directory(given, ignored)) return given;
+  const auto whole = given / "results.json", digest = given / "digest.json";
+  return std::filesystem::exists(digest, ignored) && !std::filesystem::exists(whole, ignored) ? digest : whole;
 }
 
 namespace {
@@ -42,7 +44,8 @@ report::results read_results(const std::filesystem::path& given) {
   const auto name = one_line(file.string(), 200);
   const auto text = text_of(file);
   if (!text)
-    throw input_error(fmt::format("{}: cannot be read; accepted: a results.json, or the folder of a scene", name));
+    throw input_error(
+        fmt::format("{}: cannot be read; accepted: a results.json or digest.json, or the folder of a scene", name));
   try {
     return report::from_json(*text);
   } catch (const input_error& fault) {

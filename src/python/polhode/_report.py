@@ -73,7 +73,7 @@ class Report:
         return self._results.to_json()
 
     def save(self, folder: Union[str, os.PathLike[str]]) -> str:
-        """Writes folder/<scene>/report.html, report.md, results.json, measurements.csv, verdicts.csv, junit.xml.
+        """Writes folder/<scene>/report.html, report.md, results.json, digest.json, measurements.csv, verdicts.csv, junit.xml.
 
         Returns the path of the page. Raises ValueError where the folder holds anything but reports, OSError where the disk
         refuses.

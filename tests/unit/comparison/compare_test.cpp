@@ -10,6 +10,8 @@
 #include "reports/model/errors.hpp"
 #include "reports/model/text.hpp"
 #include "reports/writers/comparison_text.hpp"
+#include "reports/writers/digest.hpp"
+#include "reports/writers/json.hpp"
 #include "unit/comparison/results_by_hand.hpp"
 
 namespace polhode {
@@ -156,6 +158,25 @@ TEST(Compare, IndependentRunsAgree) {
   }
   EXPECT_LE(alarms, 35);  // 20 expected, 3.4 standard deviations
   EXPECT_GE(alarms, 5);   // and the test is not blind
+}
+
+TEST(Compare, ADigestStandsForItsResult) {
+  for (const char* method : {"sampled", "transfer"}) {
+    const double half = method == std::string("sampled") ? 0.01 : 0;
+    const auto run = [&](double coarse, double fine, verdict_kind kind) {
+      return with({number(coarse, half, method, 0.5), number(fine, half, method, 0.25)}, {claim(kind)});
+    };
+    const auto before = run(2 / 3., 1 / 3., verdict_kind::holds);
+    const auto digest = report::from_json(report::to_digest(before));
+    const auto same = compare(digest, before);
+    EXPECT_TRUE(same.changes.empty()) << method;
+    EXPECT_EQ(same.numbers, 1u) << "the error at the last level";
+    EXPECT_EQ(same.claims, 1u);
+    EXPECT_EQ(kinds(digest, run(2 / 3., 0.38, verdict_kind::holds)), none{change_kind::worse});
+    EXPECT_EQ(kinds(digest, run(2 / 3., 0.28, verdict_kind::holds)), none{change_kind::better});
+    EXPECT_EQ(kinds(digest, run(2 / 3., 1 / 3., verdict_kind::refuted)), none{change_kind::worse});
+    EXPECT_EQ(kinds(run(2 / 3., 0.28, verdict_kind::holds), digest), none{change_kind::worse});
+  }
 }
 
 TEST(Compare, OtherScenesAreRefusedByTheKeyThatDiffers) {
