@@ -10,7 +10,9 @@ set(POLHODE_ALONE
   ${POLHODE_ISA_SOURCES} ${POLHODE_AES_SOURCES} ${POLHODE_ISA_CALLERS}  # each has definitions of its own
   cli/missing_memory.cpp)  # defines what the linker wraps around malloc
 
+# polhode_join_folders(target [MOST number]): of a folder at most so many are one.
 function(polhode_join_folders target)
+  cmake_parse_arguments(PARSE_ARGV 1 given "" "MOST" "")
   if(NOT POLHODE_UNITY)
     return()
   endif()
@@ -26,6 +28,11 @@ function(polhode_join_folders target)
     if(NOT name MATCHES "^(\\.\\.|systems|algebra|foreign)/" AND NOT name IN_LIST POLHODE_ALONE)
       cmake_path(GET name PARENT_PATH folder)
       string(REPLACE "/" "_" folder "${folder}")
+      if(given_MOST)
+        math(EXPR ${folder}_joined "0${${folder}_joined} + 1")
+        math(EXPR part "(${${folder}_joined} - 1) / ${given_MOST} + 1")
+        string(APPEND folder _${part})
+      endif()
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${folder}")
     endif()
   endforeach()

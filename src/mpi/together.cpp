@@ -18,6 +18,22 @@ namespace {
 constexpr std::size_t most_at_once = std::size_t{1} << 30U;  // MPI counts in int
 constexpr int whole_world_tag = 0;
 
+/// Sleeps until that is done, for MPI's own waiting takes a whole processor. False where it is not done by then.
+bool awaited(MPI_Request request, std::chrono::steady_clock::time_point until) {
+  for (int done = 0;; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (done != 0) return true;
+    if (std::chrono::steady_clock::now() > until) return false;
+  }
+}
+void await(MPI_Request request) { awaited(request, std::chrono::steady_clock::time_point::max()); }
+
+bool all_come(MPI_Comm where, std::chrono::steady_clock::time_point until) {
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Ibarrier(where, &request);
+  return awaited(request, until);
+}
+
 class mpi_ranks final : public ranks {
  public:
   mpi_ranks() {
@@ -28,12 +44,14 @@ class mpi_ranks final : public ranks {
   int size() const override { return size_; }
 
   std::vector<std::string> told_by_all(const std::string& mine) const override {
+    await_all();
     std::vector<std::string> out;
     for (int other = 0; other < size_; ++other) out.push_back(from(other, mine));
     return out;
   }
 
   std::optional<report::results> of_the_first(const std::optional<report::results>& mine) const override {
+    await_all();
     const auto text = from(0, rank_ == 0 && mine ? report::to_json(*mine) : "");
     if (text.empty()) return std::nullopt;
     return rank_ == 0 ? mine : report::from_json(text);
@@ -51,6 +69,7 @@ class mpi_ranks final : public ranks {
   }
 
  private:
+  static void await_all() { all_come(MPI_COMM_WORLD, std::chrono::steady_clock::time_point::max()); }
   static int piece(std::size_t left) { return static_cast<int>(std::min(left, most_at_once)); }
 
   /// What that rank gives, everywhere.
@@ -65,14 +84,18 @@ class mpi_ranks final : public ranks {
 
   static void send(const std::string& bytes) {
     const std::uint64_t size = bytes.size();
-    MPI_Send(&size, 1, MPI_UINT64_T, 0, whole_world_tag, MPI_COMM_WORLD);
+    MPI_Request taken = MPI_REQUEST_NULL;
+    MPI_Issend(&size, 1, MPI_UINT64_T, 0, whole_world_tag, MPI_COMM_WORLD, &taken);
+    await(taken);
     for (std::size_t at = 0; at < size; at += most_at_once)
       MPI_Send(bytes.data() + at, piece(size - at), MPI_CHAR, 0, whole_world_tag, MPI_COMM_WORLD);
   }
 
   static std::string received(int other) {
     std::uint64_t size = 0;
-    MPI_Recv(&size, 1, MPI_UINT64_T, other, whole_world_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    MPI_Request sent = MPI_REQUEST_NULL;
+    MPI_Irecv(&size, 1, MPI_UINT64_T, other, whole_world_tag, MPI_COMM_WORLD, &sent);
+    await(sent);
     std::string bytes(size, ' ');
     for (std::size_t at = 0; at < size; at += most_at_once)
       MPI_Recv(bytes.data() + at, piece(size - at), MPI_CHAR, other, whole_world_tag, MPI_COMM_WORLD,
@@ -85,17 +108,6 @@ class mpi_ranks final : public ranks {
 
 const mpi_ranks* world = nullptr;
 MPI_Comm failing = MPI_COMM_NULL;  // apart from where the others may be at work
-
-/// Whether every process comes here within a second.
-bool all_come() {
-  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(1);
-  MPI_Request request = MPI_REQUEST_NULL;
-  MPI_Ibarrier(failing, &request);
-  int come = 0;
-  while (MPI_Test(&request, &come, MPI_STATUS_IGNORE), come == 0 && std::chrono::steady_clock::now() < until)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  return come != 0;
-}
 
 }  // namespace
 
@@ -128,7 +140,7 @@ std::string signature() { return speaks() ? "" : fmt::format("rank {} of {}: ", 
 
 void fail(std::string_view fault, int code) {
   if (speaks()) print_error(fault);
-  if (others() == nullptr || all_come()) return;
+  if (others() == nullptr || all_come(failing, std::chrono::steady_clock::now() + std::chrono::seconds(1))) return;
   if (!speaks()) print_error(signature().append(fault));
   MPI_Abort(MPI_COMM_WORLD, code);
 }

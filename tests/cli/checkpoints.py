@@ -7,12 +7,14 @@ from case import Case, environment, EXE
 from formats import read
 from patience import within
 
-RUN = ('simulate', 'paper', '--scheme', 'lie_heun', '--dt', '1e-6', '--bodies', '66', '--noise', 'independent', '--snapshots', '0.5,2', '--checkpoint', '0.05', '--out', 'out')
+RUN = ('simulate', 'paper', '--scheme', 'lie_heun', '--bodies', '66', '--noise', 'independent', '--snapshots', '0.5,2', '--checkpoint', '0.05', '--out', 'out')
 
 
 class Checkpoints(Case):
+    dt = '1e-6'
+
     def simulate(self, *more, cache=None):
-        return subprocess.Popen([EXE, *RUN, *more], cwd=self.folder.name, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        return subprocess.Popen([EXE, *RUN, '--dt', self.dt, *more], cwd=self.folder.name, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                 env=environment(POLHODE_CACHE=cache or self.cache))
 
     def finished(self, *more, cache=None):
@@ -82,6 +84,7 @@ class Checkpoints(Case):
         self.assertEqual(self.stopped('--record', '0.001', when=hidden), 'polhode: stopped before any checkpoint: nothing is written\n')
 
     def test_what_is_damaged_or_of_another_run_is_not_taken(self):
+        self.dt = '4e-6'  # ten runs, of which one is to be saved before it ends
         self.killed_after_a_save()
         [path] = self.kept()
         good = read(path)
@@ -104,8 +107,8 @@ class Checkpoints(Case):
 
     def test_options(self):
         for value in ('0', '-1', 'x', 'nan'):
-            self.refused(*RUN, '--checkpoint', value, names=['--checkpoint', 'given more than once'])
-        base = [word for word in RUN if word not in ('--checkpoint', '0.05')]
+            self.refused(*RUN, '--dt', self.dt, '--checkpoint', value, names=['--checkpoint', 'given more than once'])
+        base = [*(word for word in RUN if word not in ('--checkpoint', '0.05')), '--dt', self.dt]
         for value in ('0', '-1', 'x', 'nan'): self.refused(*base, '--checkpoint', value, names=['--checkpoint', 'a number above 0'])
 
     def test_bodies_without_their_states(self):

@@ -68,7 +68,7 @@ TEST(round_trip, what_is_not_finite_is_null_with_a_status) {
   EXPECT_EQ(unfinished, 7);  // four of them numbers that carry a remark
 }
 
-std::string text_of(const char* name) {
+std::string golden_text(const char* name) {
   std::ifstream file(std::string(POLHODE_GOLDEN_DATA) + "/" + name);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -79,7 +79,7 @@ TEST(round_trip, a_document_of_version_1_says_the_same) {
   for (auto& m : expected.measurements)
     for (auto& c : m.at) c.unit = c.name == report::step_size ? "time" : "";
   for (auto& v : expected.verdicts) v.evidence.clear();
-  EXPECT_EQ(to_json(from_json(text_of("results_1.json"))), to_json(from_json(to_json(expected))));
+  EXPECT_EQ(to_json(from_json(golden_text("results_1.json"))), to_json(from_json(to_json(expected))));
 }
 
 // Documents of the same schema that were written before these keys were.

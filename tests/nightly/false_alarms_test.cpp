@@ -8,7 +8,6 @@
 #include <boost/math/distributions/beta.hpp>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <mutex>
 #include <string>
@@ -16,15 +15,13 @@
 #include "ensemble/noise/paths.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/from_environment.hpp"
 
 namespace polhode {
 namespace {
 
 /// One thousand, or as the environment says (POLHODE_SEEDS).
-int seeds() {
-  const char* wanted = std::getenv("POLHODE_SEEDS");
-  return wanted ? std::atoi(wanted) : 1000;
-}
+int seeds() { return test::from_environment("POLHODE_SEEDS", 1000); }
 
 /// Calls with(results) of a run on one thread for every seed from `first` on, one at a time.
 void over_seeds(const std::string& name, std::uint64_t first, const std::vector<std::string>& schemes,

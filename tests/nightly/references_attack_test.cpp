@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Thousands of random and extreme scenes against the references: right with an honest bar, or refused.
 // POLHODE_ATTACK_SCENES and POLHODE_ATTACK_SEED change how many and which.
-#include <array>
-#include <cstdlib>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
+#include <array>
+
+#include "support/from_environment.hpp"
 #include "support/reference_attack.hpp"
 
 namespace polhode::test {
 namespace {
 
 /// What ends within ten minutes.
-int scenes(const char* quantity) {
+int default_scenes(const char* quantity) {
   const std::map<std::string, int> tried{
       {"gibbs", 100'000}, {"mean", 8000}, {"expectation", 600}, {"gap", 2000}, {"lyapunov", 800}};
   return tried.at(quantity);
-}
-
-int from_environment(const char* name, int otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atoi(text) : otherwise;
 }
 
 /// Of every second expectation another observable, one after the other.
@@ -32,7 +30,7 @@ class ReferencesUnderAttack : public testing::TestWithParam<const char*> {};
 TEST_P(ReferencesUnderAttack, AreHonestOrRefuse) {
   std::mt19937_64 random(static_cast<unsigned>(from_environment("POLHODE_ATTACK_SEED", 20261122)));
   std::map<std::string, attack_count> counts;
-  const int tried = from_environment("POLHODE_ATTACK_SCENES", scenes(GetParam()));
+  const int tried = from_environment("POLHODE_ATTACK_SCENES", default_scenes(GetParam()));
   for (const bool tame : {true, false}) {
     auto& count = counts[std::string(GetParam()) + (tame ? "" : ", wild")];
     for (int n = 0; n < tried / 2; ++n)

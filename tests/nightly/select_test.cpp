@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include "support/from_environment.hpp"
 
 namespace polhode {
 namespace {
@@ -13,10 +13,7 @@ namespace {
 using namespace test;
 
 /// POLHODE_SCENES: another number.
-int scenes() {
-  const char* given = std::getenv("POLHODE_SCENES");
-  return given == nullptr ? 100 : std::atoi(given);
-}
+int scenes() { return from_environment("POLHODE_SCENES", 100); }
 
 class EveryTarget : public testing::TestWithParam<std::pair<const char*, double>> {};
 

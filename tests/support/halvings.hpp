@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Step sizes that halve from 1/8 on.
+// Step sizes that halve.
 #pragma once
 
 #include <cmath>
@@ -7,9 +7,9 @@
 
 namespace polhode::test {
 
-inline std::vector<double> halvings(int levels) {
+inline std::vector<double> halvings(int levels, double coarsest = 0.125) {
   std::vector<double> dt;
-  for (int i = 0; i < levels; ++i) dt.push_back(std::exp2(-3 - i));
+  for (int i = 0; i < levels; ++i) dt.push_back(std::ldexp(coarsest, -i));
   return dt;
 }
 

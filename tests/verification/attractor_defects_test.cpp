@@ -13,19 +13,21 @@
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
 #include "support/kernel_decorator.hpp"
+#include "support/verdicts.hpp"
 #include "systems/bind.hpp"
 
 namespace polhode {
 namespace {
 
 /// What becomes of an increment, [step][channel] its row.
-using change = std::function<double(double dw, std::size_t row)>;
+using noise_change = std::function<double(double dw, std::size_t row)>;
 
 /// A kernel that goes wrong over many steps. Single ones, as in the transfer operator, are right.
 class wrong_noise final : public test::kernel_decorator {
  public:
   using kernel_decorator::advance;
-  wrong_noise(std::unique_ptr<kernel> inner, change how) : kernel_decorator(std::move(inner)), how_(std::move(how)) {}
+  wrong_noise(std::unique_ptr<kernel> inner, noise_change how)
+      : kernel_decorator(std::move(inner)), how_(std::move(how)) {}
 
   void advance(std::span<double> states, const increment_view& noise, piece p) const override {
     std::vector<double> dw(noise.dw.begin(), noise.dw.end());
@@ -36,7 +38,7 @@ class wrong_noise final : public test::kernel_decorator {
   }
 
  private:
-  change how_;
+  noise_change how_;
 };
 
 /// A kernel whose common noise is counted from the first step of a run, whichever it is.
@@ -57,20 +59,19 @@ std::optional<report::verdict_kind> verdict_with(const std::string& claim, const
   s.schemes[0].make = [=, make = s.schemes[0].make](double dt) -> std::unique_ptr<kernel> {
     return std::make_unique<Wrong>(make(dt), how...);
   };
-  report::results out;
-  attractor_experiment().run({s, effort::quick, 2}, out);
+  const auto out = test::quick_report(s, attractor_experiment().run);
   for (const auto& v : out.verdicts)
     if (v.claim == claim) return v.kind;
   return std::nullopt;
 }
 
 TEST(Attractor, StrongerNoiseIsNotTheSchemesOwnLaw) {
-  const change stronger = [](double dw, std::size_t) { return 1.5 * dw; };
+  const noise_change stronger = [](double dw, std::size_t) { return 1.5 * dw; };
   EXPECT_EQ(verdict_with<wrong_noise>("mean over noise paths", stronger), report::verdict_kind::refuted);
 }
 
 TEST(Attractor, OneNoiseForAllPathsDoesNotAverageOut) {
-  const change the_same = [](double, std::size_t row) { return 0.2 * std::sin(static_cast<double>(row * row)); };
+  const noise_change the_same = [](double, std::size_t row) { return 0.2 * std::sin(static_cast<double>(row * row)); };
   EXPECT_EQ(verdict_with<wrong_noise>("slope over noise paths", the_same), report::verdict_kind::refuted);
 }
 
@@ -85,8 +86,7 @@ report::verdict with_steps_of(double theta, double theta_of_steps, const std::st
   other.number("theta") = theta_of_steps;
   auto s = restricted(bind_scene(scene), {"lie_heun"});
   s.schemes[0].make = restricted(bind_scene(other), {"lie_heun"}).schemes[0].make;
-  report::results out;
-  attractor_experiment().run({s, effort::quick, 2}, out);
+  const auto out = test::quick_report(s, attractor_experiment().run);
   const auto found = std::ranges::find(out.verdicts, claim, &report::verdict::claim);
   return found == out.verdicts.end() ? report::verdict{.reason = "not asked"} : *found;
 }

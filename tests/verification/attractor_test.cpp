@@ -6,25 +6,20 @@
 #include <string>
 #include <string_view>
 
-#include "experiments/common/noise_verdict.hpp"
 #include "reports/writers/json.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/verdicts.hpp"
 
 namespace polhode {
 namespace {
 
-report::results quick(const scene& s, std::vector<std::string> schemes, int threads = 2) {
-  verify_options options;
-  options.experiments = {"attractor"};
-  options.schemes = std::move(schemes);
-  options.effort = effort::quick;
-  options.threads = threads;
-  return verify(s, options);
+report::results attractor_of(const scene& s, std::vector<std::string> schemes, int threads = 2) {
+  return test::quick_results(s, {"attractor"}, std::move(schemes), threads);
 }
 
 const report::results& on_paper() {
-  static const auto r = quick(load_scene("paper"), {"lie_euler", "strang_weak2"});
+  static const auto r = attractor_of(load_scene("paper"), {"lie_euler", "strang_weak2"});
   return r;
 }
 
@@ -44,17 +39,17 @@ void expect_to_hold(const report::results& r, const std::string& claim, std::siz
   EXPECT_EQ(found, count) << claim;
 }
 
-std::optional<report::measurement> row(const report::results& r, std::string_view scheme, std::string_view quantity,
-                                       std::string_view method = "sampled") {
+std::optional<report::measurement> sampled_row(const report::results& r, std::string_view scheme,
+                                               std::string_view quantity, std::string_view method = "sampled") {
   for (const auto& m : r.measurements)
     if (m.scheme == scheme && m.quantity == quantity && m.method == method && m.over.empty()) return m;
   return std::nullopt;
 }
 
 void expect_dimensions_in_their_order() {
-  const auto pairs = row(on_paper(), "", "correlation dimension"),
-             information = row(on_paper(), "", "information dimension"),
-             boxes = row(on_paper(), "", "box-counting dimension");
+  const auto pairs = sampled_row(on_paper(), "", "correlation dimension"),
+             information = sampled_row(on_paper(), "", "information dimension"),
+             boxes = sampled_row(on_paper(), "", "box-counting dimension");
   ASSERT_TRUE(pairs && information && boxes);
   EXPECT_LT(*pairs->value, *information->value);
   EXPECT_LT(*information->value, *boxes->value);
@@ -62,8 +57,8 @@ void expect_dimensions_in_their_order() {
 
 // The distance that averages are to keep in the end: seen for a scheme of order one, hardly for one of order two.
 void expect_the_exact_bias_to_tell_the_orders_apart() {
-  const auto first = row(on_paper(), "lie_euler", "distance to the true law", "transfer"),
-             second = row(on_paper(), "strang_weak2", "distance to the true law", "transfer");
+  const auto first = sampled_row(on_paper(), "lie_euler", "distance to the true law", "transfer"),
+             second = sampled_row(on_paper(), "strang_weak2", "distance to the true law", "transfer");
   ASSERT_TRUE(first && second);
   EXPECT_GT(*first->value, 0.025);
   EXPECT_LT(*second->value, 0.001);
@@ -89,15 +84,6 @@ void expect_densities_relative_to_the_uniform_one() {
   }
 }
 
-/// One verdict, and the largest deviation of each part.
-void expect_the_noise_of(const report::results& r, const std::vector<std::string>& parts) {
-  expect_to_hold(r, noise_claim, 1);
-  std::vector<std::string> heard;
-  for (const auto& m : r.measurements)
-    if (m.scheme == noise_name) heard.push_back(m.observable.substr(0, m.observable.find(':')));
-  EXPECT_EQ(heard, parts);
-}
-
 TEST(Attractor, ClaimsHoldWhereBodiesSpread) {
   for (const char* claim : {"slope over noise paths", "mean over noise paths", "pullback converges",
                             "neighbours part at the rate lambda_1"})
@@ -105,21 +91,21 @@ TEST(Attractor, ClaimsHoldWhereBodiesSpread) {
   expect_dimensions_in_their_order();
   expect_the_exact_bias_to_tell_the_orders_apart();
   expect_densities_relative_to_the_uniform_one();
-  expect_the_noise_of(on_paper(), {"averages", "pullback", "neighbours", "dimensions", "densities"});
+  test::expect_noise_of(on_paper(), {"averages", "pullback", "neighbours", "dimensions", "densities"});
 }
 
 TEST(Attractor, ClaimsHoldWhereBodiesCollect) {
-  const auto r = quick(damped(), {"strang", "lie_heun"});
+  const auto r = attractor_of(damped(), {"strang", "lie_heun"});
   for (const char* claim :
        {"slope over noise paths", "mean over noise paths", "pullback converges", "collapse at the rate lambda_1"})
     expect_to_hold(r, claim, 2);
-  EXPECT_NEAR(*row(r, "strang", "collapse rate")->value, -0.04358, 0.1 * 0.04358);  // docs/model.md, section 5
-  expect_the_noise_of(r, {"averages", "pullback", "collapse", "densities"});
+  EXPECT_NEAR(*sampled_row(r, "strang", "collapse rate")->value, -0.04358, 0.1 * 0.04358);  // docs/model.md, section 5
+  test::expect_noise_of(r, {"averages", "pullback", "collapse", "densities"});
 }
 
 TEST(Attractor, ThreadsChangeNothing) {
   const auto text = [](int threads) {
-    auto r = quick(load_scene("paper"), {"lie_heun"}, threads);
+    auto r = attractor_of(load_scene("paper"), {"lie_heun"}, threads);
     r.provenance = {};
     return report::to_json(r);
   };
@@ -132,7 +118,7 @@ TEST(Attractor, IsSkippedWithAReasonWhereItSaysNothing) {
   undamped.number("theta") = 0;
   silent.vectors("sigma").clear();
   for (const auto& s : {ball, undamped, silent}) {
-    const auto r = quick(s, {"strang"});
+    const auto r = attractor_of(s, {"strang"});
     ASSERT_FALSE(r.skipped.empty());
     EXPECT_TRUE(r.measurements.empty());
     ASSERT_FALSE(r.verdicts.empty());

@@ -8,17 +8,14 @@
 #include "run/run_experiment.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/verdicts.hpp"
 #include "systems/bind.hpp"
 #include "systems/rigid_body/rigid_body.hpp"
 
 namespace polhode {
 namespace {
 
-report::results bias_of(const subject& s) {
-  report::results out;
-  report_stationary_bias({s, effort::quick, 2}, out);
-  return out;
-}
+using test::quick_report;
 
 /// Lie-Euler, turned about axis 2 at a rate of 0.001: by symmetry that moves no mean of an even function of each
 /// component at first order, h and its square among them.
@@ -41,7 +38,8 @@ struct slowly_turned {
 };
 
 TEST(BiasOfAllMeans, ADriftThatTheMeanOfTheEnergyDoesNotTellIsRefutedInTheOthers) {
-  const auto r = bias_of(bind(load_scene("paper"), make_rigid_body, scheme_list<slowly_turned>{}));
+  const auto r =
+      quick_report(bind(load_scene("paper"), make_rigid_body, scheme_list<slowly_turned>{}), report_stationary_bias);
   const auto& v = r.verdicts.at(0);
   EXPECT_EQ(v.kind, report::verdict_kind::refuted) << v.reason;
   EXPECT_EQ(v.reason.substr(0, 25), "wrong limit: at dt = 0 pi") << v.reason;
@@ -56,7 +54,7 @@ TEST(BiasOfAllMeans, ADriftThatTheMeanOfTheEnergyDoesNotTellIsRefutedInTheOthers
 
 // What vanishes by symmetry, exactly and in every scheme, leaves no verdict open.
 TEST(BiasOfAllMeans, MeansThatVanishBySymmetryDecideNothing) {
-  const auto r = bias_of(restricted(bind_scene(load_scene("paper")), {"lie_euler"}));
+  const auto r = quick_report(restricted(bind_scene(load_scene("paper")), {"lie_euler"}), report_stationary_bias);
   EXPECT_EQ(r.verdicts.at(0).kind, report::verdict_kind::holds) << r.verdicts.at(0).reason;
   int rows = 0;
   for (const auto& m : r.measurements)

@@ -21,6 +21,7 @@
 #include "sphere/expectations/expectation.hpp"
 #include "sphere/harmonics/backward_operator.hpp"
 #include "statistics/sample.hpp"
+#include "support/verdicts.hpp"
 #include "systems/bind.hpp"
 
 namespace polhode {
@@ -73,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(OneNoiseVector, Biases, testing::Values("implicit_midpo
 
 /// Mean of h after so long a time that the start is forgotten, of independent paths.
 template <class Scheme>
-interval_estimate sampled_energy(double dt) {
+interval_estimate late_energy(double dt) {
   constexpr int paths = 20'000, steps = 120;
   const vec<double, 3> sigma[] = {{{0.3, 0.4, 0.5}}};
   const rigid_body body({1, 2, 3}, 0.5, rigid_body::from_vectors(sigma));
@@ -92,7 +93,7 @@ TEST(SampledBias, IsThatOfTheOperatorUnderOneNoiseVector) {
   ASSERT_TRUE(reference) << reason;
   const auto bias = reference->of(s, s.schemes[0], dt, 4);
   const auto truth = stationary_mean(*s.sphere(), *named_observable("energy", *s.sphere()), 1e-6);
-  const auto sampled = sampled_energy<lie_euler>(dt);
+  const auto sampled = late_energy<lie_euler>(dt);
   EXPECT_LT(bias.uncertainty[0], 0.02 * std::fabs(bias.error[0]));
   EXPECT_NEAR(sampled.value, *truth.value + bias.error[0], 2 * half_width(sampled) + bias.uncertainty[0]);
   EXPECT_GT(std::fabs(bias.error[0]), 4 * half_width(sampled)) << "the sample does not tell a bias from none";
@@ -108,9 +109,7 @@ report::verdict verdict_on(const char* scheme, double noise, double dissipation)
   stepped.number("theta") *= dissipation;
   auto s = restricted(bind_scene(scene), {scheme});
   s.schemes = restricted(bind_scene(stepped), {scheme}).schemes;
-  report::results out;
-  report_stationary_bias({s, effort::quick, 2}, out);
-  return out.verdicts.at(0);
+  return test::quick_report(s, report_stationary_bias).verdicts.at(0);
 }
 
 TEST(OneNoiseVector, NoiseOffByAFifthOfAPerCentIsRefutedByTheStationaryLawAndTheHealthySchemeIsNot) {

@@ -2,7 +2,7 @@
 // The spectral gap of each scheme: known answers, another method, and defects.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "algebra/decompositions.hpp"
@@ -18,11 +18,7 @@ namespace {
 
 constexpr std::string_view claim = "spectral gap converges";
 
-report::results modified_of(const subject& s) {
-  report::results out;
-  modified_experiment().run({s, effort::quick, 2}, out);
-  return out;
-}
+report::results modified_of(const subject& s) { return test::quick_report(s, modified_experiment().run); }
 
 const report::verdict& gap_verdict(const report::results& r) { return test::verdict_of(r, claim); }
 

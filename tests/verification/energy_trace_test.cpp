@@ -9,6 +9,7 @@
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
 #include "sphere/closed_forms/energy_drift.hpp"
+#include "support/verdicts.hpp"
 #include "systems/bind.hpp"
 #include "systems/rigid_body/rigid_body.hpp"
 #include "transfer/transfer.hpp"
@@ -26,14 +27,12 @@ report::scene scene_of(const std::vector<double>& inertia, double noise = 1) {
   return scene;
 }
 
-report::results trace_of(const subject& s) {
-  report::results out;
-  report_energy_trace({s, effort::quick, 2}, out);
-  return out;
-}
+report::results trace_of(const subject& s) { return test::quick_report(s, report_energy_trace); }
 
 /// E over a rotation by sigma sqrt(dt) g of harmonics of degree two, s = sigma^2 dt.
-double factor(double s) { return (1 + 2 * (1 - s) * std::exp(-s / 2) + 2 * (1 - 4 * s) * std::exp(-2 * s)) / 5; }
+double degree_two_factor(double s) {
+  return (1 + 2 * (1 - s) * std::exp(-s / 2) + 2 * (1 - 4 * s) * std::exp(-2 * s)) / 5;
+}
 
 TEST(EnergyDrift, HarmonicsAgreeWithTheClosedForm) {
   const auto isotropic = body_on_sphere({1, 2, 3}, 0, 1.5, 0.25 * Eigen::Matrix3d::Identity());
@@ -61,7 +60,8 @@ TEST(EnergyTrace, OfABodyOfRevolutionIsKnown) {
   for (const auto& m : r.measurements) {
     if (m.quantity != "drift of E[h]" || m.observable != "at the start" || !m.dt()) continue;
     const double s = 0.25 * *m.dt();
-    EXPECT_NEAR(*m.value, std::fabs((factor(s) - std::exp(-3 * s)) * (energy - mean) / *m.dt()), 1e-8) << *m.dt();
+    EXPECT_NEAR(*m.value, std::fabs((degree_two_factor(s) - std::exp(-3 * s)) * (energy - mean) / *m.dt()), 1e-8)
+        << *m.dt();
     ++compared;
   }
   EXPECT_GE(compared, 5);
@@ -79,7 +79,8 @@ struct keeps_the_trace {
     thread_local double known = 0, found = 1;
     if (s == known) return found;
     double least = 0, most = 2 * s;  // factor falls there
-    for (int i = 0; i < 100; ++i) (factor((least + most) / 2) > std::exp(-3 * s) ? least : most) = (least + most) / 2;
+    for (int i = 0; i < 100; ++i)
+      (degree_two_factor((least + most) / 2) > std::exp(-3 * s) ? least : most) = (least + most) / 2;
     known = s;
     return found = std::sqrt(least / s);
   }

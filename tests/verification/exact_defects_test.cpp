@@ -13,6 +13,7 @@
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
 #include "sphere/expectations/expectation.hpp"
+#include "support/verdicts.hpp"
 #include "systems/bind.hpp"
 #include "systems/rigid_body/rigid_body.hpp"
 #include "transfer/basis/radial_motion.hpp"
@@ -22,9 +23,11 @@ namespace polhode {
 namespace {
 
 using report::verdict_kind;
+using test::quick_report;
 
 /// The schemes as they ship, with the steps of another scene: what is wrong with them is what differs between the two.
-subject planted(const report::scene& scene, const report::scene& stepped, const std::vector<std::string>& schemes) {
+subject with_schemes_of(const report::scene& scene, const report::scene& stepped,
+                        const std::vector<std::string>& schemes) {
   auto s = restricted(bind_scene(scene), schemes);
   s.schemes = restricted(bind_scene(stepped), schemes).schemes;
   return s;
@@ -43,18 +46,6 @@ report::scene weak_noise(double sigma) {
   return scene;
 }
 
-report::results weak_of(const subject& s) {
-  report::results out;
-  weak_experiment().run({s, effort::quick, 2}, out);
-  return out;
-}
-
-report::results bias_of(const subject& s) {
-  report::results out;
-  report_stationary_bias({s, effort::quick, 2}, out);
-  return out;
-}
-
 /// Every verdict there is; begins: of its reason.
 void expect(const report::results& r, verdict_kind kind, const std::string& begins = "") {
   EXPECT_FALSE(r.verdicts.empty());
@@ -64,15 +55,16 @@ void expect(const report::results& r, verdict_kind kind, const std::string& begi
   }
 }
 
-struct defect {
+struct wrong_factors {
   double noise, dissipation;
   std::vector<std::string> schemes;
 };
 
 TEST(ExactDefects, AThousandthOfNoiseOrDissipationIsRefutedInTheWeakError) {
   const auto scene = load_scene("paper");
-  for (const auto& d : {defect{1.001, 1, {"heun"}}, {0.999, 1, {"lie_trotter"}}, {1, 0.999, {"strang_weak2"}}}) {
-    const auto r = weak_of(planted(scene, scaled(scene, d.noise, d.dissipation), d.schemes));
+  for (const auto& d : {wrong_factors{1.001, 1, {"heun"}}, {0.999, 1, {"lie_trotter"}}, {1, 0.999, {"strang_weak2"}}}) {
+    const auto r =
+        quick_report(with_schemes_of(scene, scaled(scene, d.noise, d.dissipation), d.schemes), weak_experiment().run);
     ASSERT_FALSE(r.verdicts.empty());
     EXPECT_EQ(r.verdicts[0].kind, verdict_kind::refuted);
     EXPECT_EQ(r.verdicts[0].reason.substr(0, 11), "wrong limit") << r.verdicts[0].reason;
@@ -83,8 +75,9 @@ TEST(ExactDefects, AThousandthOfNoiseOrDissipationIsRefutedInTheStationaryLaw) {
   const auto scene = load_scene("paper");
   const std::vector<std::string> schemes{"lie_euler", "lie_trotter", "strang", "strang_weak2"};
   for (const auto& [noise, dissipation] : {std::pair{1.001, 1.0}, {0.999, 1.0}, {0.998, 1.0}, {1.0, 1.001}})
-    expect(bias_of(planted(scene, scaled(scene, noise, dissipation), schemes)), verdict_kind::refuted, "wrong limit");
-  expect(bias_of(planted(scene, scene, schemes)), verdict_kind::holds);
+    expect(quick_report(with_schemes_of(scene, scaled(scene, noise, dissipation), schemes), report_stationary_bias),
+           verdict_kind::refuted, "wrong limit");
+  expect(quick_report(with_schemes_of(scene, scene, schemes), report_stationary_bias), verdict_kind::holds);
 }
 
 // Noise so weak that the term of order one hides below that of order two.
@@ -92,11 +85,11 @@ TEST(ExactDefects, AnOverclaimedOrderIsRefutedUnderWeakNoise) {
   for (const double sigma : {0.05, 0.1}) {
     auto s = restricted(bind_scene(weak_noise(sigma)), {"strang"});
     s.schemes[0].info.weak_order = {.one_vector = 2, .isotropic = 2, .general = 2};
-    const auto r = weak_of(s);
+    const auto r = quick_report(s, weak_experiment().run);
     expect(r, verdict_kind::refuted);
     EXPECT_NE(r.verdicts.at(0).reason.find("term of order 1"), std::string::npos) << r.verdicts.at(0).reason;
   }
-  const auto healthy = weak_of(restricted(bind_scene(weak_noise(0.05)), {"strang_weak2"}));
+  const auto healthy = quick_report(restricted(bind_scene(weak_noise(0.05)), {"strang_weak2"}), weak_experiment().run);
   EXPECT_EQ(healthy.verdicts.at(0).kind, verdict_kind::holds) << healthy.verdicts.at(0).reason;
 }
 
@@ -119,8 +112,8 @@ struct rare_branch {
 
 TEST(ExactDefects, ARareBranchIsRefuted) {
   const auto s = bind(load_scene("paper"), make_rigid_body, scheme_list<rare_branch>{});
-  expect(weak_of(s), verdict_kind::refuted, "not smooth in its noise");
-  expect(bias_of(s), verdict_kind::refuted, "not smooth in its noise");
+  expect(quick_report(s, weak_experiment().run), verdict_kind::refuted, "not smooth in its noise");
+  expect(quick_report(s, report_stationary_bias), verdict_kind::refuted, "not smooth in its noise");
 }
 
 /// What the loss of a share of the noise moves the mean of f by, at the horizon.

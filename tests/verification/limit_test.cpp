@@ -11,6 +11,7 @@
 #include "scene/scene.hpp"
 #include "statistics/rounding_noise.hpp"
 #include "support/so4_body.hpp"
+#include "support/verdicts.hpp"
 #include "systems/bind.hpp"
 #include "systems/rigid_body/rigid_body.hpp"
 #include "transfer/transfer.hpp"
@@ -19,35 +20,25 @@ namespace polhode {
 namespace {
 
 using report::verdict_kind;
+using test::quick_results, test::verdict_of;
 constexpr auto limit_claim = "limit is the Stratonovich solution";
 
 /// By what its noise and dissipation are multiplied; one kernel for all, as each costs its compilation.
 struct tuning {
   double noise = 1, theta = 1;
 };
-tuning planted;
+tuning detuning;
 
 template <class Scheme>
 struct detuned {
   static constexpr auto info = Scheme::info;
   template <class System, class S>
   static auto step(System system, const vec<S, System::dimension>& mu, wiener<S, System::channels> w) {
-    w.dw = S(planted.noise) * w.dw;
-    system.theta *= planted.theta;
+    w.dw = S(detuning.noise) * w.dw;
+    system.theta *= detuning.theta;
     return Scheme::step(system, mu, w);
   }
 };
-
-verify_options quick(const char* experiment, std::uint64_t seed = 1) {
-  return {{}, {experiment}, effort::quick, 2, seed};
-}
-
-report::verdict of(const report::results& r, const std::string& text) {
-  for (const auto& v : r.verdicts)
-    if (v.claim == text) return v;
-  ADD_FAILURE() << "no verdict " << text;
-  return {};
-}
 
 template <class Scheme>
 subject body() {
@@ -61,13 +52,13 @@ subject so4() {
 }
 
 struct Limit : testing::Test {
-  void TearDown() override { planted = {}; }
+  void TearDown() override { detuning = {}; }
 };
 
 TEST_F(Limit, NoiseAndDissipationALittleOffAreRefuted) {
   const auto expect_refuted = [](const subject& s, tuning defect) {
-    planted = defect;
-    const auto v = of(verify_subject(s, quick("strong")), limit_claim);
+    detuning = defect;
+    const auto v = verdict_of(quick_results(s, {"strong"}), limit_claim);
     EXPECT_EQ(v.kind, verdict_kind::refuted) << v.reason;
   };
   for (const auto defect : {tuning{1.001, 1}, tuning{0.999, 1}, tuning{1, 1.01}})
@@ -77,7 +68,7 @@ TEST_F(Limit, NoiseAndDissipationALittleOffAreRefuted) {
 
 TEST_F(Limit, HealthyTwinsHold) {
   const auto expect_held = [](const subject& s, std::uint64_t seed) {
-    const auto v = of(verify_subject(s, quick("strong", seed)), limit_claim);
+    const auto v = verdict_of(verify_subject(s, {{}, {"strong"}, effort::quick, 2, seed}), limit_claim);
     EXPECT_EQ(v.kind, verdict_kind::holds) << v.reason;
   };
   for (const std::uint64_t seed : {1, 2, 3}) expect_held(body<detuned<lie_heun>>(), seed);
@@ -86,20 +77,20 @@ TEST_F(Limit, HealthyTwinsHold) {
 
 // Order 1/2 is claimed; noise 4 % off bends the slope away from it, which is no excuse.
 TEST_F(Limit, ASlopeThatLeavesItsClaimIsRefuted) {
-  planted.noise = 1.04;
-  const auto v = of(verify_subject(body<detuned<lie_heun>>(), quick("strong")), "strong order");
+  detuning.noise = 1.04;
+  const auto v = verdict_of(quick_results(body<detuned<lie_heun>>(), {"strong"}), "strong order");
   EXPECT_EQ(v.kind, verdict_kind::refuted) << v.reason;
 }
 
 TEST_F(Limit, WeakFallbackIsHeldAgainstTheTruth) {
   const auto judged = [](tuning defect) {
-    planted = defect;
+    detuning = defect;
     const auto s = body<detuned<lie_heun>>();
     const auto expected = [](const scheme_entry&) { return 1; };
     report::results out;
     report_sampled_orders({s, effort::quick, 2, 5}, s.schemes, {{"energy", *observable_of(s, "energy")}}, expected,
                           out);
-    return of(out, "limit of the law is that of the Stratonovich solution");
+    return verdict_of(out, "limit of the law is that of the Stratonovich solution");
   };
   const auto healthy = judged({});
   EXPECT_EQ(healthy.kind, verdict_kind::holds) << healthy.reason;

@@ -9,22 +9,17 @@
 
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/verdicts.hpp"
 
 namespace polhode {
 namespace {
 
-using row = report::measurement;
-
-std::vector<row> rows(std::string_view quantity) {
+std::vector<report::measurement> rows(std::string_view quantity) {
   static const auto all = [] {
-    verify_options options;
-    options.experiments = {"lyapunov"};
-    options.schemes = {"euler_maruyama"};  // sampled exponents: lyapunov_sampled_test.cpp
-    options.effort = effort::quick;
-    options.threads = 2;
-    return verify(load_scene("paper"), options).measurements;
+    // Sampled exponents: lyapunov_sampled_test.cpp.
+    return test::quick_results(load_scene("paper"), {"lyapunov"}, {"euler_maruyama"}).measurements;
   }();
-  std::vector<row> found;
+  std::vector<report::measurement> found;
   for (const auto& m : all)
     if (m.quantity == quantity && m.scheme.empty()) found.push_back(m);
   return found;
@@ -38,7 +33,7 @@ lyapunov_exponents at(double sigma, double theta) {
 struct place {
   double sigma = 0, theta = 0;
 };
-place place_of(const row& m, std::size_t wanted) {
+place place_of(const report::measurement& m, std::size_t wanted) {
   EXPECT_EQ(m.at.size(), wanted);
   return {m.at_coordinate("sigma").value_or(NAN), m.at_coordinate("theta").value_or(NAN)};
 }
@@ -54,7 +49,7 @@ TEST(LyapunovRows, AreTheExponentsOfTheScene) {
   ASSERT_EQ(found.reason, "");
   const auto first = rows("lambda_1"), sum = rows("lambda_1 + lambda_2"), dimension = rows("kaplan_yorke_dimension");
   ASSERT_EQ(first.size() * sum.size() * dimension.size(), 1u);
-  const std::vector<std::pair<row, double>> expected{
+  const std::vector<std::pair<report::measurement, double>> expected{
       {first[0], *found.lambda1}, {sum[0], found.sum}, {dimension[0], found.dimension}};
   for (const auto& [m, value] : expected) {
     EXPECT_LE(*m.low, value) << m.quantity;

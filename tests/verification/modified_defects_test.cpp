@@ -15,17 +15,15 @@
 namespace polhode {
 namespace {
 
-using test::scheme_of, test::verdict_of;
-
-report::results quick(const subject& s) { return test::quick_results(s, {"modified"}); }
+using test::quick_results, test::scheme_of, test::verdict_of;
 
 constexpr std::string_view parameters = "parameters converge to the scene's",
                            residual = "residual falls at the weak order";
 
-using change = void (*)(report::scene&);
+using scene_change = void (*)(report::scene&);
 
 /// The scheme as it is on one scene, held to another: what a wrong number in its code would be.
-subject planted(const report::scene& scene, std::string_view scheme, change wrong) {
+subject with_scheme_changed(const report::scene& scene, std::string_view scheme, scene_change wrong) {
   auto changed = scene;
   wrong(changed);
   auto s = bind_scene(scene);
@@ -40,43 +38,45 @@ void stronger_noise(report::scene& s) {
     for (auto& x : v) x *= 1 + Percent / 1000.0;
 }
 
-struct defect {
+struct scene_defect {
   const char *name, *scheme;
-  change wrong;
+  scene_change wrong;
 };
-void PrintTo(const defect& d, std::ostream* out) { *out << d.name << ", " << d.scheme; }
+void PrintTo(const scene_defect& d, std::ostream* out) { *out << d.name << ", " << d.scheme; }
 
-struct ModifiedDefects : testing::TestWithParam<defect> {};
+struct ModifiedDefects : testing::TestWithParam<scene_defect> {};
 
 TEST_P(ModifiedDefects, AreRefuted) {
-  const auto r = quick(planted(load_scene("paper"), GetParam().scheme, GetParam().wrong));
+  const auto r =
+      quick_results(with_scheme_changed(load_scene("paper"), GetParam().scheme, GetParam().wrong), {"modified"});
   EXPECT_EQ(verdict_of(r, parameters).kind, report::verdict_kind::refuted) << verdict_of(r, parameters).reason;
 }
 
-constexpr change noise_strong = stronger_noise<1>, noise_weak = stronger_noise<-1>,
-                 theta_large = [](report::scene&s) { s.number("theta") *= 1.001; },
-                 inertia_one = [](report::scene&s) { s.vector("inertia")[0] *= 1.01; },
-                 inertia_two = [](report::scene&s) { s.vector("inertia")[1] *= 0.999; },
-                 inertia_three = [](report::scene&s) { s.vector("inertia")[2] *= 1.001; },
-                 turned_noise = [](report::scene&s) {
-                   s.vectors("sigma")[0] = {0.5, 0.0005, 0};
-                 };
+constexpr scene_change noise_strong = stronger_noise<1>, noise_weak = stronger_noise<-1>,
+                       theta_large = [](report::scene&s) { s.number("theta") *= 1.001; },
+                       inertia_one = [](report::scene&s) { s.vector("inertia")[0] *= 1.01; },
+                       inertia_two = [](report::scene&s) { s.vector("inertia")[1] *= 0.999; },
+                       inertia_three = [](report::scene&s) { s.vector("inertia")[2] *= 1.001; },
+                       turned_noise = [](report::scene&s) {
+                         s.vectors("sigma")[0] = {0.5, 0.0005, 0};
+                       };
 
 INSTANTIATE_TEST_SUITE_P(Planted, ModifiedDefects,
-                         testing::Values(defect{"noise 0.1 % strong", "lie_euler", noise_strong},
-                                         defect{"noise 0.1 % strong", "strang_weak2", noise_strong},
-                                         defect{"noise 0.1 % weak", "lie_euler", noise_weak},
-                                         defect{"noise 0.1 % weak", "strang_weak2", noise_weak},
-                                         defect{"theta 0.1 % large", "lie_euler", theta_large},
-                                         defect{"theta 0.1 % large", "strang_weak2", theta_large},
-                                         defect{"I_1 1 % large", "lie_euler", inertia_one},
-                                         defect{"I_1 1 % large", "strang_weak2", inertia_one},
-                                         defect{"I_2 0.1 % small", "lie_euler", inertia_two},
-                                         defect{"I_2 0.1 % small", "strang_weak2", inertia_two},
-                                         defect{"I_3 0.1 % large", "lie_euler", inertia_three},
-                                         defect{"I_3 0.1 % large", "strang_weak2", inertia_three},
-                                         defect{"channels correlated by 0.001", "lie_heun", turned_noise},
-                                         defect{"channels correlated by 0.001", "implicit_midpoint", turned_noise}));
+                         testing::Values(scene_defect{"noise 0.1 % strong", "lie_euler", noise_strong},
+                                         scene_defect{"noise 0.1 % strong", "strang_weak2", noise_strong},
+                                         scene_defect{"noise 0.1 % weak", "lie_euler", noise_weak},
+                                         scene_defect{"noise 0.1 % weak", "strang_weak2", noise_weak},
+                                         scene_defect{"theta 0.1 % large", "lie_euler", theta_large},
+                                         scene_defect{"theta 0.1 % large", "strang_weak2", theta_large},
+                                         scene_defect{"I_1 1 % large", "lie_euler", inertia_one},
+                                         scene_defect{"I_1 1 % large", "strang_weak2", inertia_one},
+                                         scene_defect{"I_2 0.1 % small", "lie_euler", inertia_two},
+                                         scene_defect{"I_2 0.1 % small", "strang_weak2", inertia_two},
+                                         scene_defect{"I_3 0.1 % large", "lie_euler", inertia_three},
+                                         scene_defect{"I_3 0.1 % large", "strang_weak2", inertia_three},
+                                         scene_defect{"channels correlated by 0.001", "lie_heun", turned_noise},
+                                         scene_defect{"channels correlated by 0.001", "implicit_midpoint",
+                                                      turned_noise}));
 
 // Weak noise hides dt behind dt^2 in every slope; the coefficient of dt is seen all the same.
 TEST(Modified, WeakOrderTwoOverclaimedIsRefutedUnderWeakNoise) {
@@ -88,11 +88,11 @@ TEST(Modified, WeakOrderTwoOverclaimedIsRefutedUnderWeakNoise) {
     auto poser = scheme_of(s, "strang");
     poser.info = healthy.info;
     s.schemes = {poser};
-    const auto r = quick(s);
+    const auto r = quick_results(s, {"modified"});
     EXPECT_EQ(verdict_of(r, parameters).kind, report::verdict_kind::refuted)
         << sigma << ": " << verdict_of(r, parameters).reason;
     s.schemes = {healthy};
-    const auto of_healthy = quick(s);
+    const auto of_healthy = quick_results(s, {"modified"});
     for (const auto claim : {parameters, residual})
       EXPECT_EQ(verdict_of(of_healthy, claim).kind, report::verdict_kind::holds) << sigma << ": " << claim;
   }

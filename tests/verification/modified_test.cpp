@@ -25,7 +25,7 @@ nearest_body effective(std::string_view scheme, double dt) {
   return generator_family(s.sphere()->radius).nearest(*generator_of_step(op.matrix, dt));
 }
 
-struct known {
+struct known_parameters {
   const char* scheme;
   double dt;
   Eigen::Vector3d k, theta_k, q;
@@ -34,27 +34,27 @@ struct known {
 
 // Written apart from this project (numpy, dense logarithm), to four decimals; docs/model.md, section 10.
 TEST(Modified, EffectiveParametersAreTheKnownOnes) {
-  for (const auto& a : {known{"lie_euler",
-                              0.1,
-                              {0.4054, -0.1152, -0.2902},
-                              {0.1930, -0.0580, -0.1351},
-                              {0.2526, 0.2498, 0.2491},
-                              1.67e-2,
-                              1e-4},
-                        known{"lie_euler",
-                              0.05,
-                              {0.3971, -0.1131, -0.2840},
-                              {0.1938, -0.0567, -0.1370},
-                              {0.2513, 0.2500, 0.2496},
-                              8.3e-3,
-                              1e-4},
-                        known{"strang_weak2",
-                              0.1,
-                              {0.3890, -0.1111, -0.2779},
-                              {0.1947, -0.0556, -0.1391},
-                              {0.2500, 0.2500, 0.2499},
-                              2.7e-4,
-                              1e-5}}) {
+  for (const auto& a : {known_parameters{"lie_euler",
+                                         0.1,
+                                         {0.4054, -0.1152, -0.2902},
+                                         {0.1930, -0.0580, -0.1351},
+                                         {0.2526, 0.2498, 0.2491},
+                                         1.67e-2,
+                                         1e-4},
+                        known_parameters{"lie_euler",
+                                         0.05,
+                                         {0.3971, -0.1131, -0.2840},
+                                         {0.1938, -0.0567, -0.1370},
+                                         {0.2513, 0.2500, 0.2496},
+                                         8.3e-3,
+                                         1e-4},
+                        known_parameters{"strang_weak2",
+                                         0.1,
+                                         {0.3890, -0.1111, -0.2779},
+                                         {0.1947, -0.0556, -0.1391},
+                                         {0.2500, 0.2500, 0.2499},
+                                         2.7e-4,
+                                         1e-5}}) {
     const auto body = effective(a.scheme, a.dt);
     EXPECT_LT((body.parameters.quadratic - a.k).cwiseAbs().maxCoeff(), 6e-5) << a.scheme << ' ' << a.dt;
     EXPECT_LT((body.parameters.dissipation - a.theta_k).cwiseAbs().maxCoeff(), 6e-5) << a.scheme << ' ' << a.dt;
@@ -80,14 +80,13 @@ TEST(Modified, TheFamilyHoldsItsOwnGenerators) {
   EXPECT_LT(body.residual, 1e-14);
 }
 
-// Where the principal logarithm of the whole matrix exists, Krylov's method finds its columns.
-TEST(Modified, LogarithmIsTheDenseOne) {
+// Eigenvalues of the whole lie far within those of a principal logarithm.
+TEST(Modified, LogarithmUndoesTheExponential) {
   const Eigen::MatrixXd generator = backward_operator(general_problem(), 6);
-  const Eigen::MatrixXd step = test::exponential_of(0.05 * generator), whole = test::logarithm_of(step);
+  const Eigen::MatrixXd whole = 0.05 * generator, step = test::exponential_of(whole);
   const auto columns = logarithm_action(step, Eigen::MatrixXd::Identity(step.rows(), 9));
   ASSERT_TRUE(columns);
   EXPECT_LT((*columns - whole.leftCols(9)).norm(), 1e-11 * whole.norm());
-  EXPECT_LT((*columns - 0.05 * generator.leftCols(9)).norm(), 1e-11 * generator.norm());
   const Eigen::MatrixXd reflection = -Eigen::MatrixXd::Identity(4, 4);
   EXPECT_FALSE(logarithm_action(reflection, Eigen::MatrixXd::Identity(4, 4)));
   EXPECT_FALSE(logarithm_action(Eigen::MatrixXd::Constant(4, 4, NAN), Eigen::MatrixXd::Identity(4, 4)));

@@ -26,31 +26,31 @@ report::verdict audited(const std::string& experiment, const std::string& scheme
   return {};
 }
 
-struct planted {
+struct planted_noise {
   const char* what;
   std::function<std::unique_ptr<noise_defect>()> make;
 };
-void PrintTo(const planted& p, std::ostream* out) { *out << p.what; }
+void PrintTo(const planted_noise& p, std::ostream* out) { *out << p.what; }
 
 template <class Defect, class... Parameter>
-planted plant(const char* what, Parameter... p) {
+planted_noise plant(const char* what, Parameter... p) {
   return {what, [=] { return std::make_unique<Defect>(p...); }};
 }
 
 using namespace test;
 using namespace std::string_literals;
-const planted defects[] = {plant<increments_times>("increments x 1.02", 1.02),
-                           plant<increments_times>("increments x 1.002", 1.002),
-                           plant<channels_correlated>("channel 2 is channel 1", 1.0),
-                           plant<channels_correlated>("correlation 0.3", 0.3),
-                           plant<channels_correlated>("correlation 0.01", 0.01),
-                           plant<lanes_repeated>("lanes repeated"),
-                           plant<blocks_repeated>("blocks repeated"),
-                           plant<steps_reused>("steps reused"),
-                           plant<tail_clipped>("clipped at 4 sigma", 4.0),
-                           plant<area_variance_times>("area variance x 1.1", 1.1)};
+const planted_noise defects[] = {plant<increments_times>("increments x 1.02", 1.02),
+                                 plant<increments_times>("increments x 1.002", 1.002),
+                                 plant<channels_correlated>("channel 2 is channel 1", 1.0),
+                                 plant<channels_correlated>("correlation 0.3", 0.3),
+                                 plant<channels_correlated>("correlation 0.01", 0.01),
+                                 plant<lanes_repeated>("lanes repeated"),
+                                 plant<blocks_repeated>("blocks repeated"),
+                                 plant<steps_reused>("steps reused"),
+                                 plant<tail_clipped>("clipped at 4 sigma", 4.0),
+                                 plant<area_variance_times>("area variance x 1.1", 1.1)};
 
-struct BrokenNoise : testing::TestWithParam<planted> {};
+struct BrokenNoise : testing::TestWithParam<planted_noise> {};
 
 TEST_P(BrokenNoise, IsRefutedByTheAudit) {
   const auto defect = GetParam().make();
@@ -64,10 +64,10 @@ TEST_P(BrokenNoise, IsRefutedByTheAudit) {
 INSTANTIATE_TEST_SUITE_P(Planted, BrokenNoise, testing::ValuesIn(defects));
 
 // Common to many bodies, where lanes are bodies and what repeats is paths; and in runs that end when paths break.
-const planted common_defects[] = {plant<increments_times>("variance x 1.02", std::sqrt(1.02)),
-                                  plant<lanes_repeated>("paths repeated")};
+const planted_noise common_defects[] = {plant<increments_times>("variance x 1.02", std::sqrt(1.02)),
+                                        plant<lanes_repeated>("paths repeated")};
 
-struct BrokenNoiseOfLongRuns : testing::TestWithParam<std::tuple<planted, std::string>> {};
+struct BrokenNoiseOfLongRuns : testing::TestWithParam<std::tuple<planted_noise, std::string>> {};
 
 TEST_P(BrokenNoiseOfLongRuns, IsRefutedByTheAudit) {
   const auto& [what, experiment] = GetParam();

@@ -115,11 +115,7 @@ class foreign_tangents final : public tangent_kernel {
   std::unique_ptr<tangent_kernel> own_, other_;
 };
 
-report::results exponents_of(const subject& s) {
-  report::results out;
-  report_orbit_exponents({s, effort::quick, 2}, out);
-  return out;
-}
+report::results exponents_of(const subject& s) { return test::quick_report(s, report_orbit_exponents); }
 
 // The derivative of an equation with five per cent more dissipation.
 TEST(OrbitExponents, AWrongTangentIsRefutedByTheDivergence) {
@@ -155,21 +151,17 @@ class leaving final : public kernel_decorator {
   }
 };
 
-report::results attractor_of(const subject& s) {
-  report::results out;
-  report_orbit_attractor({s, effort::quick, 2}, out);
-  return out;
-}
+report::results orbit_attractor_of(const subject& s) { return test::quick_report(s, report_orbit_attractor); }
 
 TEST(OrbitAttractor, ABodyThatLeavesItsOrbitIsRefuted) {
   constexpr const char* stay = "bodies stay on the orbit";
   auto s = restricted(bind_scene(load_scene("maxwell_bloch")), {"strang"});
-  const auto healthy = attractor_of(s);
+  const auto healthy = orbit_attractor_of(s);
   EXPECT_EQ(verdict_of(healthy, stay).kind, verdict_kind::holds);
   EXPECT_EQ(verdict_of(healthy, "neighbours meet or part at the rate lambda_1").kind, verdict_kind::holds);
   EXPECT_TRUE(healthy.densities.empty()) << "no vector of constant length";
   s.schemes.front().make = [inner = s.schemes.front().make](double dt) { return std::make_unique<leaving>(inner(dt)); };
-  EXPECT_EQ(verdict_of(attractor_of(s), stay).kind, verdict_kind::refuted);
+  EXPECT_EQ(verdict_of(orbit_attractor_of(s), stay).kind, verdict_kind::refuted);
 }
 
 TEST(OrbitAttractor, IsNotAskedForWhereNothingGathers) {

@@ -23,7 +23,7 @@ using report::verdict_kind;
 constexpr std::array claims{"strong order in the supremum over time", "strong order in L^1", "strong order in L^4",
                             "strong order of almost every path"};
 
-const report::verdict& of(const report::results& r, const std::string& scheme, const std::string& text) {
+const report::verdict& verdict_of_scheme(const report::results& r, const std::string& scheme, const std::string& text) {
   for (const auto& v : r.verdicts)
     if (v.scheme == scheme && v.claim == text) return v;
   throw std::out_of_range(text);
@@ -38,7 +38,8 @@ subject paper(const std::vector<std::string>& schemes) { return restricted(bind_
 TEST(PathOrders, HoldInEveryNorm) {
   const auto r = quick_on(paper({"heun", "magnus"}));
   for (const auto* scheme : {"heun", "magnus"})
-    for (const auto* text : claims) EXPECT_EQ(of(r, scheme, text).kind, verdict_kind::holds) << scheme << ", " << text;
+    for (const auto* text : claims)
+      EXPECT_EQ(verdict_of_scheme(r, scheme, text).kind, verdict_kind::holds) << scheme << ", " << text;
 }
 
 TEST(PathOrders, ClaimedTooHighAreRefutedByEveryNorm) {
@@ -46,7 +47,8 @@ TEST(PathOrders, ClaimedTooHighAreRefutedByEveryNorm) {
   s.schemes.front().info.strong_order = {1.5, 1};
   const auto r = quick_on(s);
   for (const auto* text : claims)
-    EXPECT_EQ(of(r, "lie_heun", text).kind, verdict_kind::refuted) << of(r, "lie_heun", text).reason;
+    EXPECT_EQ(verdict_of_scheme(r, "lie_heun", text).kind, verdict_kind::refuted)
+        << verdict_of_scheme(r, "lie_heun", text).reason;
 }
 
 /// Turns the state by dt^(1/4) / 10 about the third axis after one of its calls, and back before the next: right at the
@@ -86,10 +88,10 @@ TEST(PathOrders, WhatIsWrongOnTheWayAloneIsSeenInTheSupremumAlone) {
     return std::make_unique<wrong_on_the_way>(healthy(dt), std::min(steps, grid.steps[grid.steps.size() - 2]));
   };
   const auto r = quick_on(s, 1);
-  EXPECT_EQ(of(r, "lie_heun", "strong order").kind, verdict_kind::holds);
-  EXPECT_EQ(of(r, "lie_heun", "strong order in L^4").kind, verdict_kind::holds);
-  EXPECT_EQ(of(r, "lie_heun", "strong order in the supremum over time").kind, verdict_kind::refuted);
-  EXPECT_EQ(of(r, "lie_heun", "strong order of almost every path").kind, verdict_kind::refuted);
+  EXPECT_EQ(verdict_of_scheme(r, "lie_heun", "strong order").kind, verdict_kind::holds);
+  EXPECT_EQ(verdict_of_scheme(r, "lie_heun", "strong order in L^4").kind, verdict_kind::holds);
+  EXPECT_EQ(verdict_of_scheme(r, "lie_heun", "strong order in the supremum over time").kind, verdict_kind::refuted);
+  EXPECT_EQ(verdict_of_scheme(r, "lie_heun", "strong order of almost every path").kind, verdict_kind::refuted);
 }
 
 // A tenth of a time scale: levels of 1 to 32 steps. Each at the ends of its own steps would be flatter by 0.1, as a
@@ -102,7 +104,8 @@ TEST(PathOrders, HoldOnAShortHorizonToo) {
   const auto r = quick_on(s);
   for (const auto* scheme : {"strang", "magnus"})
     for (const auto* text : claims)
-      EXPECT_EQ(of(r, scheme, text).kind, verdict_kind::holds) << of(r, scheme, text).reason;
+      EXPECT_EQ(verdict_of_scheme(r, scheme, text).kind, verdict_kind::holds)
+          << verdict_of_scheme(r, scheme, text).reason;
 }
 
 double square_between(const std::vector<double>& a, const std::vector<double>& b, std::size_t lane) {
@@ -179,14 +182,14 @@ TEST(PathOrders, TheReferenceIsAsFarAsTheAreasOfItsCells) {
   const double halved = unit * std::sqrt(dt.back() / 32), truly = std::sqrt(2.0) * halved;
   EXPECT_GT(*rest.high, truly);  // the sum of the series bounds it
   EXPECT_NEAR(*rest.value, halved / (1 - std::sqrt(0.5)), 0.1 * *rest.value);
-  EXPECT_EQ(of(r, "noise", "reference tends to the Stratonovich solution").kind, verdict_kind::holds);
+  EXPECT_EQ(verdict_of_scheme(r, "noise", "reference tends to the Stratonovich solution").kind, verdict_kind::holds);
 }
 
 TEST(PathOrders, TheReferenceIsOfOrderOneUnderOneVector) {
   auto scene = load_scene("paper");
   scene.vectors("sigma") = {{0.5, 0, 0}};
   const auto r = quick_on(restricted(bind_scene(scene), {"lie_heun"}));
-  const auto& v = of(r, "noise", "reference tends to the Stratonovich solution");
+  const auto& v = verdict_of_scheme(r, "noise", "reference tends to the Stratonovich solution");
   EXPECT_EQ(*v.expected, 1);
   EXPECT_EQ(v.kind, verdict_kind::holds) << v.reason;
 }

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <functional>
 
-#include "experiments/common/noise_verdict.hpp"
 #include "platform/work_counters.hpp"
 #include "reports/writers/json.hpp"
 #include "run/run_experiment.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/verdicts.hpp"
 #include "verification/stability_bodies.hpp"
 
 namespace polhode {
@@ -20,13 +20,8 @@ namespace {
 using test::spherical;
 using names = std::vector<std::string>;
 
-report::results quick(const scene& s, const names& schemes, int threads = 2) {
-  verify_options options;
-  options.schemes = schemes;
-  options.experiments = {"stability"};
-  options.effort = effort::quick;
-  options.threads = threads;
-  return verify(s, options);
+report::results stability_of(const scene& s, const names& schemes, int threads = 2) {
+  return test::quick_results(s, {"stability"}, schemes, threads);
 }
 
 const report::measurement& limit(const report::results& r, const std::string& scheme, const std::string& in) {
@@ -35,7 +30,7 @@ const report::measurement& limit(const report::results& r, const std::string& sc
   throw std::out_of_range(scheme + " " + in);
 }
 
-double row(const report::results& r, const std::string& quantity, const std::string& in) {
+double value_in(const report::results& r, const std::string& quantity, const std::string& in) {
   for (const auto& m : r.measurements)
     if (m.scheme.empty() && m.quantity == quantity && m.observable == in) return *m.value;
   throw std::out_of_range(quantity + " " + in);
@@ -43,13 +38,13 @@ double row(const report::results& r, const std::string& quantity, const std::str
 
 // Nothing moves: c/I is the only rate, and no step of any size changes Pi.
 TEST(Stability, BodyAtRestIsStableAtEveryStep) {
-  const auto r = quick(spherical({}), {});
+  const auto r = stability_of(spherical({}), {});
   std::size_t limits = 0;
   for (const auto& m : r.measurements)
     if (m.quantity == "largest_stable_dt" && m.observable == "scene") {
       ++limits;
       EXPECT_EQ(m.status, "stable at every dt tried") << m.scheme;
-      EXPECT_NEAR(*m.value * row(r, "fastest_rate", "scene"), 32, 1e-12) << m.scheme;
+      EXPECT_NEAR(*m.value * value_in(r, "fastest_rate", "scene"), 32, 1e-12) << m.scheme;
     }
   EXPECT_EQ(limits, list_schemes().size());
 }
@@ -67,7 +62,7 @@ TEST(Stability, ExplicitEulerBreaksWhereItsClosedFormDoes) {
   auto s = load_scene("free");
   s.vector("inertia") = {1, 1, 2};
   s.momentum = {0.8, 0, 0.6};
-  const auto r = quick(s, {"euler_maruyama"});
+  const auto r = stability_of(s, {"euler_maruyama"});
   const double across = 0.64, along = 0.36, w = 0.6 * 0.5;
   // h = across/2 + along/4 against its range [1/4, 1/2]; |Pi|^2 = across + along.
   const double by_energy = (2 * (0.5 + 0.1 * 0.5) - along / 2) / across, by_length = (1.21 - along) / across;
@@ -75,26 +70,11 @@ TEST(Stability, ExplicitEulerBreaksWhereItsClosedFormDoes) {
   const double by_mean = (across / 2 + 0.05 * 0.25) / (across / 2);
   const double most = std::min({by_energy, by_length, by_mean});
   const double dt = first_dt(
-      row(r, "horizon", "scene"), [&](double h) { return 1 + w * w * h * h; }, most);
+      value_in(r, "horizon", "scene"), [&](double h) { return 1 + w * w * h * h; }, most);
   const auto& found = limit(r, "euler_maruyama", "scene");
   EXPECT_LE(*found.low, dt * (1 + 1e-9));
   EXPECT_GE(*found.high, dt * (1 - 1e-9));
   EXPECT_EQ(found.status, "first broken: mean energy");
-}
-
-/// One verdict, and the largest deviation of each part.
-void expect_the_noise_of(const report::results& r, const names& parts) {
-  int verdicts = 0;
-  for (const auto& v : r.verdicts)
-    if (v.scheme == noise_name) {
-      ++verdicts;
-      EXPECT_EQ(v.kind, report::verdict_kind::holds) << v.reason;
-    }
-  EXPECT_EQ(verdicts, 1);
-  names heard;
-  for (const auto& m : r.measurements)
-    if (m.scheme == noise_name) heard.push_back(m.observable.substr(0, m.observable.find(':')));
-  EXPECT_EQ(heard, parts);
 }
 
 /// Two bodies without a bond; the second, of equal moments of inertia, is at rest in its axes.
@@ -111,10 +91,10 @@ scene unbound_tops() {
 // The same top as one of two bodies, on a product of spheres: nothing is known there of the range of h, and nothing
 // moves h. |Pi| of the first is its Casimir.
 TEST(Stability, ElsewhereThanOnASphereExplicitEulerBreaksByItsCasimir) {
-  const auto r = quick(unbound_tops(), {"euler_maruyama", "lie_euler"});
+  const auto r = stability_of(unbound_tops(), {"euler_maruyama", "lie_euler"});
   const double w = 0.6 * 0.5;
   const double dt = first_dt(
-      row(r, "horizon", "scene"), [&](double h) { return 1 + w * w * h * h; }, (1.21 - 0.36) / 0.64);
+      value_in(r, "horizon", "scene"), [&](double h) { return 1 + w * w * h * h; }, (1.21 - 0.36) / 0.64);
   const auto& found = limit(r, "euler_maruyama", "scene");
   EXPECT_LE(*found.low, dt * (1 + 1e-9));
   EXPECT_GE(*found.high, dt * (1 - 1e-9));
@@ -126,10 +106,10 @@ TEST(Stability, ElsewhereThanOnASphereExplicitEulerBreaksByItsCasimir) {
 TEST(Stability, IsFoundOnEverySystem) {
   for (const char* name :
        {"heavy_top", "maxwell_bloch", "manakov", "sine_euler", "spin_pair", "spin_ring", "vortices"}) {
-    const auto r = quick(load_scene(name), {"lie_heun"});
+    const auto r = stability_of(load_scene(name), {"lie_heun"});
     const auto& found = limit(r, "lie_heun", "scene");
     ASSERT_TRUE(found.low && found.high) << name;
-    const double rate = row(r, "fastest_rate", "scene");
+    const double rate = value_in(r, "fastest_rate", "scene");
     EXPECT_GT(*found.low * rate, 0.125) << name;  // where the search begins
     EXPECT_LT(*found.high * rate, 32) << name;
     EXPECT_EQ(found.status, "first broken: mean energy") << name;
@@ -159,12 +139,12 @@ TEST(Stability, AFalseClaimToKeepTheOrbitIsRefutedElsewhereToo) {
     }
   EXPECT_EQ(judged, 2);
   EXPECT_EQ(limit(r, "lie_heun", "scene").status, "first broken: mean energy");
-  expect_the_noise_of(r, {"reference", "border", "map"});
+  test::expect_noise_of(r, {"reference", "border", "map"});
 }
 
 TEST(Stability, ThreadsAndCompanyChangeNothing) {
   const auto text = [](const names& schemes, int threads) {
-    auto r = quick(load_scene("single"), schemes, threads);
+    auto r = stability_of(load_scene("single"), schemes, threads);
     r.provenance = {};
     r.done = {};
     if (schemes.size() > 1) {
@@ -183,7 +163,7 @@ TEST(Stability, ThreadsAndCompanyChangeNothing) {
 // Figures of the house by counters, not by time: 14 schemes at quick effort.
 TEST(Stability, CostsWhatItMay) {
   const auto before = work_so_far();
-  quick(load_scene("paper"), {});
+  stability_of(load_scene("paper"), {});
   const auto after = work_so_far();
   EXPECT_GT(after.path_steps, before.path_steps);
   EXPECT_GT(after.normals, before.normals);
@@ -192,7 +172,7 @@ TEST(Stability, CostsWhatItMay) {
 }
 
 TEST(Stability, SchemesThatKeepTheOrbitNeverBreakByIt) {
-  const auto r = quick(load_scene("paper"), {"heun", "lie_heun", "implicit_midpoint"});
+  const auto r = stability_of(load_scene("paper"), {"heun", "lie_heun", "implicit_midpoint"});
   int judged = 0;
   for (const auto& v : r.verdicts)
     if (v.claim.find("at every dt") != std::string::npos) {
@@ -205,7 +185,7 @@ TEST(Stability, SchemesThatKeepTheOrbitNeverBreakByIt) {
   EXPECT_EQ(limit(r, "lie_heun", "scene").status, "first broken: mean energy");
   EXPECT_LT(*limit(r, "heun", "scene").value, 0.1 * *limit(r, "lie_heun", "scene").value);
   EXPECT_FALSE(limit(r, "lie_heun", "denormal c").value);
-  expect_the_noise_of(r, {"reference", "border", "map"});
+  test::expect_noise_of(r, {"reference", "border", "map"});
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "run/reference.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/verdicts.hpp"
 #include "systems/bind.hpp"
 #include "systems/rigid_body/rigid_body.hpp"
 
@@ -24,6 +25,7 @@ namespace polhode::test {
 namespace {
 
 using report::verdict_kind;
+using test::quick_results;
 
 constexpr double alpha = 0.8;
 
@@ -131,14 +133,6 @@ struct frozen : lie_heun {
   }
 };
 
-verify_options quick(const char* experiment) {
-  verify_options o;
-  o.experiments = {experiment};
-  o.effort = effort::quick;
-  o.threads = 2;
-  return o;
-}
-
 TEST(StateNoise, SchemesThatRestOnConstantVectorsAreLeftOut) {
   const auto s = bind(load_scene("paper"), make, all_schemes{});
   std::vector<std::string> out;
@@ -151,9 +145,7 @@ TEST(StateNoise, SchemesThatRestOnConstantVectorsAreLeftOut) {
 }
 
 void expect_none_refuted(const char* scene, const char* experiment, std::vector<std::string> schemes) {
-  auto options = quick(experiment);
-  options.schemes = std::move(schemes);
-  const auto r = verify(load_scene(scene), options);
+  const auto r = quick_results(load_scene(scene), {experiment}, std::move(schemes));
   EXPECT_FALSE(r.verdicts.empty()) << scene << ' ' << experiment;
   for (const auto& v : r.verdicts)
     EXPECT_NE(v.kind, verdict_kind::refuted) << scene << ' ' << v.scheme << ' ' << v.claim << ": " << v.reason;
@@ -189,16 +181,16 @@ void expect_all_hold(const report::results& r) {
 }
 
 TEST(StateNoise, InsideTheDampingHasTheLawOfConstantNoiseAtTheClaimedOrder) {
-  expect_all_hold(verify_subject(bind(load_scene("paper"), make, stratonovich_schemes{}), quick("weak")));
+  expect_all_hold(quick_results(bind(load_scene("paper"), make, stratonovich_schemes{}), {"weak"}));
 }
 
 TEST(StateNoise, OfKolmogorovsOperatorIsMetAtTheClaimedOrder) {
   expect_all_hold(
-      verify_subject(tilting(scheme_list<heun, implicit_midpoint, lie_heun, lie_trotter, strang>{}), quick("weak")));
+      quick_results(tilting(scheme_list<heun, implicit_midpoint, lie_heun, lie_trotter, strang>{}), {"weak"}));
 }
 
 TEST(StateNoise, FrozenOverAStepItIsAnotherEquation) {
-  const auto r = verify_subject(tilting(scheme_list<frozen>{}), quick("weak"));
+  const auto r = quick_results(tilting(scheme_list<frozen>{}), {"weak"});
   EXPECT_TRUE(std::ranges::any_of(r.verdicts, [](const auto& v) { return v.kind == verdict_kind::refuted; }));
 }
 

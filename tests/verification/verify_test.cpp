@@ -11,21 +11,14 @@
 #include "reports/writers/json.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/verdicts.hpp"
 #include "systems/bind.hpp"
 #include "systems/rigid_body/rigid_body.hpp"
 
 namespace polhode {
 namespace {
 
-report::results quick(const scene& s, std::vector<std::string> experiments, std::vector<std::string> schemes = {},
-                      int threads = 2) {
-  verify_options options;
-  options.experiments = std::move(experiments);
-  options.schemes = std::move(schemes);
-  options.effort = effort::quick;
-  options.threads = threads;
-  return verify(s, options);
-}
+using test::quick_results;
 
 /// Under one noise vector no affordable degree resolves means to the bias of a splitting of weak order two.
 bool stays_open(const report::results& r, const report::verdict& v) {
@@ -70,7 +63,7 @@ struct Scenes : testing::TestWithParam<const char*> {};
 // Drifting, exact with areas, splitting; all schemes in the nightly verification.
 TEST_P(Scenes, EveryClaimHoldsOrIsLeftOutWithAReason) {
   const auto tried = tried_on(GetParam());
-  const auto r = quick(load_scene(GetParam()), tried, {"heun", "magnus", "strang"});
+  const auto r = quick_results(load_scene(GetParam()), tried, {"heun", "magnus", "strang"});
   EXPECT_EQ(r.schemes.size(), 3u);
   expect_no_failure(r, tried);
   for (const auto& s : r.skipped) EXPECT_FALSE(s.reason.empty());
@@ -80,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, Scenes,
 
 // Also what is not claimed: an order found where none is claimed would be refuted, the intervals being two-sided.
 TEST(Paper, StrongOrdersAreFoundWithinTheirIntervals) {
-  const auto r = quick(load_scene("paper"), {"strong"});
+  const auto r = quick_results(load_scene("paper"), {"strong"});
   expect_no_failure(r, {"strong"});
   int orders = 0;
   for (const auto& v : r.verdicts)
@@ -96,7 +89,8 @@ TEST(Paper, StrongOrdersAreFoundWithinTheirIntervals) {
 
 TEST(Paper, ThreadsChangeNothing) {
   const auto text = [](int threads) {
-    auto r = quick(load_scene("paper"), {"strong", "casimir", "gibbs"}, {"magnus", "heun", "strang_weak2"}, threads);
+    auto r =
+        quick_results(load_scene("paper"), {"strong", "casimir", "gibbs"}, {"magnus", "heun", "strang_weak2"}, threads);
     r.provenance = {};
     return report::to_json(r);
   };

@@ -15,6 +15,7 @@
 namespace polhode {
 namespace {
 
+using test::quick_report;
 using test::verdict_of;
 
 constexpr double horizon = 8;
@@ -29,28 +30,24 @@ report::scene noise_alone() {
   return scene;
 }
 
-report::results weak_of(const subject& s) {
-  report::results out;
-  weak_experiment().run({s, effort::quick, 2}, out);
-  return out;
-}
-
 /// Of a rotation by sigma sqrt(dt) g on harmonics of degree one, s = sigma^2 dt.
-double factor(double s) { return (1 + 2 * (1 - s) * std::exp(-s / 2)) / 3; }
+double degree_one_factor(double s) { return (1 + 2 * (1 - s) * std::exp(-s / 2)) / 3; }
 
 TEST(WeakCourse, TheLargestErrorIsThatOfAllSteps) {
-  const auto r = weak_of(restricted(bind_scene(noise_alone()), {"strang"}));
+  const auto r = quick_report(restricted(bind_scene(noise_alone()), {"strang"}), weak_experiment().run);
   int compared = 0;
   for (const auto& m : r.measurements) {
     if (m.quantity != "largest error up to T" || m.observable != "pi1" || !m.dt()) continue;
     double largest = 0;
     const auto steps = std::lround(horizon / *m.dt());
     for (int n = 1; n <= steps; ++n)
-      largest = std::max(largest, 0.6 * std::fabs(std::pow(factor(0.25 * *m.dt()), n) - std::exp(-0.25 * *m.dt() * n)));
+      largest = std::max(
+          largest, 0.6 * std::fabs(std::pow(degree_one_factor(0.25 * *m.dt()), n) - std::exp(-0.25 * *m.dt() * n)));
     EXPECT_GE(largest, *m.low - 1e-13) << *m.dt();
     EXPECT_LE(largest, *m.high + 1e-13) << *m.dt();
     EXPECT_LT(*m.high - *m.low, 1e-3 * largest) << *m.dt();
-    const double at_end = 0.6 * std::fabs(std::pow(factor(0.25 * *m.dt()), steps) - std::exp(-0.25 * horizon));
+    const double at_end =
+        0.6 * std::fabs(std::pow(degree_one_factor(0.25 * *m.dt()), steps) - std::exp(-0.25 * horizon));
     EXPECT_GT(largest, 1.2 * at_end);
     ++compared;
   }
@@ -78,7 +75,7 @@ struct once_round {
 };
 
 TEST(WeakCourse, ADefectThatIsOverAtTheHorizonIsRefuted) {
-  const auto r = weak_of(bind(noise_alone(), make_rigid_body, scheme_list<once_round>{}));
+  const auto r = quick_report(bind(noise_alone(), make_rigid_body, scheme_list<once_round>{}), weak_experiment().run);
   EXPECT_EQ(verdict_of(r, "weak order").kind, report::verdict_kind::holds) << verdict_of(r, "weak order").reason;
   const auto& v = verdict_of(r, "weak order, uniformly in time");
   EXPECT_EQ(v.kind, report::verdict_kind::refuted);

@@ -10,18 +10,12 @@
 #include "reports/writers/json.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/verdicts.hpp"
 
 namespace polhode {
 namespace {
 
-report::results quick(const std::vector<std::string>& schemes, const std::string& experiment, int threads = 2) {
-  verify_options options;
-  options.schemes = schemes;
-  options.experiments = {experiment};
-  options.effort = effort::quick;
-  options.threads = threads;
-  return verify(load_scene("paper"), options);
-}
+using test::quick_results;
 
 double value_at(const report::results& r, std::string_view scheme, std::string_view quantity,
                 std::string_view observable, int steps) {
@@ -32,13 +26,13 @@ double value_at(const report::results& r, std::string_view scheme, std::string_v
   return std::nan("");
 }
 
-struct known {
+struct known_error {
   const char *scheme, *quantity, *observable;
   std::vector<double> values;  // n = 4, 8, 16, 32
   double relative;             // of the printed digits
 };
 
-void expect_known(const report::results& r, const known& k) {
+void expect_known(const report::results& r, const known_error& k) {
   int steps = 4;
   for (const double value : k.values) {
     EXPECT_NEAR(value_at(r, k.scheme, k.quantity, k.observable, steps), value, k.relative * value)
@@ -50,7 +44,8 @@ void expect_known(const report::results& r, const known& k) {
 // Written apart from this project: numpy, scalar steps, dense exponential. strang_weak2 at n = 4 with nine Hermite
 // nodes; seven leave 2e-7.
 TEST(Weak, ErrorsAreTheKnownOnes) {
-  const auto r = quick({"lie_euler", "implicit_midpoint", "strang_two_turns", "strang_weak2"}, "weak");
+  const auto r = quick_results(load_scene("paper"), {"weak"},
+                               {"lie_euler", "implicit_midpoint", "strang_two_turns", "strang_weak2"});
   expect_known(r, {"lie_euler", "error", "energy", {8.429e-3, 4.329e-3, 2.186e-3, 1.098e-3}, 1e-3});
   expect_known(r, {"implicit_midpoint", "error", "energy", {4.82e-4, 2.79e-4, 1.51e-4, 7.90e-5}, 4e-3});
   expect_known(r, {"strang_two_turns", "error", "energy", {3.0972e-4, 7.7668e-5, 1.9430e-5, 4.8580e-6}, 1e-4});
@@ -64,7 +59,7 @@ TEST(Weak, ErrorsAreTheKnownOnes) {
 
 // dt^2, dt^3 and dt^4 gone: between n = 4, 8, 16 errors fall by more than 2^5, then rounding is reached.
 TEST(Weak, FourRunsTogetherFallFasterThanTheFifthPower) {
-  const auto r = quick({"strang_two_turns"}, "weak");
+  const auto r = quick_results(load_scene("paper"), {"weak"}, {"strang_two_turns"});
   for (const char* observable : {"energy", "pi2", "pi1^2", "pi2^2", "pi3^2", "exp(pi3)"}) {
     const auto at = [&](int steps) { return value_at(r, "strang_extrapolated5", "error", observable, steps); };
     EXPECT_GT(at(4), 32 * at(8)) << observable;
@@ -81,7 +76,8 @@ TEST(Weak, FourRunsTogetherFallFasterThanTheFifthPower) {
 }
 
 TEST(Gibbs, BiasIsTheKnownOne) {
-  const auto r = quick({"lie_euler", "implicit_midpoint", "strang_two_turns", "strang_weak2"}, "gibbs");
+  const auto r = quick_results(load_scene("paper"), {"gibbs"},
+                               {"lie_euler", "implicit_midpoint", "strang_two_turns", "strang_weak2"});
   expect_known(r, {"lie_euler", "bias", "energy", {1.059e-2, 5.411e-3, 2.728e-3, 1.369e-3}, 1e-3});
   expect_known(r, {"implicit_midpoint", "bias", "energy", {1.25e-3, 7.01e-4, 3.73e-4, 1.93e-4}, 4e-3});
   expect_known(r, {"strang_two_turns", "bias", "energy", {3.2265e-4, 8.0616e-5, 2.0149e-5, 5.0368e-6}, 1e-4});
@@ -93,7 +89,7 @@ TEST(Gibbs, BiasIsTheKnownOne) {
 
 TEST(Transfer, ThreadsChangeNothing) {
   const auto text = [](int threads) {
-    auto r = quick({"lie_euler", "heun"}, "weak", threads);
+    auto r = quick_results(load_scene("paper"), {"weak"}, {"lie_euler", "heun"}, threads);
     r.provenance = {};
     return report::to_json(r);
   };

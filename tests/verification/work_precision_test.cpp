@@ -10,6 +10,7 @@
 #include "experiments/work_precision/step_cost.hpp"
 #include "run/verify.hpp"
 #include "scene/scene.hpp"
+#include "support/verdicts.hpp"
 
 namespace polhode {
 namespace {
@@ -18,13 +19,9 @@ cost_point point(const std::string& scheme, double dt, double error, double cost
   return {scheme, dt, error, error, error, cost, cost, cost};
 }
 
-report::results quick(int threads = 2) {
-  verify_options options;
-  options.schemes = {"heun", "strang", "milstein"};
-  options.experiments = {"energy", "casimir", "work_precision"};
-  options.effort = effort::quick;
-  options.threads = threads;
-  return verify(load_scene("paper"), options);
+report::results work_precision_on_paper(int threads = 2) {
+  return test::quick_results(load_scene("paper"), {"energy", "casimir", "work_precision"},
+                             {"heun", "strang", "milstein"}, threads);
 }
 
 bool timed(const report::measurement& m) { return m.method == "timed"; }
@@ -91,7 +88,7 @@ TEST(StepCost, CountsTheNormalsOfAStep) {
 }
 
 TEST(WorkPrecision, EveryEntryOfTheTableLiesBetweenMeasuredNeighbours) {
-  const auto r = quick();
+  const auto r = work_precision_on_paper();
   int entries = 0;
   for (const auto& m : r.measurements) {
     if (m.quantity != "cost_to_reach" || !m.value) continue;
@@ -109,14 +106,14 @@ TEST(WorkPrecision, EveryEntryOfTheTableLiesBetweenMeasuredNeighbours) {
 }
 
 TEST(WorkPrecision, DecidesNothingByTheClock) {
-  const auto r = quick();
+  const auto r = work_precision_on_paper();
   const auto of_cost = [](const auto& row) { return row.experiment == "work_precision"; };
   EXPECT_TRUE(std::ranges::any_of(r.measurements, of_cost));
   for (const auto& v : r.verdicts) EXPECT_TRUE(!of_cost(v) || v.kind == report::verdict_kind::skipped) << v.reason;
 }
 
 TEST(WorkPrecision, IsTheSameForAnyNumberOfThreadsButForTheClock) {
-  const auto one = quick(1), three = quick(3);
+  const auto one = work_precision_on_paper(1), three = work_precision_on_paper(3);
   const auto counted = [](const report::results& r) {
     std::map<std::string, double> rows;
     for (const auto& m : r.measurements)

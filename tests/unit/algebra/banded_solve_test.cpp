@@ -2,10 +2,10 @@
 // Elimination over runs of indices, against a dense solution and a matrix that it cannot take.
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <random>
 
 #include "algebra/banded_solve.hpp"
+#include "support/dense.hpp"
 
 namespace polhode::test {
 namespace {
@@ -30,7 +30,7 @@ TEST(BandedSolve, IsTheDenseSolution) {
       const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(n, -1, 2);
       const auto x = banded_solve(a, right);
       ASSERT_TRUE(x) << n << ' ' << reach;
-      const Eigen::VectorXd dense = Eigen::MatrixXd(a).partialPivLu().solve(right);
+      const Eigen::VectorXd dense = test::solution_of(a, right);
       EXPECT_LE((*x - dense).norm(), 1e-12 * dense.norm()) << n << ' ' << reach;
     }
 }

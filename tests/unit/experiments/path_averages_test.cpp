@@ -13,12 +13,12 @@
 namespace polhode {
 namespace {
 
-constexpr int blocks = 5, looks = 3;
+constexpr int averaged_blocks = 5, looks = 3;
 
 /// [coefficient][block, look, path]: each path shows the same at every look.
 Eigen::MatrixXd looked_at_again(const Eigen::MatrixXd& once) {
   Eigen::MatrixXd out(once.rows(), looks * once.cols());
-  for (int i = 0; i < blocks * looks; ++i)
+  for (int i = 0; i < averaged_blocks * looks; ++i)
     out.middleCols(i * block_lanes, block_lanes) = once.middleCols(i / looks * block_lanes, block_lanes);
   return out;
 }
@@ -26,7 +26,7 @@ Eigen::MatrixXd looked_at_again(const Eigen::MatrixXd& once) {
 class Normals {
  public:
   Eigen::MatrixXd eight_of_each_path() {
-    return Eigen::MatrixXd::NullaryExpr(8, blocks * block_lanes, [&] { return normal_(bits_); });
+    return Eigen::MatrixXd::NullaryExpr(8, averaged_blocks * block_lanes, [&] { return normal_(bits_); });
   }
 
  private:

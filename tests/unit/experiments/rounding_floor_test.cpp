@@ -182,7 +182,7 @@ TEST(RoundingFloor, ConditionOnTheWayIsThatOfTheStatesItPasses) {
 }
 
 /// A body of another size than one whose fastest rate is known.
-subject of_rate(double rate) {
+subject subject_of_rate(double rate) {
   auto scene = load_scene("paper");
   for (double& x : scene.momentum) x *= 1.7;
   auto s = bind_scene(scene);
@@ -195,7 +195,7 @@ subject of_rate(double rate) {
 // Sixteen steps of dt, of which one more changes the phase by 2^-10, or dt by almost that where nothing moves.
 TEST(RoundingFloor, StepsDifferByAPartOfThePhase) {
   for (const double rate : {3.0, 1e-4}) {
-    const auto s = of_rate(rate);
+    const auto s = subject_of_rate(rate);
     auto listening = s.schemes.front();
     std::vector<double> asked;
     listening.make = [&, healthy = listening.make](double dt) {
@@ -213,7 +213,7 @@ TEST(RoundingFloor, StepsDifferByAPartOfThePhase) {
 }
 
 TEST(RoundingFloor, IsThatUnderTheNoiseOfTheFirstPaths) {
-  const auto s = of_rate(3);
+  const auto s = subject_of_rate(3);
   const context c{.subject = s, .seed = 8};
   auto listening = s.schemes.front();
   std::vector<double> heard;
@@ -231,7 +231,7 @@ TEST(RoundingFloor, IsThatUnderTheNoiseOfTheFirstPaths) {
 
 // One number of one lane is off at the fourth of seven steps: sixth difference 20, whose variance is 924 times its own.
 TEST(RoundingFloor, OfOneNumberThatIsOff) {
-  const auto s = of_rate(3);
+  const auto s = subject_of_rate(3);
   const auto& mu = s.scene.momentum;
   const double off = 0x1p-10, each = 20 / std::sqrt(924.0) / std::sqrt(block_lanes), unit = 0x1p-52 * 4;
   for (const std::size_t component : {0, 2}) {

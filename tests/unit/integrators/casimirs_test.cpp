@@ -15,6 +15,8 @@
 #include <polhode/lie/son.hpp>
 #include <polhode/lie/su.hpp>
 
+#include "support/expect_near.hpp"
+
 namespace polhode {
 namespace {
 
@@ -24,11 +26,7 @@ Vector some(int n, double shift = 0) {
   for (int k = 0; k < n; ++k) out[k] = std::sin(1.7 * k + shift + 0.4);
   return out;
 }
-template <class Vector>
-void expect_near(const Vector& found, const Vector& expected, double within) {
-  ASSERT_EQ(found.size, expected.size);
-  for (int k = 0; k < found.size; ++k) EXPECT_NEAR(found[k], expected[k], within) << k;
-}
+using test::expect_near;
 
 TEST(Se2, AnElementThatDoesNotTurnShiftsAlone) {
   const vec<double, 3> mu{{0.3, -0.7, 1.1}};

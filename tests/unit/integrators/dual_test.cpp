@@ -15,7 +15,7 @@ using number = dual<double, 2>;
 /// x with the directions 1 and -2.
 number seed(double x) { return {x, {{1.0, -2.0}}}; }
 
-void expect(const number& found, double value, double slope) {
+void expect_dual(const number& found, double value, double slope) {
   EXPECT_NEAR(found.value, value, 4e-16 * std::fabs(value));
   EXPECT_NEAR(found.slope[0], slope, 1e-15 * std::max(1.0, std::fabs(slope)));
   EXPECT_NEAR(found.slope[1], -2 * slope, 2e-15 * std::max(1.0, std::fabs(slope)));
@@ -24,23 +24,23 @@ void expect(const number& found, double value, double slope) {
 TEST(Dual, DerivativesInClosedForm) {
   for (const double x : {-3.0, -0.7, 5e-4, 0.2, 1.0, 5.0}) {
     const auto a = seed(x);
-    expect(a * a * a, x * x * x, 3 * x * x);
-    expect(number(1.0) / a, 1 / x, -1 / (x * x));
-    expect(a / (number(1.0) + a * a), x / (1 + x * x), (1 - x * x) / ((1 + x * x) * (1 + x * x)));
-    expect(-a - number(2.0) * a, -3 * x, -3);
-    expect(exponential(a), std::exp(x), std::exp(x));
-    expect(magnitude(a), std::fabs(x), x < 0 ? -1 : 1);
-    expect(square_root(a * a + number(1.0)), std::sqrt(x * x + 1), x / std::sqrt(x * x + 1));
+    expect_dual(a * a * a, x * x * x, 3 * x * x);
+    expect_dual(number(1.0) / a, 1 / x, -1 / (x * x));
+    expect_dual(a / (number(1.0) + a * a), x / (1 + x * x), (1 - x * x) / ((1 + x * x) * (1 + x * x)));
+    expect_dual(-a - number(2.0) * a, -3 * x, -3);
+    expect_dual(exponential(a), std::exp(x), std::exp(x));
+    expect_dual(magnitude(a), std::fabs(x), x < 0 ? -1 : 1);
+    expect_dual(square_root(a * a + number(1.0)), std::sqrt(x * x + 1), x / std::sqrt(x * x + 1));
     const auto [sin, cos] = sincos(a);
-    expect(sin, std::sin(x), std::cos(x));
-    expect(cos, std::cos(x), -std::sin(x));
+    expect_dual(sin, std::sin(x), std::cos(x));
+    expect_dual(cos, std::cos(x), -std::sin(x));
   }
 }
 
 TEST(Dual, TheLengthOfAVectorThatStaysZeroHasNoSlope) {
-  expect(square_root(number(0.0)), 0, 0);
-  expect(square_root(seed(0) * seed(0)), 0, 0);
-  expect(square_root(seed(0)), 0, 0);  // infinite: none stands in for it
+  expect_dual(square_root(number(0.0)), 0, 0);
+  expect_dual(square_root(seed(0) * seed(0)), 0, 0);
+  expect_dual(square_root(seed(0)), 0, 0);  // infinite: none stands in for it
 }
 
 TEST(Dual, ComparesAndSelectsByTheValue) {

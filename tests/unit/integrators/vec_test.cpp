@@ -10,6 +10,8 @@
 #include <polhode/solve.hpp>
 #include <polhode/vec.hpp>
 
+#include "support/dense.hpp"
+
 namespace polhode {
 namespace {
 
@@ -24,7 +26,7 @@ Vector filled(std::initializer_list<double> numbers) {
 }
 
 template <class Vector>
-void expect(const Vector& found, std::initializer_list<double> numbers) {
+void expect_numbers(const Vector& found, std::initializer_list<double> numbers) {
   ASSERT_EQ(found.size, static_cast<int>(numbers.size()));
   int i = 0;
   for (const double x : numbers) EXPECT_EQ(found[i++], x);
@@ -32,40 +34,40 @@ void expect(const Vector& found, std::initializer_list<double> numbers) {
 }
 
 template <class Vector>
-void calculates() {
+void vectors_calculate() {
   const auto a = filled<Vector>({1, -2, 3, 0.5}), b = filled<Vector>({4, 8, -0.5, 2});
-  expect(a + b, {5, 6, 2.5, 2.5});
-  expect(a - b, {-3, -10, 3.5, -1.5});
-  expect(-a, {-1, 2, -3, -0.5});
-  expect(3.0 * a, {3, -6, 9, 1.5});
+  expect_numbers(a + b, {5, 6, 2.5, 2.5});
+  expect_numbers(a - b, {-3, -10, 3.5, -1.5});
+  expect_numbers(-a, {-1, 2, -3, -0.5});
+  expect_numbers(3.0 * a, {3, -6, 9, 1.5});
   EXPECT_EQ(dot(a, b), 4 - 16 - 1.5 + 1);
-  expect(a + zero_vector{}, {1, -2, 3, 0.5});
-  expect(zero_vector{} + a, {1, -2, 3, 0.5});
-  expect(zeros<Vector>(4), {0, 0, 0, 0});
+  expect_numbers(a + zero_vector{}, {1, -2, 3, 0.5});
+  expect_numbers(zero_vector{} + a, {1, -2, 3, 0.5});
+  expect_numbers(zeros<Vector>(4), {0, 0, 0, 0});
 }
 
-TEST(Vec, OfFixedSizeCalculates) { calculates<vec<double, 4>>(); }
+TEST(Vec, OfFixedSizeCalculates) { vectors_calculate<vec<double, 4>>(); }
 TEST(Vec, OfOpenSizeCalculates) {
-  calculates<open>();
+  vectors_calculate<open>();
   const auto a = filled<open>({1, 2});
-  expect(a + open(), {1, 2});
-  expect(open() + a, {1, 2});
-  expect(a - open(), {1, 2});
-  expect(open() - a, {-1, -2});
+  expect_numbers(a + open(), {1, 2});
+  expect_numbers(open() + a, {1, 2});
+  expect_numbers(a - open(), {1, 2});
+  expect_numbers(open() - a, {-1, -2});
   auto assigned = filled<open>({7, 8, 9});
   assigned = a;
-  expect(assigned, {1, 2});
+  expect_numbers(assigned, {1, 2});
 }
 
 TEST(Vec, CrossAndScaled) {
   const auto a = filled<vec<double, 3>>({1, 2, 3}), b = filled<vec<double, 3>>({4, 5, 7});
-  expect(cross(a, b), {-1, 5, -3});
-  expect(scaled(a, b), {4, 10, 21});
-  expect(scaled(filled<open>({1, 2, 3}), filled<open>({4, 5, 7})), {4, 10, 21});
+  expect_numbers(cross(a, b), {-1, 5, -3});
+  expect_numbers(scaled(a, b), {4, 10, 21});
+  expect_numbers(scaled(filled<open>({1, 2, 3}), filled<open>({4, 5, 7})), {4, 10, 21});
 }
 
 /// Rows of random numbers, of which the first of the first column is small: it asks for a pivot.
-Eigen::MatrixXd numbers(int n, unsigned seed) {
+Eigen::MatrixXd random_rows(int n, unsigned seed) {
   std::mt19937 bits(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
   Eigen::MatrixXd out(n, n);
@@ -87,7 +89,7 @@ matrix<S, N> rows_of(const Eigen::MatrixXd& a) {
 template <int N>
 void expect_inverse(int n) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    const Eigen::MatrixXd a = numbers(n, seed), expected = a.inverse();
+    const Eigen::MatrixXd a = random_rows(n, seed), expected = test::solution_of(a, Eigen::MatrixXd::Identity(n, n));
     const auto found = inverse(rows_of<double, N>(a));
     const auto packed = inverse(rows_of<pack, N>(a));
     for (int i = 0; i < n; ++i)
@@ -110,7 +112,7 @@ TEST(Solve, InversesByCofactorsAndByElimination) {
 
 // 2 - d in place of 1 / d: all but a factor d (2 - d).
 TEST(Solve, ATruncatedQuotientLeavesASquare) {
-  const Eigen::Matrix3d a = Eigen::Matrix3d::Identity() + 0.01 * Eigen::Matrix3d(numbers(3, 1));
+  const Eigen::Matrix3d a = Eigen::Matrix3d::Identity() + 0.01 * Eigen::Matrix3d(random_rows(3, 1));
   const double d = a.determinant();
   const auto found = inverse<quotient::truncated>(rows_of<double, 3>(a));
   for (int i = 0; i < 3; ++i)

@@ -2,6 +2,8 @@
 // A sample of tests/nightly/references_attack_test.cpp: what takes seconds. Expectations and gaps are attacked there.
 #include "support/reference_attack.hpp"
 
+#include <gtest/gtest.h>
+
 namespace polhode::test {
 namespace {
 

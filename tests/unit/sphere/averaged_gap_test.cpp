@@ -2,13 +2,13 @@
 // The averaged gap against integrals along the circles, point by point, where ours are elliptic.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <numbers>
 
+#include "algebra/decompositions.hpp"
 #include "sphere/averaged_gap.hpp"
 
 namespace polhode {
@@ -17,14 +17,14 @@ namespace {
 using Eigen::Vector3d;
 
 /// A rigid body with inverse inertia k on the sphere of radius r: h = k.x^2 / 2; noise Q = diag(q).
-struct body {
+struct principal_body {
   Vector3d k, q;
   double radius, beta;
 };
 
 /// Circles about an axis as far as those through the middle one.
 struct family {
-  const body& of;
+  const principal_body& of;
   int axis, middle, other;
   double apart(int i) const { return std::fabs(of.k[i] - of.k[axis]); }
   double length() const { return apart(middle) * of.radius * of.radius / 2; }
@@ -78,17 +78,12 @@ void add_forms(const family& f, Eigen::MatrixXd& stiffness, Eigen::MatrixXd& mas
     }
 }
 
-Eigen::VectorXd rates(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass) {
-  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness, mass, Eigen::EigenvaluesOnly)
-      .eigenvalues();
-}
-
-averaged_rates along_the_circles(const body& b, int least, int middle, int most) {
+averaged_rates along_the_circles(const principal_body& b, int least, int middle, int most) {
   Eigen::MatrixXd k1, m1, k2, m2;
   add_forms({b, least, middle, most}, k1, m1);
   add_forms({b, most, middle, least}, k2, m2);
   const auto odd = [](const Eigen::MatrixXd& k, const Eigen::MatrixXd& m) {
-    return rates(k.topLeftCorner(powers, powers), m.topLeftCorner(powers, powers))[0];
+    return generalised_eigenvalues_of(k.topLeftCorner(powers, powers), m.topLeftCorner(powers, powers))[0];
   };
   // Joined at the vertex, where the last function of both is the same.
   Eigen::MatrixXd k = Eigen::MatrixXd::Zero(2 * powers + 1, 2 * powers + 1), m = k;
@@ -98,10 +93,10 @@ averaged_rates along_the_circles(const body& b, int least, int middle, int most)
   second[powers] = powers;
   k(second, second) += k2;
   m(second, second) += m2;
-  return {std::min(odd(k1, m1), odd(k2, m2)), rates(k, m)[1]};
+  return {std::min(odd(k1, m1), odd(k2, m2)), generalised_eigenvalues_of(k, m)[1]};
 }
 
-void expect_alike(const body& b, double theta, int least, int middle, int most, double within = 1e-6) {
+void expect_alike(const principal_body& b, double theta, int least, int middle, int most, double within = 1e-6) {
   const Vector3d inertia = b.k.cwiseInverse();
   const auto found = averaged_gap(
       body_on_sphere({inertia[0], inertia[1], inertia[2]}, theta, b.radius, Eigen::Matrix3d(b.q.asDiagonal())));

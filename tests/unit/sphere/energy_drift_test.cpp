@@ -23,7 +23,7 @@ Matrix3d noise_vectors() {
   return out;
 }
 
-sphere_problem body(const Matrix3d& covariance, const Vector3d& field = Vector3d::Zero()) {
+sphere_problem body_in_field(const Matrix3d& covariance, const Vector3d& field = Vector3d::Zero()) {
   auto p = body_on_sphere({1, 2, 3}, 0.7, 1.3, covariance);
   p.field = field;
   return p;
@@ -36,7 +36,7 @@ points_on_sphere some_points(double radius) {
 }
 
 TEST(MeanEnergy, OverTheSphereIsItsSum) {
-  const auto p = body(Matrix3d::Identity());
+  const auto p = body_in_field(Matrix3d::Identity());
   const auto rule = sphere_quadrature(4);
   double sum = 0;
   for (Eigen::Index i = 0; i < rule.weights.size(); ++i)
@@ -47,8 +47,9 @@ TEST(MeanEnergy, OverTheSphereIsItsSum) {
 // Dissipation has no part in it.
 TEST(MeanEnergy, WithoutDissipationIsTheExpectation) {
   const Matrix3d skew = noise_vectors() * noise_vectors().transpose();
-  for (const auto& p : {body(0.16 * Matrix3d::Identity()), body(skew),
-                        body(0.16 * Matrix3d::Identity(), {0.3, -0.2, 0.1}), body(skew, {0.3, -0.2, 0.1})}) {
+  for (const auto& p :
+       {body_in_field(0.16 * Matrix3d::Identity()), body_in_field(skew),
+        body_in_field(0.16 * Matrix3d::Identity(), {0.3, -0.2, 0.1}), body_in_field(skew, {0.3, -0.2, 0.1})}) {
     auto free = p;
     free.damping = 0;
     const auto from = some_points(p.radius);
@@ -64,8 +65,8 @@ TEST(MeanEnergy, WithoutDissipationIsTheExpectation) {
 // Rounding of the greatest energy where nothing else is uncertain.
 TEST(MeanEnergy, IsAsUncertainAsRounding) {
   const auto from = some_points(1.3);
-  const auto isotropic = body(0.16 * Matrix3d::Identity()),
-             tilted = body(noise_vectors() * noise_vectors().transpose());
+  const auto isotropic = body_in_field(0.16 * Matrix3d::Identity()),
+             tilted = body_in_field(noise_vectors() * noise_vectors().transpose());
   double greatest = 0;
   for (Eigen::Index i = 0; i < from.rows(); ++i)
     greatest = std::max(greatest, isotropic.energy(from.row(i).transpose()));
@@ -75,7 +76,7 @@ TEST(MeanEnergy, IsAsUncertainAsRounding) {
 
 TEST(MeanEnergy, IsAsUncertainAsRoundingOfWhatTheFieldAdds) {
   const auto from = some_points(1.3);
-  const auto p = body(0.16 * Matrix3d::Identity(), {0.3, -0.2, 0.1});
+  const auto p = body_in_field(0.16 * Matrix3d::Identity(), {0.3, -0.2, 0.1});
   double greatest = 0;
   for (Eigen::Index i = 0; i < from.rows(); ++i)
     greatest = std::max(greatest, std::fabs(p.energy(from.row(i).transpose())));
@@ -84,7 +85,7 @@ TEST(MeanEnergy, IsAsUncertainAsRoundingOfWhatTheFieldAdds) {
 
 // Where the degree does not do, it is seen which it is.
 TEST(MeanEnergy, IsThatOfDegreeTwentyAndUncertainByThatOfSixteen) {
-  auto p = body(0.01 * Vector3d(1, 2, 3).asDiagonal());
+  auto p = body_in_field(0.01 * Vector3d(1, 2, 3).asDiagonal());
   p.damping = 0;
   const auto from = some_points(p.radius);
   const auto found = energy_without_dissipation(p, from, 12);
@@ -102,7 +103,7 @@ TEST(MeanEnergy, IsThatOfDegreeTwentyAndUncertainByThatOfSixteen) {
 
 // Fast turns under weak noise: the degree does not do, the error is what the degree changes, and it is said.
 TEST(MeanEnergy, SaysHowFarItsDegreeReaches) {
-  auto p = body(0.01 * Vector3d(1, 2, 3).asDiagonal());
+  auto p = body_in_field(0.01 * Vector3d(1, 2, 3).asDiagonal());
   p.damping = 0;
   const auto from = some_points(p.radius);
   for (const double time : {12.0, 20.0}) {
@@ -121,7 +122,7 @@ TEST(MeanEnergy, SaysHowFarItsDegreeReaches) {
 // 1/2 sum_i d^2/de^2 h(exp(e sigma_i) Pi): the free motion keeps h.
 TEST(EnergyDrift, IsTheSecondDerivativeAlongTheNoise) {
   const Matrix3d sigma = noise_vectors();
-  const auto p = body(sigma * sigma.transpose(), {0.3, -0.2, 0.1});
+  const auto p = body_in_field(sigma * sigma.transpose(), {0.3, -0.2, 0.1});
   const auto at = some_points(p.radius);
   const auto found = energy_drift(p, at);
   for (Eigen::Index i = 0; i < at.rows(); ++i) {

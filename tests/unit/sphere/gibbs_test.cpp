@@ -14,7 +14,8 @@
 namespace polhode::test {
 namespace {
 
-using vector = Eigen::Vector3d;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
 
 /// Where the distribution is held, as a share of the energies.
 double node(int n) {
@@ -57,8 +58,7 @@ TEST(Gibbs, OfBodiesOfRevolutionWithoutATemperatureIsUniformInHeight) {
 }
 
 sphere_problem uniaxial(double k) {
-  return {
-      .quadratic = vector(0, 0, k).asDiagonal(), .damping = 0, .radius = 1, .covariance = Eigen::Matrix3d::Identity()};
+  return {.quadratic = Vector3d(0, 0, k).asDiagonal(), .damping = 0, .radius = 1, .covariance = Matrix3d::Identity()};
 }
 
 /// The share of a sphere's points of that height at most; 0 is one of the rings.
@@ -86,17 +86,17 @@ TEST(Gibbs, ByQuadratureCountsPointsToTheGreatest) {
 // So narrow a law that half as many points in a direction are too few: of each moment what that changes, the greatest.
 TEST(Gibbs, ByQuadratureIsAsUncertainAsHalfThePoints) {
   const double beta = 8e3;
-  const sphere_problem p{.quadratic = vector(0.2, 0, 0).asDiagonal(),
+  const sphere_problem p{.quadratic = Vector3d(0.2, 0, 0).asDiagonal(),
                          .damping = beta / 2,
                          .radius = 1,
-                         .covariance = Eigen::Matrix3d::Identity(),
-                         .field = vector(0, 0, 1)};
+                         .covariance = Matrix3d::Identity(),
+                         .field = Vector3d(0, 0, 1)};
   const auto moments = [&](int degree) -> Eigen::Array4d {  // of the energy above the least, and of squares
     const auto rule = sphere_quadrature(degree);
     Eigen::Array4d sum = Eigen::Array4d::Zero();
     double total = 0;
     for (Eigen::Index i = 0; i < rule.weights.size(); ++i) {
-      const vector pi = rule.points.row(i).transpose();
+      const Vector3d pi = rule.points.row(i).transpose();
       const double above = 0.1 * pi[0] * pi[0] + 1 + pi[2], mass = rule.weights[i] * std::exp(-beta * above);
       sum += mass * Eigen::Array4d(above, pi[0] * pi[0], pi[1] * pi[1], pi[2] * pi[2]);
       total += mass;

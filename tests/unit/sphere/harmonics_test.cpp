@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "unit/sphere/problems.hpp"
+
 namespace polhode::test {
 namespace {
-
-const Eigen::Vector3d somewhere(0.6, 0.48, 0.64);
 
 TEST(Harmonics, AreOrthonormalUnderTheQuadrature) {
   for (const int degree : {0, 1, 7, 40}) {
@@ -22,8 +22,8 @@ TEST(Harmonics, AreOrthonormalUnderTheQuadrature) {
 }
 
 TEST(Harmonics, AgreeWithStandardLibraryAndAtThePoles) {
-  const Eigen::VectorXd y = harmonics_at(somewhere, 6);
-  const double polar = std::acos(somewhere[2]), phi = std::atan2(somewhere[1], somewhere[0]);
+  const Eigen::VectorXd y = harmonics_at(start, 6);
+  const double polar = std::acos(start[2]), phi = std::atan2(start[1], start[0]);
   for (unsigned l = 0; l <= 6; ++l)
     for (unsigned m = 0; m <= l; ++m) {
       // std::sph_legendre has the Condon-Shortley sign
@@ -57,9 +57,9 @@ TEST(RotationGenerators, TurnTheBasis) {
   for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3d axis = Eigen::Vector3d::Unit(i);
     const double e = 1e-5;
-    const Eigen::VectorXd ahead = harmonics_at(Eigen::AngleAxisd(e, axis) * somewhere, degree);
-    const Eigen::VectorXd behind = harmonics_at(Eigen::AngleAxisd(-e, axis) * somewhere, degree);
-    const Eigen::VectorXd slope = l[static_cast<std::size_t>(i)].transpose() * harmonics_at(somewhere, degree);
+    const Eigen::VectorXd ahead = harmonics_at(Eigen::AngleAxisd(e, axis) * start, degree);
+    const Eigen::VectorXd behind = harmonics_at(Eigen::AngleAxisd(-e, axis) * start, degree);
+    const Eigen::VectorXd slope = l[static_cast<std::size_t>(i)].transpose() * harmonics_at(start, degree);
     EXPECT_LT(((ahead - behind) / (2 * e) - slope).cwiseAbs().maxCoeff(), 1e-8) << i;
   }
 }
@@ -83,12 +83,12 @@ TEST(Coordinates, MultiplyFunctions) {
   const int degree = 12;
   const auto x = coordinates(degree + 1);
   const auto f = [](const Eigen::Vector3d& p) { return std::exp(0.3 * p[0] - 0.2 * p[1] + 0.1 * p[2]); };
-  const Eigen::VectorXd c = harmonic_coefficients(f, degree + 1), y = harmonics_at(somewhere, degree + 1);
-  EXPECT_NEAR(y.dot(c), f(somewhere), 1e-13);
+  const Eigen::VectorXd c = harmonic_coefficients(f, degree + 1), y = harmonics_at(start, degree + 1);
+  EXPECT_NEAR(y.dot(c), f(start), 1e-13);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       const Eigen::VectorXd product = x[i] * (x[j] * c);
-      EXPECT_NEAR(y.dot(product), somewhere[long(i)] * somewhere[long(j)] * f(somewhere), 1e-13) << i << j;
+      EXPECT_NEAR(y.dot(product), start[long(i)] * start[long(j)] * f(start), 1e-13) << i << j;
     }
 }
 

@@ -2,10 +2,10 @@
 // Mean squares beside an equilibrium: closed forms, and the whole second moment by Kronecker products.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <unsupported/Eigen/KroneckerProduct>
 
+#include "algebra/decompositions.hpp"
 #include "sphere/closed_forms/linearised.hpp"
 
 namespace polhode {
@@ -42,7 +42,7 @@ TEST(Linearised, IsTheSpectralAbscissaOfTheSecondMoment) {
         const Eigen::Matrix4d both = Eigen::kroneckerProduct(ito, one).eval() +
                                      Eigen::kroneckerProduct(one, ito).eval() +
                                      sigma * sigma * Eigen::kroneckerProduct(r, r).eval();
-        EXPECT_NEAR(mean_square_growth(body), both.eigenvalues().real().maxCoeff(), 1e-7) << axis;
+        EXPECT_NEAR(mean_square_growth(body), eigenvalues_of(both).real().maxCoeff(), 1e-7) << axis;
       }
 }
 

@@ -11,7 +11,6 @@ namespace polhode::test {
 
 using momenta = Eigen::Matrix<double, 6, 1>;
 
-inline const Eigen::Matrix3d none = Eigen::Matrix3d::Zero(), one = Eigen::Matrix3d::Identity();
 inline const Eigen::Vector3d first(0, 0.6, 0.8), second(0.8, 0, -0.6);
 
 inline momenta both(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

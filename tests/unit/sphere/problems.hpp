@@ -11,6 +11,7 @@
 namespace polhode::test {
 
 inline const Eigen::Vector3d start(0.6, 0.48, 0.64);
+inline const Eigen::Matrix3d none = Eigen::Matrix3d::Zero(), one = Eigen::Matrix3d::Identity();
 
 inline sphere_problem problem(double theta, const Eigen::Matrix3d& covariance) {
   return body_on_sphere({1, 2, 3}, theta, 1, covariance);

@@ -6,15 +6,17 @@
 
 #include "sphere/averaged_gap.hpp"
 #include "sphere/expectations/expectation.hpp"
+#include "sphere/harmonics/backward_operator.hpp"
+#include "sphere/lyapunov.hpp"
 #include "sphere/spectral_gap.hpp"
 #include "sphere/stationary.hpp"
+#include "support/body_of_revolution.hpp"
+#include "support/power_series_in_time.hpp"
+#include "support/sphere_collocation.hpp"
+#include "unit/sphere/problems.hpp"
 
 namespace polhode::test {
 namespace {
-
-const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
-const auto paper = body_on_sphere({1, 2, 3}, 0.5, 1, 0.25 * one);
-const Eigen::Vector3d paper_start(0.6, 0.48, 0.64);
 
 sphere_function energy_of(const sphere_problem& p) { return *named_observable("energy", p); }
 const std::vector<sphere_problem> tops{
@@ -22,9 +24,9 @@ const std::vector<sphere_problem> tops{
     body_on_sphere({1, 0.4, 1}, 0.5, 1.3, 0.25 * one), body_on_sphere({1.7, 2, 2}, 0.5, 1.3, 0.25 * one)};
 
 TEST(SphereCollocation, KnownAnswers) {  // docs/model.md, section 3
-  const sphere_collocation grid(13, drift_of(paper), paper.covariance);
-  EXPECT_NEAR(grid.mean(energy_of(paper)), 0.27662786228, 2e-9);
-  EXPECT_NEAR(sphere_collocation(11, drift_of(paper), paper.covariance).expectation(energy_of(paper), paper_start, 2),
+  const sphere_collocation grid(13, drift_of(paper()), paper().covariance);
+  EXPECT_NEAR(grid.mean(energy_of(paper())), 0.27662786228, 2e-9);
+  EXPECT_NEAR(sphere_collocation(11, drift_of(paper()), paper().covariance).expectation(energy_of(paper()), start, 2),
               0.281221439758, 1e-8);
   EXPECT_NEAR(grid.gap(), 0.237066066867, 5e-8);
 }
@@ -47,13 +49,12 @@ TEST(BodyOfRevolution, AgreesWithTheReferences) {
   for (const auto& p : tops) {
     const auto body = revolution(p);
     ASSERT_TRUE(body);
-    const Eigen::Vector3d start = p.radius * paper_start;
-    const auto expected = expectation(p, energy_of(p), start, 2, 1e-11);
-    EXPECT_NEAR(energy_on_a_line(*body, paper_start[body->axis], 2, 48), *expected.value, expected.uncertainty + 1e-12);
+    const auto expected = expectation(p, energy_of(p), p.radius * start, 2, 1e-11);
+    EXPECT_NEAR(energy_on_a_line(*body, start[body->axis], 2, 48), *expected.value, expected.uncertainty + 1e-12);
     const auto gap = spectral_gap(p, 1e-11);
     EXPECT_NEAR(gap_on_a_line(*body, 48, 4), *gap.value, gap.uncertainty + 1e-11);
   }
-  EXPECT_FALSE(revolution(paper));
+  EXPECT_FALSE(revolution(paper()));
 }
 
 TEST(BodyOfRevolution, TangentDirectionsAreADiffusionOnASphere) {
@@ -68,11 +69,11 @@ TEST(SeriesInTime, AgreesWithTheExponential) {
   two << 0.9, 0.2, 0, -0.1, 0.8, 0.5;
   for (const auto& [theta, time] : {std::pair{0.0, 0.05}, {0.5, 0.02}}) {
     const auto p = body_on_sphere({1, 2, 3}, theta, 1, two.transpose() * two);
-    const auto series = energy_by_series(p, paper_start, time, 1e-13);
+    const auto series = energy_by_series(p, start, time, 1e-13);
     ASSERT_TRUE(series);
-    const auto expected = expectation(p, energy_of(p), paper_start, time, 1e-12);
+    const auto expected = expectation(p, energy_of(p), start, time, 1e-12);
     EXPECT_NEAR(series->value, *expected.value, series->remainder + expected.uncertainty);
-    EXPECT_GT(std::fabs(series->value - energy_of(p)(paper_start)), 1e-4);  // something has happened
+    EXPECT_GT(std::fabs(series->value - energy_of(p)(start)), 1e-4);  // something has happened
   }
 }
 

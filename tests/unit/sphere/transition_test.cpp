@@ -9,13 +9,14 @@
 #include "sphere/expectations/expectation.hpp"
 #include "sphere/expectations/transition.hpp"
 #include "sphere/harmonics/harmonics.hpp"
+#include "unit/sphere/problems.hpp"
 
 namespace polhode::test {
 namespace {
 
 constexpr double tolerance = 1e-10;
 
-sphere_problem body(const std::array<double, 3>& inertia, double damping, double sigma) {
+sphere_problem isotropic_body(const std::array<double, 3>& inertia, double damping, double sigma) {
   return body_on_sphere(inertia, damping, 1, sigma * sigma * Eigen::Matrix3d::Identity());
 }
 
@@ -23,11 +24,9 @@ sphere_function harmonic(int index) {
   return [=](const Eigen::Vector3d& x) { return harmonics_at(x, 6)[index]; };
 }
 
-const Eigen::Vector3d somewhere = Eigen::Vector3d(0.6, 0.48, 0.64);
-
 TEST(Transition, OfIsotropicNoiseAloneDecaysByDegree) {
   const double sigma = 0.7, time = 0.4;
-  const auto law = transition(body({1, 1, 1}, 0, sigma), time, 6, tolerance);
+  const auto law = transition(isotropic_body({1, 1, 1}, 0, sigma), time, 6, tolerance);
   for (int l = 0; l <= 6; ++l)
     for (int m = -l; m <= l; ++m) {
       Eigen::VectorXd column = law.columns.col(harmonic_index(l, m));
@@ -38,30 +37,30 @@ TEST(Transition, OfIsotropicNoiseAloneDecaysByDegree) {
 }
 
 TEST(Transition, IsTheExpectationOfEachFunction) {
-  const auto problem = body({1, 2, 3}, 0.5, 0.5);
+  const auto problem = isotropic_body({1, 2, 3}, 0.5, 0.5);
   const auto law = transition(problem, 0.3, 3, tolerance);
   EXPECT_TRUE(law.reason.empty());
-  const Eigen::VectorXd found = law.columns.transpose() * harmonics_at(somewhere, law.degree);
+  const Eigen::VectorXd found = law.columns.transpose() * harmonics_at(start, law.degree);
   for (int i = 1; i < harmonic_count(3); ++i)
-    EXPECT_NEAR(found[i], *expectation(problem, harmonic(i), somewhere, 0.3, 1e-12).value, 2 * law.uncertainty + 1e-11);
+    EXPECT_NEAR(found[i], *expectation(problem, harmonic(i), start, 0.3, 1e-12).value, 2 * law.uncertainty + 1e-11);
 }
 
 TEST(Transition, OfTwoIntervalsIsTheLawOfBoth) {
-  const auto problem = body({1, 2, 3}, 0.5, 0.5);
+  const auto problem = isotropic_body({1, 2, 3}, 0.5, 0.5);
   const auto once = transition(problem, 0.2, 24, 1e-7, 24), both = transition(problem, 0.4, 6, tolerance, 24);
   EXPECT_LT((once.columns * once.columns.leftCols(harmonic_count(6)) - both.columns).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST(Transition, TakesAnyWantedDegree) {
   for (const int degree : {1, 2, 5}) {
-    const auto law = transition(body({1, 1, 1}, 0, 0.7), 0.4, 1, tolerance, degree);
+    const auto law = transition(isotropic_body({1, 1, 1}, 0, 0.7), 0.4, 1, tolerance, degree);
     EXPECT_EQ(law.degree, degree);
     EXPECT_NEAR(law.columns(harmonic_index(1, 0), harmonic_index(1, 0)), std::exp(-0.49 * 0.4), 1e-13);
   }
 }
 
 TEST(Transition, SaysWhereNoDegreeResolvesIt) {
-  EXPECT_FALSE(transition(body({1, 2, 3}, 50, 1e-3), 10, 6, tolerance).reason.empty());
+  EXPECT_FALSE(transition(isotropic_body({1, 2, 3}, 50, 1e-3), 10, 6, tolerance).reason.empty());
 }
 
 }  // namespace

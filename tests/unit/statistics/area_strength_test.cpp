@@ -46,7 +46,7 @@ area_response response_of(const synthetic& s, int paths, std::uint64_t seed) {
   return out;
 }
 
-multiplier strength(const synthetic& s, int paths = 320, std::uint64_t seed = 1) {
+multiplier strength_of_areas(const synthetic& s, int paths = 320, std::uint64_t seed = 1) {
   return area_strength(steps(), response_of(s, paths, seed), paths, cells);
 }
 
@@ -54,7 +54,7 @@ TEST(AreaStrength, IsOneOfHealthySchemes) {
   int covered = 0;
   constexpr int seeds = 200;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const auto m = strength({1, 1, 2, 0}, 320, seed);
+    const auto m = strength_of_areas({1, 1, 2, 0}, 320, seed);
     ASSERT_TRUE(m.known);
     EXPECT_LT(std::fabs(m.error.value), m.sure) << seed;
     covered += m.error.low <= 0 && 0 <= m.error.high;
@@ -64,7 +64,7 @@ TEST(AreaStrength, IsOneOfHealthySchemes) {
 
 TEST(AreaStrength, FivePerCentAreSeenBesideALargerErrorOfTheScheme) {
   for (const double eps : {-1.0, -0.05, 0.05}) {
-    const auto m = strength({1, 1, 0.2, eps});
+    const auto m = strength_of_areas({1, 1, 0.2, eps});
     ASSERT_TRUE(m.known);
     EXPECT_GT(std::fabs(m.error.value), m.sure) << eps;
     EXPECT_NEAR(m.error.value, eps, m.sure);
@@ -73,8 +73,8 @@ TEST(AreaStrength, FivePerCentAreSeenBesideALargerErrorOfTheScheme) {
 
 TEST(AreaStrength, IsNotKnownWhereTheNoiseCommutes) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-    EXPECT_FALSE(strength({0, 1, 1, 0}, 320, seed).known) << seed;
-    EXPECT_FALSE(strength({0, 0, 1, 0}, 320, seed).known) << seed;
+    EXPECT_FALSE(strength_of_areas({0, 1, 1, 0}, 320, seed).known) << seed;
+    EXPECT_FALSE(strength_of_areas({0, 0, 1, 0}, 320, seed).known) << seed;
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -12,6 +11,7 @@
 
 #include "statistics/orders/order_fit.hpp"
 #include "statistics/sample.hpp"
+#include "support/dense.hpp"
 
 namespace polhode {
 namespace {
@@ -93,7 +93,7 @@ TEST(ControlVariates, CoefficientsOfOneHalfComeFromTheOther) {
   const auto fitted = [&](int from, int count) -> Eigen::VectorXd {
     Eigen::MatrixXd design(count, 3);
     design << controls.middleRows(from, count), Eigen::VectorXd::Ones(count);
-    return design.colPivHouseholderQr().solve(d.y.segment(from, count)).head(2);
+    return test::least_squares_of(design, d.y.segment(from, count)).head(2);
   };
   const Eigen::VectorXd b = fitted(half, paths - half), c = fitted(0, half), found = controlled(d.y, controls);
   for (int i = 0; i < paths; ++i) EXPECT_NEAR(found[i], d.y[i] - controls.row(i).dot(i < half ? b : c), 1e-11) << i;

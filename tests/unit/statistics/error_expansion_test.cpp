@@ -23,7 +23,7 @@ struct exact_levels {
 
 /// Errors f(dt), known to a share of themselves.
 template <class F>
-exact_levels levels_of(int count, double share, const F& f) {
+exact_levels halved_levels(int count, double share, const F& f) {
   exact_levels out{halvings(count), {}, {}};
   for (const double h : out.dt) {
     out.error.push_back(f(h));
@@ -42,7 +42,7 @@ std::optional<order_fit> finest_order(const exact_levels& l) {
 
 TEST(ErrorExpansion, FindsEveryTermOfAPolynomial) {
   for (const int count : {6, 9, 16}) {
-    const auto l = levels_of(count, 0, [](double h) { return 0.25 + 3 * h - 5 * h * h; });
+    const auto l = halved_levels(count, 0, [](double h) { return 0.25 + 3 * h - 5 * h * h; });
     for (const auto& [k, value] : {std::pair{0, 0.25}, {1, 3.0}, {2, -5.0}}) {
       const auto term = term_of(l, k);
       EXPECT_NEAR(term.value, value, term.certainty() + 1e-9) << count << ' ' << k;
@@ -54,7 +54,7 @@ TEST(ErrorExpansion, FindsEveryTermOfAPolynomial) {
 // A limit a thousand times below the finest error, and one that is zero.
 TEST(ErrorExpansion, SeesALimitFarBelowTheErrors) {
   const auto series = [](double limit) {
-    return levels_of(8, 1e-5, [limit](double h) { return limit + std::sin(3 * h) / (1 + h); });
+    return halved_levels(8, 1e-5, [limit](double h) { return limit + std::sin(3 * h) / (1 + h); });
   };
   const auto wrong = term_of(series(1e-5), 0), right = term_of(series(0), 0);
   EXPECT_GT(std::fabs(wrong.value), 2 * wrong.certainty());
@@ -65,7 +65,7 @@ TEST(ErrorExpansion, SeesALimitFarBelowTheErrors) {
 // Order two claimed, and a term of order one below it.
 TEST(ErrorExpansion, SeesALowerTermBelowTheClaimedOne) {
   const auto series = [](double lower) {
-    return levels_of(8, 1e-5, [lower](double h) { return lower * h + h * h * std::exp(h); });
+    return halved_levels(8, 1e-5, [lower](double h) { return lower * h + h * h * std::exp(h); });
   };
   const auto hidden = term_of(series(1e-4), 1), none = term_of(series(0), 1);
   EXPECT_NEAR(hidden.value, 1e-4, hidden.certainty());
@@ -80,8 +80,8 @@ TEST(ErrorExpansion, IsAsCertainAsItSays) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     const auto z = normals<2>({seed, noise_kind::increment, 1, 0});
     const auto w = normals<2>({seed, noise_kind::increment, 2, 0});
-    auto l = levels_of(8, 1e-4,
-                       [&](double h) { return z[0] * h + z[1] * h * h + w[0] * std::pow(h, 3) * std::exp(w[1] * h); });
+    auto l = halved_levels(
+        8, 1e-4, [&](double h) { return z[0] * h + z[1] * h * h + w[0] * std::pow(h, 3) * std::exp(w[1] * h); });
     for (std::size_t i = 0; i < l.dt.size(); ++i)
       l.error[i] += l.uncertainty[i] * (normals<1>({seed, noise_kind::area, 3, i})[0] > 0 ? 1 : -1);
     const auto limit = term_of(l, 0), slope = term_of(l, 1);
@@ -93,17 +93,17 @@ TEST(ErrorExpansion, IsAsCertainAsItSays) {
 }
 
 TEST(ErrorExpansion, AsksForEnoughLevels) {
-  const auto l = levels_of(3, 0, [](double h) { return h; });
+  const auto l = halved_levels(3, 0, [](double h) { return h; });
   EXPECT_TRUE(series_term_by_best_degree(l.dt, l.error, l.uncertainty, 0));
   EXPECT_FALSE(series_term_by_best_degree(l.dt, l.error, l.uncertainty, 1));
-  auto lost = levels_of(4, 0, [](double h) { return h; });
+  auto lost = halved_levels(4, 0, [](double h) { return h; });
   lost.error[1] = NAN;
   lost.error[2] = INFINITY;
   EXPECT_FALSE(series_term_by_best_degree(lost.dt, lost.error, lost.uncertainty, 0));
 }
 
 TEST(FinestOrder, SettlesOnThePowerAndItsIntervalHoldsIt) {
-  const auto fit = finest_order(levels_of(8, 1e-6, [](double h) { return h + 2 * h * h; }));
+  const auto fit = finest_order(halved_levels(8, 1e-6, [](double h) { return h + 2 * h * h; }));
   ASSERT_TRUE(fit);
   EXPECT_TRUE(fit->asymptotic);
   EXPECT_LE(fit->low, 1);
@@ -113,7 +113,7 @@ TEST(FinestOrder, SettlesOnThePowerAndItsIntervalHoldsIt) {
 
 // Bias of opposite sign: before the zero crossing the slope is steep, after it flat.
 TEST(FinestOrder, HasNotSettledBesideAZeroCrossing) {
-  const auto before = finest_order(levels_of(6, 1e-6, [](double h) { return h - 0.6 * std::exp2(-9); }));
+  const auto before = finest_order(halved_levels(6, 1e-6, [](double h) { return h - 0.6 * std::exp2(-9); }));
   ASSERT_TRUE(before);
   EXPECT_GT(before->order, 1.2);
   EXPECT_FALSE(before->asymptotic);
@@ -121,8 +121,8 @@ TEST(FinestOrder, HasNotSettledBesideAZeroCrossing) {
 }
 
 TEST(FinestOrder, NeedsFourClearLevels) {
-  EXPECT_FALSE(finest_order(levels_of(3, 0, [](double h) { return h; })));
-  EXPECT_FALSE(finest_order(levels_of(8, 0.1, [](double h) { return h; })));
+  EXPECT_FALSE(finest_order(halved_levels(3, 0, [](double h) { return h; })));
+  EXPECT_FALSE(finest_order(halved_levels(8, 0.1, [](double h) { return h; })));
 }
 
 // Slopes 1, 1.1 and 1.5 from the finest pair on: the interval reaches 1.5 times half the change before the last.

@@ -2,7 +2,7 @@
 // Sampled errors as powers of the step: a wrong limit, and a leading term below a larger one.
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
 #include <polhode/noise/normal.hpp>
@@ -10,6 +10,7 @@
 #include "statistics/orders/order_fit.hpp"
 #include "statistics/resample.hpp"
 #include "statistics/resampled_means.hpp"
+#include "support/dense.hpp"
 #include "support/halvings.hpp"
 
 namespace polhode {
@@ -89,8 +90,8 @@ TEST(ErrorModel, IsTheWeightedLeastSquares) {
       right += row * mean / variance;
     }
     const auto found = fit_error_model(dt, e, used, order, 1, powers);
-    const Eigen::VectorXd limited = normal.topLeftCorner(3, 3).ldlt().solve(right.head(3)),
-                          free = normal.bottomRightCorner(powers, powers).ldlt().solve(right.tail(powers));
+    const Eigen::VectorXd limited = test::solution_of(normal.topLeftCorner(3, 3), right.head(3)),
+                          free = test::solution_of(normal.bottomRightCorner(powers, powers), right.tail(powers));
     EXPECT_NEAR(found.limit.value, std::sqrt(std::max(0.0, limited[0])), 1e-9);
     EXPECT_NEAR(found.leading.value, free[0], 1e-9 * std::fabs(free[0]));
     EXPECT_LT(found.leading.low, found.leading.value);
@@ -115,8 +116,8 @@ TEST(ErrorModel, IntervalsAreThoseOfTheReplicatesLeastSquares) {
       design.row(l) << 1 / error, std::pow(h, 1.4) / error, std::pow(h, 2.4) / error;
       right[l] = means(r, l) / error;
     }
-    limits.push_back(design.colPivHouseholderQr().solve(right)[0]);
-    leading.push_back(design.rightCols(2).colPivHouseholderQr().solve(right)[0]);
+    limits.push_back(test::least_squares_of(design, right)[0]);
+    leading.push_back(test::least_squares_of(design.rightCols(2), right)[0]);
   }
   const auto [low, high] = bootstrap_interval(limits, 0.95, paths);
   const auto [least, most] = bootstrap_interval(leading, 0.95, paths);
@@ -159,7 +160,7 @@ TEST(ErrorModel, LevelsWithoutScatterWeighByTheirMeans) {
       design.row(l) << 1 / error, h / error, h * h / error;
       right[l] = m / error;
     }
-    const double square = design.colPivHouseholderQr().solve(right)[0];
+    const double square = test::least_squares_of(design, right)[0];
     const double found = fit_error_model(dt, e, std::vector<bool>(5, true), 0.5, 1).limit.value;
     EXPECT_NEAR(found, square > 0 ? std::sqrt(square) : 0, 1e-10) << square;
     EXPECT_EQ(square > 0, last > 0) << square;

@@ -10,6 +10,7 @@
 #include "statistics/orders/level_choice.hpp"
 #include "statistics/orders/log_line.hpp"
 #include "statistics/orders/squared_errors.hpp"
+#include "support/dense.hpp"
 
 namespace polhode {
 namespace {
@@ -26,7 +27,7 @@ log_line by_solver(const std::vector<log_level>& levels) {
     design.row(i) << 1 / error, l.x / error;
     value[i] = l.y / error;
   }
-  const Eigen::Vector2d c = design.colPivHouseholderQr().solve(value);
+  const Eigen::Vector2d c = test::least_squares_of(design, value);
   return {c[0], c[1]};
 }
 

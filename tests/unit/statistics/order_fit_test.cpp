@@ -132,7 +132,7 @@ TEST(OrderFit, AGrowthLawHasNoLevelAtZero) {
 /// Paths that scatter at each level by another share, general steps.
 const std::vector<double> general_dt{0.31, 0.17, 0.08, 0.045, 0.02, 0.011};
 
-squared_errors scattered(const std::vector<double>& dt, int paths, double order) {
+squared_errors scattered_errors(const std::vector<double>& dt, int paths, double order) {
   squared_errors e{paths, static_cast<int>(dt.size()), {}};
   for (int path = 0; path < paths; ++path)
     for (std::size_t l = 0; l < dt.size(); ++l) {
@@ -176,7 +176,7 @@ std::vector<std::vector<log_level>> replicates_of(const std::vector<double>& dt,
 constexpr int telling_paths = 164;
 
 TEST(OrderFit, SampledIntervalsAreThoseOfTheReplicatesLines) {
-  const auto e = scattered(general_dt, telling_paths, 0.8);
+  const auto e = scattered_errors(general_dt, telling_paths, 0.8);
   const std::array norms{error_norm{&e, 2}, error_norm{&e, 3}};
   const auto fits = fit_orders(general_dt, norms, 0, 7);
   for (std::size_t n = 0; n < norms.size(); ++n) {
@@ -209,7 +209,7 @@ squared_errors lifted(squared_errors e, double by) {
 
 TEST(OrderFit, ACoarseLevelIsLeftOutBeyondThreeOfItsStandardErrors) {
   const std::vector<double> dt(general_dt.begin(), general_dt.begin() + 5);
-  const auto e = scattered(dt, 40, 0.8);
+  const auto e = scattered_errors(dt, 40, 0.8);
   const auto levels = levels_of(dt, e, 2);
   const double off = off_the_others(levels), error = levels.front().error;
   ASSERT_GT(3 * error, 0.06);
@@ -220,7 +220,7 @@ TEST(OrderFit, ACoarseLevelIsLeftOutBeyondThreeOfItsStandardErrors) {
 // Four levels all stay; by how much the coarsest is off has an interval, whose ends are moved to either side of 0.05.
 TEST(OrderFit, SettlesWhereTheIntervalOfTheCoarsestLevelTouchesTheMargin) {
   const std::vector<double> dt(general_dt.begin(), general_dt.begin() + 4);
-  const auto e = scattered(dt, telling_paths, 0.8);
+  const auto e = scattered_errors(dt, telling_paths, 0.8);
   std::vector<double> off;
   for (const auto& levels : replicates_of(dt, e, 2, 3)) off.push_back(off_the_others(levels));
   const auto [least, most] = bootstrap_interval(off, 0.95, telling_paths);
@@ -238,7 +238,7 @@ TEST(OrderFit, SettlesWhereTheIntervalOfTheCoarsestLevelTouchesTheMargin) {
 }
 
 TEST(OrderFit, ANormWithoutEnoughLevelsLeavesTheOthersAlone) {
-  const auto e = scattered(general_dt, 50, 0.8);
+  const auto e = scattered_errors(general_dt, 50, 0.8);
   auto few = e;
   for (int path = 0; path < e.paths; ++path)
     for (const int l : {0, 2, 5}) few.at(path, l) = 0;

@@ -7,15 +7,12 @@
 #include <polhode/noise/normal.hpp>
 
 #include "statistics/orders/path_slopes.hpp"
+#include "support/halvings.hpp"
 
 namespace polhode {
 namespace {
 
-std::vector<double> halvings(int levels) {
-  std::vector<double> dt;
-  for (int i = 0; i < levels; ++i) dt.push_back(std::exp2(-2 - i));
-  return dt;
-}
+using test::halvings;
 
 /// Squares of error(path, dt).
 template <class Error>
@@ -33,7 +30,7 @@ double normal_at(std::uint64_t seed, int path) {
 // An error of sqrt(dt) with probability dt, else dt: mean square 2 dt^2, fourth moment dt^3.
 TEST(Norms, TheFourthMomentSeesRareErrorsThatTheMeanSquareDoesNot) {
   constexpr int paths = 4096;
-  const auto dt = halvings(8);
+  const auto dt = halvings(8, 0.25);
   const auto e = errors_of(dt, paths, [&](int p, double h) { return p < paths * h ? std::sqrt(h) : h; });
   const std::array norms{error_norm{&e, 1}, error_norm{&e, 2}, error_norm{&e, 4}};
   const auto fits = fit_orders(dt, norms, 0, 1);
@@ -45,7 +42,7 @@ TEST(Norms, TheFourthMomentSeesRareErrorsThatTheMeanSquareDoesNot) {
 }
 
 TEST(Norms, OfTheMeanSquareAreThoseOfFitOrder) {
-  const auto dt = halvings(6);
+  const auto dt = halvings(6, 0.25);
   const auto e = errors_of(dt, 300, [](int p, double h) { return h * normal_at(5, p) + h * h; });
   const error_norm rms{&e, 2};
   const auto one = fit_order(dt, e, 0, 9), other = fit_orders(dt, {&rms, 1}, 0, 9).front();
@@ -58,7 +55,7 @@ TEST(Norms, OfTheMeanSquareAreThoseOfFitOrder) {
 
 TEST(PathSlopes, AreThoseOfMostPathsWhereTheMeanSquareIsThatOfTheWorst) {
   constexpr int paths = 1000;
-  const auto dt = halvings(8);
+  const auto dt = halvings(8, 0.25);
   const auto e = errors_of(dt, paths, [&](int p, double h) { return p % 10 < 3 ? std::sqrt(h) : h; });
   const auto fit = fit_order(dt, e, 0, 1);
   ASSERT_TRUE(fit);
@@ -72,7 +69,7 @@ TEST(PathSlopes, AreThoseOfMostPathsWhereTheMeanSquareIsThatOfTheWorst) {
 
 TEST(PathSlopes, HoldTheMedianInNineteenOfTwentyIntervals) {
   constexpr int runs = 1000, paths = 101;
-  const auto dt = halvings(4);
+  const auto dt = halvings(4, 0.25);
   int held = 0;
   for (int run = 0; run < runs; ++run) {
     const auto e = errors_of(dt, paths, [&](int p, double h) {
@@ -88,7 +85,7 @@ TEST(PathSlopes, HoldTheMedianInNineteenOfTwentyIntervals) {
 
 // Slopes 1 + p / 10^4 for p = 1, 2, …, 10^4: 250 of them lie below the middle 95 %.
 TEST(PathSlopes, SayInWhatRangeTheMiddleOfThemLies) {
-  const auto dt = halvings(4);
+  const auto dt = halvings(4, 0.25);
   const auto e = errors_of(dt, 10'000, [](int p, double h) { return std::pow(h, 1 + 1e-4 * (p + 1)); });
   const order_fit all{1, 1, 1, 1, std::vector<bool>(dt.size(), true), "", true, {}};
   const auto slopes = fit_path_slopes(dt, e, all, 1.5);
@@ -100,7 +97,7 @@ TEST(PathSlopes, SayInWhatRangeTheMiddleOfThemLies) {
 }
 
 TEST(PathSlopes, LeaveOutPathsThatHaveNone) {
-  const auto dt = halvings(5);
+  const auto dt = halvings(5, 0.25);
   const order_fit all{1, 1, 1, 1, std::vector<bool>(dt.size(), true), "", true, {}};
   const auto lost = errors_of(dt, 100, [](int p, double h) { return p < 50 ? NAN : p < 60 ? 0 : h; });
   EXPECT_NEAR(fit_path_slopes(dt, lost, all, 1)->median.order, 1, 1e-12);
@@ -111,7 +108,7 @@ TEST(PathSlopes, LeaveOutPathsThatHaveNone) {
 // Of three levels of five, at steps 1/4, 1/8, 1/16: the slope of a path is that between their ends, and the 14th of
 // forty slopes from either end are the interval of their median.
 TEST(PathSlopes, AreSlopesBetweenTheEndsOfThreeLevels) {
-  const auto dt = halvings(5);
+  const auto dt = halvings(5, 0.25);
   const order_fit chosen{1, 1, 1, 1, {true, true, true, false, false}, "", true, {}};
   for (const int paths : {40, 41}) {
     const auto e = errors_of(dt, paths, [&](int p, double h) {

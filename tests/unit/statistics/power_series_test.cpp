@@ -11,12 +11,12 @@
 namespace polhode {
 namespace {
 
-const std::vector<double> dt{0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125};
+const std::vector<double> binary_dt{0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125};
 
 std::vector<interval_estimate> first(const std::function<double(double)>& f, double uncertainty, std::size_t count) {
-  std::vector<double> value, u(dt.size(), uncertainty);
-  for (const double h : dt) value.push_back(f(h));
-  return series_by_all_levels(dt, value, u, count);
+  std::vector<double> value, u(binary_dt.size(), uncertainty);
+  for (const double h : binary_dt) value.push_back(f(h));
+  return series_by_all_levels(binary_dt, value, u, count);
 }
 
 TEST(PowerSeries, PolynomialsAreFoundToRounding) {
@@ -111,14 +111,14 @@ TEST(PowerSeries, LevelsComeInAnyOrder) {
 
 // One level is uncertain, of zeros: its Lagrange polynomial at zero.
 TEST(PowerSeries, EveryLevelsUncertaintyCounts) {
-  const std::vector<double> zeros(dt.size(), 0.0);
-  for (std::size_t i = 0; i < dt.size(); ++i) {
+  const std::vector<double> zeros(binary_dt.size(), 0.0);
+  for (std::size_t i = 0; i < binary_dt.size(); ++i) {
     double weight = 1;
-    for (std::size_t k = 0; k < dt.size(); ++k)
-      if (k != i) weight *= dt[k] / std::fabs(dt[i] - dt[k]);
+    for (std::size_t k = 0; k < binary_dt.size(); ++k)
+      if (k != i) weight *= binary_dt[k] / std::fabs(binary_dt[i] - binary_dt[k]);
     auto uncertainty = zeros;
     uncertainty[i] = 0.5;
-    EXPECT_NEAR(series_by_all_levels(dt, zeros, uncertainty, 1)[0].high / (0.5 * weight), 1, 1e-12) << i;
+    EXPECT_NEAR(series_by_all_levels(binary_dt, zeros, uncertainty, 1)[0].high / (0.5 * weight), 1, 1e-12) << i;
   }
 }
 

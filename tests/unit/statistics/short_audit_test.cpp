@@ -12,22 +12,22 @@
 namespace polhode {
 namespace {
 
-constexpr int channels = 3;
+constexpr int active_channels = 3;
 
 /// [step][channel] of one path.
 std::vector<double> path_of(std::uint64_t seed, std::uint64_t path, int steps) {
   std::vector<double> dw;
   for (int i = 0; i < steps; ++i) {
-    const auto z = normals<channels>({seed, noise_kind::increment, path, static_cast<std::uint64_t>(i)});
-    for (int k = 0; k < channels; ++k) dw.push_back(z[k]);
+    const auto z = normals<active_channels>({seed, noise_kind::increment, path, static_cast<std::uint64_t>(i)});
+    for (int k = 0; k < active_channels; ++k) dw.push_back(z[k]);
   }
   return dw;
 }
 
 noise_audit one_path(std::uint64_t seed, int path, int steps) {
-  noise_audit a(channels, 0);
+  noise_audit a(active_channels, 0);
   const auto dw = path_of(seed, static_cast<std::uint64_t>(path), steps);
-  a.add_path({steps, channels, 0, dw, {}, {}, 1.0}, path);
+  a.add_path({steps, active_channels, 0, dw, {}, {}, 1.0}, path);
   return a;
 }
 
@@ -43,15 +43,15 @@ TEST(ShortAudit, IsNotSurerThanItMayBe) {
       far += std::fabs(d.z) > 3.0902323061678132;  // 0.2 %
     }
   }
-  EXPECT_EQ(variances, channels * runs);
+  EXPECT_EQ(variances, active_channels * runs);
   EXPECT_NEAR(far, 0.002 * variances, 4 * std::sqrt(0.002 * variances));
 }
 
 TEST(ShortAudit, SeesWhatIsGross) {
   auto dw = path_of(1, 0, 330);
   for (double& x : dw) x *= 1.5;
-  noise_audit a(channels, 0);
-  a.add_path({330, channels, 0, dw, {}, {}, 1.0}, 0);
+  noise_audit a(active_channels, 0);
+  a.add_path({330, active_channels, 0, dw, {}, {}, 1.0}, 0);
   double worst = 0;
   for (const auto& d : a.deviations())
     if (d.what.starts_with("variance")) worst = std::max(worst, d.z);
@@ -61,10 +61,10 @@ TEST(ShortAudit, SeesWhatIsGross) {
 // All but the products inside 64 steps, of which one path's every 4096th is taken, and so the first of each.
 TEST(ShortAudit, OfPathsJoinedIsThatOfTheirBlock) {
   constexpr int paths = 64, steps = 1024;
-  noise_audit together(channels, 0), joined(channels, 0);
+  noise_audit together(active_channels, 0), joined(active_channels, 0);
   for (int path = 0; path < paths; ++path) {
     const auto dw = path_of(5, static_cast<std::uint64_t>(path), steps);
-    together.add_path({steps, channels, 0, dw, {}, {}, 1.0}, path);
+    together.add_path({steps, active_channels, 0, dw, {}, {}, 1.0}, path);
     joined.join(one_path(5, path, steps));
   }
   const auto a = together.deviations(), b = joined.deviations();

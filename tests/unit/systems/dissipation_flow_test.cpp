@@ -14,6 +14,8 @@
 #include <polhode/systems/spin.hpp>
 #include <polhode/systems/spins.hpp>
 
+#include "support/expect_near.hpp"
+
 namespace polhode {
 namespace {
 
@@ -23,10 +25,7 @@ Vector some(int n) {
   for (int k = 0; k < n; ++k) out[k] = 0.6 * std::sin(1.7 * k + 0.4);
   return out;
 }
-template <class Vector>
-void expect_near(const Vector& found, const Vector& expected, double within) {
-  for (int k = 0; k < found.size; ++k) EXPECT_NEAR(found[k], expected[k], within) << k;
-}
+using test::expect_near;
 
 const Eigen::Matrix3d quadratic{{0.6, 0.1, -0.2}, {0.1, -0.3, 0.15}, {-0.2, 0.15, -1.2}};
 

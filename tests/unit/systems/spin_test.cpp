@@ -8,6 +8,8 @@
 #include <polhode/systems/spins.hpp>
 #include <polhode/systems/varying_spin.hpp>
 
+#include "support/expect_near.hpp"
+
 namespace polhode {
 namespace {
 
@@ -15,9 +17,7 @@ using vector = vec<double, 3>;
 const vector mu{{0.3, -0.7, 1.1}};
 constexpr double t = 1e-4;
 
-void expect_near(const vector& found, const vector& expected, double within) {
-  for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], expected[k], within) << k;
-}
+using test::expect_near;
 /// At t = 0 of a flow, to t^2 of it.
 template <class Flow>
 vector rate_of(Flow flow) {
