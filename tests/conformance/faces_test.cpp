@@ -38,7 +38,7 @@ case_of<heavy_top> top() {
                                  {{1, 1.5, 2.2}, 0.8, {0.3, -0.4, 0.6}, 0.3, heavy_top::isotropic(0.4)}, {});
 }
 /// The scene's two spins have a face of six components in registers; these are those of any number.
-case_of<spins> two_spins() {
+case_of<spins> case_of_two_spins() {
   const Eigen::Matrix3d quadratic = Eigen::Vector3d(0, 0, -0.6).asDiagonal();
   return with_silence<spins>(load_scene("spin_pair"),
                              {quadratic, {0.2, 0, 0.1}, Eigen::Matrix2d::Ones(), 0.2, spins::isotropic(0.4, 6)},
@@ -155,7 +155,7 @@ TYPED_TEST_SUITE(Faces, every_scheme);
 
 TYPED_TEST(Faces, GiveThePathsOfTheScalarStepOfBodies) { expect_the_paths_of<TypeParam>(bodies()); }
 TYPED_TEST(Faces, GiveThePathsOfTheScalarStepOfATop) { expect_the_paths_of<TypeParam>(top()); }
-TYPED_TEST(Faces, GiveThePathsOfTheScalarStepOfTwoSpins) { expect_the_paths_of<TypeParam>(two_spins()); }
+TYPED_TEST(Faces, GiveThePathsOfTheScalarStepOfTwoSpins) { expect_the_paths_of<TypeParam>(case_of_two_spins()); }
 TYPED_TEST(Faces, GiveThePathsOfTheScalarStepOfThreeSpins) { expect_the_paths_of<TypeParam>(three_spins()); }
 TYPED_TEST(Faces, GiveThePathsOfTheScalarStepOfASpin) { expect_the_paths_of<TypeParam>(one_spin()); }
 TYPED_TEST(Faces, GiveThePathsOfTheScalarStepUnderNoiseThatDependsOnTheState) {

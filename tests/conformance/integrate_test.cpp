@@ -16,12 +16,12 @@
 namespace polhode {
 namespace {
 
-using state = vec<double, 3>;
+using vec3 = vec<double, 3>;
 
 const rigid_body body({1, 2, 3}, 0.5, rigid_body::isotropic(0.5));
 constexpr double dt = 0.02;
 
-std::vector<state> starts() { return {{{0.6, 0.48, 0.64}}, {{0, 0.8, -0.6}}, {{1, 0, 0}}}; }
+std::vector<vec3> starts() { return {{{0.6, 0.48, 0.64}}, {{0, 0.8, -0.6}}, {{1, 0, 0}}}; }
 
 wiener<double, 3> increment(std::uint64_t step, std::size_t path) {
   return wiener_at<3>({.seed = 5, .path = path, .step = step}, dt);
@@ -34,7 +34,7 @@ wiener_levy<double, 3> with_areas(std::uint64_t step, std::size_t path) {
   return w;
 }
 
-double apart(const state& a, const state& b) {
+double largest_difference(const vec3& a, const vec3& b) {
   const auto d = a - b;
   return std::sqrt(dot(d, d));
 }
@@ -47,7 +47,7 @@ void expect_steps_in_a_row(std::uint64_t steps, const Increment& of) {
   for (std::size_t p = 0; p < paths.size(); ++p) {
     auto mu = starts()[p];
     for (std::uint64_t i = 0; i < steps; ++i) mu = Scheme::step(stepped, mu, of(i, p));
-    EXPECT_LT(apart(paths[p], mu), 1e-13) << Scheme::info.name << ", " << steps << " steps, path " << p;
+    EXPECT_LT(largest_difference(paths[p], mu), 1e-13) << Scheme::info.name << ", " << steps << " steps, path " << p;
   }
 }
 
@@ -71,7 +71,7 @@ TEST(Integrate, IsOnePathWithNoiseByItsAddress) {
   auto path = std::vector{starts()[0]};
   advance<strang>(body, std::span(path), dt, 20, [](std::uint64_t i, std::size_t) { return increment(7 + i, 3); });
   const auto mu = integrate<strang>(body, starts()[0], dt, 20, {.seed = 5, .path = 3, .step = 7});
-  EXPECT_LT(apart(mu, path[0]), 1e-14);
+  EXPECT_LT(largest_difference(mu, path[0]), 1e-14);
 }
 
 // A right angle encloses half a square; however a path is cut, it encloses the same.

@@ -37,7 +37,7 @@ double local_error(const System& system, const state_of<System>& mu, double dt) 
 
 /// The same normals at every step size, so that the error is a series in the root of dt and the slope has no noise.
 template <class Scheme, class System>
-void expect_local_order(const System& system, const state_of<System>& mu, double strong_order) {
+void expect_local_strong_order(const System& system, const state_of<System>& mu, double strong_order) {
   const double coarse = local_error<Scheme>(system, mu, 0x1p-10), fine = local_error<Scheme>(system, mu, 0x1p-14);
   EXPECT_NEAR(std::log2(coarse / fine) / 4, strong_order + 0.5, 0.03) << Scheme::info.name;
 }
@@ -48,14 +48,14 @@ TYPED_TEST_SUITE(LocalError, every_scheme);
 
 TYPED_TEST(LocalError, FallsAsTheStrongOrderSays) {
   const vec<double, 6> momentum{{0.6, 0.48, 0.64, -0.3, 0.8, 0.5}};
-  expect_local_order<TypeParam>(paper_body(), paper_momentum, TypeParam::info.strong_order.general);
-  expect_local_order<TypeParam>(coupled_bodies(), momentum, TypeParam::info.strong_order.general);
+  expect_local_strong_order<TypeParam>(paper_body(), paper_momentum, TypeParam::info.strong_order.general);
+  expect_local_strong_order<TypeParam>(coupled_bodies(), momentum, TypeParam::info.strong_order.general);
 }
 
 TYPED_TEST(LocalError, FallsAsTheStrongOrderSaysWhereNoiseCommutes) {
   const vec<double, 3> sigma[] = {{{0.3, 0.4, 0.5}}};
   const rigid_body body({1, 2, 3}, 0.5, rigid_body::from_vectors(sigma));
-  expect_local_order<TypeParam>(body, paper_momentum, TypeParam::info.strong_order.commuting);
+  expect_local_strong_order<TypeParam>(body, paper_momentum, TypeParam::info.strong_order.commuting);
 }
 
 /// A tilted spin in a field under vectors v_i that do not commute, or one.
@@ -68,8 +68,8 @@ varying_spin varying(state_noise form, int vectors) {
 TYPED_TEST(LocalError, FallsAsTheStrongOrderSaysWhereNoiseDependsOnTheState) {
   if constexpr (scheme_on<TypeParam, varying_spin>) {
     for (const auto form : {state_noise::damped, state_noise::quadratic}) {
-      expect_local_order<TypeParam>(varying(form, 3), paper_momentum, TypeParam::info.strong_order.general);
-      expect_local_order<TypeParam>(varying(form, 1), paper_momentum, TypeParam::info.strong_order.commuting);
+      expect_local_strong_order<TypeParam>(varying(form, 3), paper_momentum, TypeParam::info.strong_order.general);
+      expect_local_strong_order<TypeParam>(varying(form, 1), paper_momentum, TypeParam::info.strong_order.commuting);
     }
   } else {
     EXPECT_TRUE(TypeParam::info.name == "lie_euler" || TypeParam::info.name == "strang_weak2" ||
@@ -91,8 +91,8 @@ TYPED_TEST_SUITE(LocalErrorOfSplittings, splittings);
 TYPED_TEST(LocalErrorOfSplittings, FallsAsTheStrongOrderSaysWithoutAFlowOfNoiseThatDependsOnTheState) {
   for (const auto form : {state_noise::damped, state_noise::quadratic}) {
     const without_own_flow many(varying(form, 3)), one(varying(form, 1));
-    expect_local_order<TypeParam>(many, paper_momentum, TypeParam::info.strong_order.general);
-    expect_local_order<TypeParam>(one, paper_momentum, TypeParam::info.strong_order.commuting);
+    expect_local_strong_order<TypeParam>(many, paper_momentum, TypeParam::info.strong_order.general);
+    expect_local_strong_order<TypeParam>(one, paper_momentum, TypeParam::info.strong_order.commuting);
   }
 }
 

@@ -10,16 +10,16 @@
 namespace polhode::test {
 namespace {
 
-using vector = vec<double, 3>;
+using spin_state = vec<double, 3>;
 
-vector of_length(double length, std::uint64_t i, std::uint64_t draw) {
+spin_state of_length(double length, std::uint64_t i, std::uint64_t draw) {
   const auto v = normals<3>({5, noise_kind::initial_state, i, draw});
   return (length / std::sqrt(dot(v, v))) * v;
 }
 
 /// By m' = mu + f(m)/2 - m over a long time: a turn beside what draws inwards, so that it comes to rest.
 template <class Rule>
-vector solved(const spin& s, const vector& mu, const wiener<double, 3>& w) {
+spin_state solved(const spin& s, const spin_state& mu, const wiener<double, 3>& w) {
   auto m = mu;
   for (int i = 0; i < 2000; ++i) m = m + 0.1 * (mu + 0.5 * Rule::motion(s, m, w) - m);
   return so3::cayley_action(generator(s, m, w), mu);

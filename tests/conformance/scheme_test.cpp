@@ -51,7 +51,7 @@ state_of<System> without_noise(const System& system, state_of<System> mu, double
 }
 
 template <class System>
-state_of<System> by_odeint(const System& system, const state_of<System>& mu, double t) {
+state_of<System> end_by_odeint(const System& system, const state_of<System>& mu, double t) {
   const auto end = solve_drift(
       [&](std::span<const double> x, std::span<double> out) {
         state_of<System> m;
@@ -68,7 +68,7 @@ state_of<System> by_odeint(const System& system, const state_of<System>& mu, dou
 template <class Scheme, class System>
 void converges_to_odeint(System system, const state_of<System>& mu) {
   system = system.with_noise({});
-  const auto truth = by_odeint(system, mu, 2.0);
+  const auto truth = end_by_odeint(system, mu, 2.0);
   const double coarse = distance(without_noise<Scheme>(system, mu, 2.0, 400), truth);
   const double fine = distance(without_noise<Scheme>(system, mu, 2.0, 800), truth);
   EXPECT_LT(fine, 1e-2);

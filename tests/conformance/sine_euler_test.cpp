@@ -16,15 +16,15 @@
 namespace polhode::test {
 namespace {
 
-using state = sine_euler::state<double>;
+using vorticity = sine_euler::state<double>;
 using complex = std::complex<double>;
 using modes = std::map<std::pair<int, int>, complex>;
 
 sine_euler fluid(int n) { return {n, 0, sine_euler::isotropic(0, n * n - 1)}; }
 
-state some_state(int n) {
+vorticity some_state(int n) {
   const auto numbers = normals<24>({5, noise_kind::initial_state, 0, 0});
-  state mu(n * n - 1);
+  vorticity mu(n * n - 1);
   for (int k = 0; k < mu.size; ++k) mu[k] = numbers[k];
   return mu;
 }
@@ -71,16 +71,16 @@ void put(const modes& w, int n, std::span<double> out) {
 }
 
 template <class Drift>
-state solved(const Drift& drift, const state& mu, double t) {
+vorticity solved_fluid(const Drift& drift, const vorticity& mu, double t) {
   const auto end = solve_drift(drift, std::vector<double>(mu.begin(), mu.end()), t);
-  state out(mu.size);
+  vorticity out(mu.size);
   std::ranges::copy(end, out.begin());
   return out;
 }
-state by_system(const sine_euler& s, const state& mu, double t) {
-  return solved(
+vorticity fluid_after(const sine_euler& s, const vorticity& mu, double t) {
+  return solved_fluid(
       [&](std::span<const double> x, std::span<double> out) {
-        state m(mu.size);
+        vorticity m(mu.size);
         std::ranges::copy(x, m.begin());
         std::ranges::copy(su::coad(s.omega(m), m), out.begin());
       },
@@ -90,10 +90,10 @@ state by_system(const sine_euler& s, const state& mu, double t) {
 TEST(SineEuler, MovesAsZeitlinsModes) {
   for (const int n : {3, 5}) {
     const auto start = some_state(n);
-    const auto truth = solved(
+    const auto truth = solved_fluid(
         [&](std::span<const double> x, std::span<double> out) { put(zeitlins_slope(n, modes_of(n, x)), n, out); },
         start, 2);
-    const auto apart = by_system(fluid(n), start, 2) - truth, moved = truth - start;
+    const auto apart = fluid_after(fluid(n), start, 2) - truth, moved = truth - start;
     EXPECT_LE(std::sqrt(dot(apart, apart)), 1e-11) << n;
     EXPECT_GT(std::sqrt(dot(moved, moved)), 0.3) << n;
   }
@@ -116,7 +116,7 @@ TEST(SineEuler, HasTheInverseLaplacianOfEveryMode) {
 TEST(SineEuler, KeepsEnergyAndCasimirs) {
   for (const int n : {3, 5}) {
     const auto s = fluid(n);
-    const auto start = some_state(n), end = by_system(s, start, 2);
+    const auto start = some_state(n), end = fluid_after(s, start, 2);
     double energy = 0;
     for (const auto& [k, w] : modes_of(n, {start.begin(), start.end()}))
       energy += 0.5 * std::norm(w) / (k.first * k.first + k.second * k.second);
@@ -177,7 +177,7 @@ TEST(SineEuler, IsEulersEquationForLongWaves) {
     for (int k2 = -2; k2 <= 2; ++k2)
       if (k1 != 0 || k2 != 0) w[{k1, k2}] = 0;
   w[k] = a, w[{-1, 0}] = std::conj(a), w[l] = b, w[{-1, -1}] = std::conj(b);
-  state mu(24), slope(24);
+  vorticity mu(24), slope(24);
   put(w, n, {mu.begin(), mu.end()});
   slope = su::coad(fluid(n).omega(mu), mu);
   const double x = 2 * M_PI / n;

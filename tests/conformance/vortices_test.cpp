@@ -15,7 +15,7 @@
 namespace polhode::test {
 namespace {
 
-using state = spins::state<double>;
+using vortex_state = spins::state<double>;
 using position = Eigen::Vector3d;
 using positions = std::vector<position>;
 
@@ -24,13 +24,13 @@ constexpr double around = 4 * M_PI;
 spins free_vortices(const std::vector<double>& strengths) {
   return vortices(strengths, 0, spins::isotropic(0, static_cast<int>(3 * strengths.size())));
 }
-state state_of(const positions& x, const std::vector<double>& strengths) {
-  state mu(static_cast<int>(3 * x.size()));
+vortex_state vortices_at(const positions& x, const std::vector<double>& strengths) {
+  vortex_state mu(static_cast<int>(3 * x.size()));
   for (int i = 0; i < mu.size; ++i)
     mu[i] = -strengths[static_cast<std::size_t>(i / 3)] * x[static_cast<std::size_t>(i / 3)][i % 3];
   return mu;
 }
-position position_of(const state& mu, const std::vector<double>& strengths, int i) {
+position position_of(const vortex_state& mu, const std::vector<double>& strengths, int i) {
   return position(mu[3 * i], mu[3 * i + 1], mu[3 * i + 2]) / -strengths[static_cast<std::size_t>(i)];
 }
 
@@ -56,15 +56,15 @@ positions by_published_equation(const positions& x, const std::vector<double>& s
   return out;
 }
 /// dmu = ad*_{dh/dmu} mu.
-state by_system(const spins& s, const state& mu, double t) {
+vortex_state vortices_after(const spins& s, const vortex_state& mu, double t) {
   const auto end = solve_drift(
       [&](std::span<const double> x, std::span<double> out) {
-        state m(mu.size);
+        vortex_state m(mu.size);
         std::ranges::copy(x, m.begin());
         std::ranges::copy(spins::group::coad(s.omega(m), m), out.begin());
       },
       std::vector<double>(mu.begin(), mu.end()), t);
-  state out(mu.size);
+  vortex_state out(mu.size);
   std::ranges::copy(end, out.begin());
   return out;
 }
@@ -74,7 +74,7 @@ const positions four{{0.6, 0, 0.8}, {0, -0.8, 0.6}, {-0.48, 0.6, -0.64}, {0.64, 
 
 TEST(Vortices, MoveByThePublishedEquation) {
   const auto s = free_vortices(mixed);
-  const auto end = by_system(s, state_of(four, mixed), 4);
+  const auto end = vortices_after(s, vortices_at(four, mixed), 4);
   const auto truth = by_published_equation(four, mixed, 4);
   for (int i = 0; i < 4; ++i) {
     EXPECT_LE((position_of(end, mixed, i) - truth[static_cast<std::size_t>(i)]).norm(), 1e-11) << i;
@@ -88,7 +88,7 @@ TEST(Vortices, KeepTheirEnergyAndTheSumOfTheirMomenta) {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j)
       expected -= mixed[i] * mixed[j] / around * std::log(1 - four[i].dot(four[j]));
-  const auto start = state_of(four, mixed), end = by_system(s, start, 4);
+  const auto start = vortices_at(four, mixed), end = vortices_after(s, start, 4);
   EXPECT_NEAR(s.energy(start), expected, 1e-15);
   EXPECT_NEAR(s.energy(end), expected, 1e-12);
   for (int k = 0; k < 3; ++k) {
@@ -108,7 +108,7 @@ TEST(Vortices, TwoOfThemTurnAboutTheirCentre) {
     const position centre = 2 * two[0] + other * two[1];
     for (const double t : {0.3, 5.0}) {
       const Eigen::AngleAxisd turn(t * centre.norm() / (around * (1 - two[0].dot(two[1]))), centre.normalized());
-      const auto end = s.free_flow(state_of(two, strengths), t);
+      const auto end = s.free_flow(vortices_at(two, strengths), t);
       for (int i = 0; i < 2; ++i)
         EXPECT_LE((position_of(end, strengths, i) - turn * two[static_cast<std::size_t>(i)]).norm(), 1e-14) << other;
     }
@@ -127,7 +127,7 @@ TEST(Vortices, RingsTurnAtTheirRate) {
     }
     const std::vector<double> strengths(static_cast<std::size_t>(n), strength);
     const double rate = strength * (n - 1) * std::cos(colatitude) / (around * std::pow(std::sin(colatitude), 2));
-    const auto end = by_system(free_vortices(strengths), state_of(ring, strengths), t);
+    const auto end = vortices_after(free_vortices(strengths), vortices_at(ring, strengths), t);
     const Eigen::AngleAxisd turn(rate * t, position::UnitZ());
     for (int i = 0; i < n; ++i)
       EXPECT_LE((position_of(end, strengths, i) - turn * ring[static_cast<std::size_t>(i)]).norm(), 1e-12) << n;

@@ -113,7 +113,7 @@ double mean_of_a_step(const System& system, const state_of<System>& mu, double d
 
 /// Of the coordinates and of a quadratic function of them all, as for one of them dt's first power may vanish.
 template <class Scheme, class System, int N = System::dimension>
-void expect_local_order(const System& system, const state_of<System>& mu, double weak_order) {
+void expect_local_weak_order(const System& system, const state_of<System>& mu, double weak_order) {
   std::vector<polynomial<N>> functions(1);
   for (int i = 0; i < N; ++i) {
     functions.push_back(polynomial<N>::coordinate(i));
@@ -138,24 +138,24 @@ TYPED_TEST_SUITE(LocalWeakError, every_scheme);
 TYPED_TEST(LocalWeakError, FallsAsTheWeakOrderSaysUnderAnyNoise) {
   const vec<double, 3> sigma[] = {{{0.5, 0.1, 0}}, {{0, 0.4, 0.2}}, {{0.3, 0, 0.6}}};
   const rigid_body body({1, 2, 3}, 0.5, rigid_body::from_vectors(sigma));
-  expect_local_order<TypeParam>(body, paper_momentum, TypeParam::info.weak_order.general);
+  expect_local_weak_order<TypeParam>(body, paper_momentum, TypeParam::info.weak_order.general);
   so4_body::matrix vectors = 0.5 * so4_body::matrix::Identity();
   vectors(0, 1) = 0.3, vectors(4, 2) = -0.2, vectors(3, 5) = 0.4;
-  expect_local_order<TypeParam>(coupled_bodies(0.4, vectors), pair_momentum, TypeParam::info.weak_order.general);
+  expect_local_weak_order<TypeParam>(coupled_bodies(0.4, vectors), pair_momentum, TypeParam::info.weak_order.general);
 }
 
 TYPED_TEST(LocalWeakError, FallsAsTheWeakOrderSaysUnderIsotropicNoise) {
-  expect_local_order<TypeParam>(paper_body(), paper_momentum, TypeParam::info.weak_order.isotropic);
-  expect_local_order<TypeParam>(coupled_bodies(), pair_momentum, TypeParam::info.weak_order.isotropic);
+  expect_local_weak_order<TypeParam>(paper_body(), paper_momentum, TypeParam::info.weak_order.isotropic);
+  expect_local_weak_order<TypeParam>(coupled_bodies(), pair_momentum, TypeParam::info.weak_order.isotropic);
 }
 
 TYPED_TEST(LocalWeakError, FallsAsTheWeakOrderSaysUnderOneVector) {
   const vec<double, 3> sigma[] = {{{0.3, 0.4, 0.5}}};
   const rigid_body body({1, 2, 3}, 0.5, rigid_body::from_vectors(sigma));
-  expect_local_order<TypeParam>(body, paper_momentum, TypeParam::info.weak_order.one_vector);
+  expect_local_weak_order<TypeParam>(body, paper_momentum, TypeParam::info.weak_order.one_vector);
   so4_body::matrix vector = so4_body::matrix::Zero();
   vector.col(0) << 0.3, 0.4, 0.5, -0.2, 0.6, 0.1;
-  expect_local_order<TypeParam>(coupled_bodies(0.4, vector), pair_momentum, TypeParam::info.weak_order.one_vector);
+  expect_local_weak_order<TypeParam>(coupled_bodies(0.4, vector), pair_momentum, TypeParam::info.weak_order.one_vector);
 }
 
 }  // namespace

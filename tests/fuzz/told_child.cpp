@@ -32,4 +32,8 @@ std::optional<std::string> child::end() {
   return "ended with exit code 0";
 }
 
+std::vector<std::string> words_of(const std::string& command) { return {command}; }
+
+void kill_children() {}
+
 }  // namespace polhode::foreign

@@ -57,7 +57,7 @@ report::results described() {
 
 TEST(digest, is_the_committed_one) { expect_golden(to_digest(described()), "digest.json"); }
 
-const measurement& only(const report::results& r, std::string_view quantity) {
+const measurement& only_measurement(const report::results& r, std::string_view quantity) {
   const auto is_it = [&](const measurement& m) { return m.quantity == quantity; };
   EXPECT_EQ(std::ranges::count_if(r.measurements, is_it), 1);
   return *std::ranges::find_if(r.measurements, is_it);
@@ -81,11 +81,11 @@ TEST(digest, keeps_the_error_at_the_last_level_of_a_fit) {
 
 TEST(digest, keeps_one_number_of_what_describes_a_scheme_and_no_other_curve) {
   const auto r = from_json(to_digest(described()));
-  EXPECT_EQ(only(r, "largest_stable_dt").status, "first broken: energy");
-  EXPECT_EQ(only(r, "largest_stable_dt").low, 0.25);
-  EXPECT_EQ(only(r, "largest_stable_dt").high, 0.5);
-  EXPECT_EQ(only(r, "effective noise").dt(), 0.5);
-  EXPECT_EQ(only(r, "lambda_1").dt(), 0.125);
+  EXPECT_EQ(only_measurement(r, "largest_stable_dt").status, "first broken: energy");
+  EXPECT_EQ(only_measurement(r, "largest_stable_dt").low, 0.25);
+  EXPECT_EQ(only_measurement(r, "largest_stable_dt").high, 0.5);
+  EXPECT_EQ(only_measurement(r, "effective noise").dt(), 0.5);
+  EXPECT_EQ(only_measurement(r, "lambda_1").dt(), 0.125);
   for (const char* left_out : {"mean", "cost", "steps_per_time", "cost_to_reach"})
     EXPECT_TRUE(std::ranges::none_of(r.measurements, [&](const auto& m) { return m.quantity == left_out; }))
         << left_out;

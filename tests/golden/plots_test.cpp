@@ -43,7 +43,7 @@ std::vector<std::string> ids_of(const std::vector<plot_description>& plots) {
   return ids;
 }
 
-plot_description only(const results& r) {
+plot_description only_plot(const results& r) {
   const auto plots = plots_of(r);
   EXPECT_EQ(plots.size(), 1u);
   return plots.empty() ? plot_description{} : plots.front();
@@ -106,7 +106,7 @@ TEST(plots, what_decays_in_time_stands_over_a_linear_axis) {
     results r;
     for (const double x : {1, 2, 4})
       r.measurements.push_back(point("a", "distance", "", over.c_str(), x, 1 / (x * x * x)));
-    const auto p = only(r);
+    const auto p = only_plot(r);
     EXPECT_TRUE(p.log_y);
     EXPECT_EQ(p.log_x, over != "time");
     EXPECT_EQ(p.x_title, over);
@@ -116,14 +116,14 @@ TEST(plots, what_decays_in_time_stands_over_a_linear_axis) {
 TEST(plots, one_value_a_scheme_is_a_comparison_and_several_conditions_are_a_matrix) {
   results r;
   for (const char* scheme : {"a", "b"}) r.measurements.push_back(point(scheme, "mean", "energy", step_size, 0.25, 2));
-  EXPECT_EQ(only(r).kind, plot_kind::comparison);
-  EXPECT_EQ(only(r).title, "mean of energy at dt = 0.25");
+  EXPECT_EQ(only_plot(r).kind, plot_kind::comparison);
+  EXPECT_EQ(only_plot(r).title, "mean of energy at dt = 0.25");
   r.verdicts = {{.experiment = "e", .scheme = "a", .expected = 3, .evidence = {r.measurements[0].series()}}};
-  EXPECT_FALSE(only(r).claimed) << "of the other nothing is claimed";
+  EXPECT_FALSE(only_plot(r).claimed) << "of the other nothing is claimed";
   r.verdicts.push_back({.experiment = "e", .scheme = "b", .expected = 3, .evidence = {r.measurements[1].series()}});
-  EXPECT_EQ(only(r).claimed, 3);
+  EXPECT_EQ(only_plot(r).claimed, 3);
   r.measurements = {value("a", "rate", "x", 1), value("a", "rate", "y", 1)};
-  EXPECT_EQ(only(r).kind, plot_kind::matrix);
+  EXPECT_EQ(only_plot(r).kind, plot_kind::matrix);
 }
 
 TEST(plots, cost_and_error_make_a_front_and_accuracies_a_plot_of_their_own) {

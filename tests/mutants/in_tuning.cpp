@@ -45,7 +45,7 @@ auto normalisation_of(const rigid_body_constants& k, const defect& d) {
 }
 
 template <class Scheme>
-std::unique_ptr<kernel> made(chosen_step s, const defect& d) {
+std::unique_ptr<kernel> tuned(chosen_step s, const defect& d) {
   if (d.kind == kind::reach && s.size > rotation_size::tiny)
     s.size = static_cast<rotation_size>(static_cast<int>(s.size) - 1);
   return kernel_on_forms<Scheme, Scheme>(s, [&]<body_parts parts, rotation_size size>() {
@@ -60,10 +60,10 @@ std::unique_ptr<kernel> made(chosen_step s, const defect& d) {
 std::unique_ptr<kernel> defective_tuning(const report::scene& scene, std::string_view scheme, const defect& d,
                                          double dt) {
   const auto s = chosen_for(scene, dt);
-  if (scheme == heun::info.name) return made<heun>(s, d);
-  if (scheme == lie_heun::info.name) return made<lie_heun>(s, d);
-  if (scheme == lie_trotter::info.name) return made<lie_trotter>(s, d);
-  if (scheme == strang::info.name) return made<strang>(s, d);
+  if (scheme == heun::info.name) return tuned<heun>(s, d);
+  if (scheme == lie_heun::info.name) return tuned<lie_heun>(s, d);
+  if (scheme == lie_trotter::info.name) return tuned<lie_trotter>(s, d);
+  if (scheme == strang::info.name) return tuned<strang>(s, d);
   throw std::invalid_argument("no defect of the tuning is compiled for this scheme");
 }
 

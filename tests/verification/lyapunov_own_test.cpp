@@ -35,11 +35,11 @@ TEST(OwnExponents, ConvergeToThoseOfTheEquation) {
 
 TEST(OwnExponents, AWrongTangentIsRefuted) {
   const auto r = own(with_mutant<generator_frozen_in_the_tangent>(load_scene("paper")));
-  EXPECT_EQ(verdict_of(r, "generator_frozen_in_the_tangent", order_claim), verdict_kind::refuted);
+  EXPECT_EQ(verdict_kind_of(r, "generator_frozen_in_the_tangent", order_claim), verdict_kind::refuted);
 }
 TEST(OwnExponents, TheWrongEquationIsRefuted) {
   const auto r = own(with_mutant<ito_drift_added>(paper_with_unequal_noise()));
-  EXPECT_EQ(verdict_of(r, "ito_drift_added", order_claim), verdict_kind::refuted);
+  EXPECT_EQ(verdict_kind_of(r, "ito_drift_added", order_claim), verdict_kind::refuted);
 }
 
 TEST(OwnExponents, ThreadsAndCompanyChangeNothing) {

@@ -56,13 +56,13 @@ TEST(SampledExponents, AreTheKnownOnesWhereTheyAreNegative) {
 
 TEST(SampledExponents, AWrongTangentIsRefuted) {
   const auto r = sampled(with_mutant<generator_frozen_in_the_tangent>(load_scene("paper")));
-  EXPECT_EQ(verdict_of(r, "generator_frozen_in_the_tangent", "finds lambda_1"), verdict_kind::refuted);
-  EXPECT_EQ(verdict_of(r, "generator_frozen_in_the_tangent", "finds lambda_1 + lambda_2"), verdict_kind::refuted);
+  EXPECT_EQ(verdict_kind_of(r, "generator_frozen_in_the_tangent", "finds lambda_1"), verdict_kind::refuted);
+  EXPECT_EQ(verdict_kind_of(r, "generator_frozen_in_the_tangent", "finds lambda_1 + lambda_2"), verdict_kind::refuted);
 }
 
 TEST(SampledExponents, TheWrongEquationIsRefuted) {
   const auto r = sampled(with_mutant<ito_drift_added>(paper_with_unequal_noise()));
-  EXPECT_EQ(verdict_of(r, "ito_drift_added", "finds lambda_1 + lambda_2"), verdict_kind::refuted);
+  EXPECT_EQ(verdict_kind_of(r, "ito_drift_added", "finds lambda_1 + lambda_2"), verdict_kind::refuted);
 }
 
 TEST(SampledExponents, ThreadsAndCompanyChangeNothing) {
@@ -101,8 +101,8 @@ TEST(SampledExponents, PathsAreHeldAgainstWhatIsKnownWithoutThem) {
   const auto value = make_frame_transfer(s, s.schemes[0], compared_step(s), {{10, 1, 0}, {5, 2}}).exponents();
   const discretisation_growth own{value, Eigen::Vector2d::Constant(1e-6)};
   const auto right = held_against(s, own);
-  EXPECT_EQ(verdict_of(right, "lie_euler", "finds lambda_1"), verdict_kind::holds);
-  EXPECT_EQ(verdict_of(right, "lie_euler", "controls have mean zero"), verdict_kind::holds);
+  EXPECT_EQ(verdict_kind_of(right, "lie_euler", "finds lambda_1"), verdict_kind::holds);
+  EXPECT_EQ(verdict_kind_of(right, "lie_euler", "controls have mean zero"), verdict_kind::holds);
   EXPECT_EQ(*row_of(right, "lambda_1")->value, value[0]);
   const auto* simulated = row_of(right, "lambda_1, simulated");
   ASSERT_TRUE(simulated);
@@ -110,7 +110,7 @@ TEST(SampledExponents, PathsAreHeldAgainstWhatIsKnownWithoutThem) {
   for (const Eigen::Index k : {0, 1}) {
     auto wrong = own;
     wrong.value[k] += 3 * width;
-    EXPECT_EQ(verdict_of(held_against(s, wrong), "lie_euler", "controls have mean zero"), verdict_kind::refuted) << k;
+    EXPECT_EQ(verdict_kind_of(held_against(s, wrong), "lie_euler", "controls have mean zero"), verdict_kind::refuted) << k;
   }
   auto uncertain = own;
   uncertain.uncertainty[1] = 1;  // of no use: paths decide

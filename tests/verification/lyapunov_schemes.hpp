@@ -22,7 +22,7 @@ inline subject with_schemes(const report::scene& scene, const std::vector<std::s
   return restricted(bind_scene(scene), schemes);
 }
 
-inline report::verdict_kind verdict_of(const report::results& r, std::string_view scheme, std::string_view claim) {
+inline report::verdict_kind verdict_kind_of(const report::results& r, std::string_view scheme, std::string_view claim) {
   for (const auto& v : r.verdicts)
     if (v.scheme == scheme && v.claim == claim) return v.kind;
   return report::verdict_kind::skipped;

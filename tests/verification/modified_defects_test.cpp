@@ -41,8 +41,8 @@ void stronger_noise(report::scene& s) {
 struct scene_defect {
   const char *name, *scheme;
   scene_change wrong;
+  friend void PrintTo(const scene_defect& d, std::ostream* out) { *out << d.name << ", " << d.scheme; }
 };
-void PrintTo(const scene_defect& d, std::ostream* out) { *out << d.name << ", " << d.scheme; }
 
 struct ModifiedDefects : testing::TestWithParam<scene_defect> {};
 

@@ -29,8 +29,8 @@ report::verdict audited(const std::string& experiment, const std::string& scheme
 struct planted_noise {
   const char* what;
   std::function<std::unique_ptr<noise_defect>()> make;
+  friend void PrintTo(const planted_noise& p, std::ostream* out) { *out << p.what; }
 };
-void PrintTo(const planted_noise& p, std::ostream* out) { *out << p.what; }
 
 template <class Defect, class... Parameter>
 planted_noise plant(const char* what, Parameter... p) {

@@ -17,7 +17,7 @@
 namespace polhode {
 namespace {
 
-constexpr double dt = 0.02;
+constexpr double step_size = 0.02;
 
 simulation_plan plan_of(ensemble_noise noise, ensemble_start start) {
   simulation_plan p;
@@ -39,7 +39,7 @@ const scheme_entry& scheme_named(const subject& s, std::string_view name) {
 simulated run(const subject& s, std::string_view scheme, simulation_plan p) {
   const auto& entry = scheme_named(s, scheme);
   p.with_areas = entry.needs_areas;
-  return simulate_ensemble(*s.model, *entry.make(dt), p);
+  return simulate_ensemble(*s.model, *entry.make(step_size), p);
 }
 
 vec<double, 3> start_of(const simulation_plan& p, std::uint64_t body) {
@@ -57,7 +57,7 @@ TEST(Simulation, EveryBodyIsTheLoopOfTheLibrary) {
       const auto body_system = test::paper_body(0.5, noise == ensemble_noise::none ? 0.0 : 0.5);
       for (std::size_t body = 0; body < 37; ++body) {
         const auto path = noise == ensemble_noise::common ? 0 : static_cast<std::uint64_t>(body);
-        const auto alone = integrate<strang>(body_system, start_of(p, body), dt, 150, {.seed = 5, .path = path});
+        const auto alone = integrate<strang>(body_system, start_of(p, body), step_size, 150, {.seed = 5, .path = path});
         for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(all.states[k * 37 + body], alone[static_cast<int>(k)], 1e-13);
       }
     }
@@ -94,10 +94,10 @@ TEST(Simulation, TheMemoryOfACommonNoiseIsReckonedAsItIsHeld) {
   for (const auto* name : {"paper", "heavy_top", "so4", "spin_ring", "sine_euler"}) {
     const auto s = bind_scene(load_scene(name));
     for (const auto& scheme : s.schemes) {
-      const auto stepper = scheme.make(dt);
+      const auto stepper = scheme.make(step_size);
       auto p = plan_of(ensemble_noise::common, ensemble_start::momentum);
       p.with_areas = scheme.needs_areas;
-      const shared_increments drawn(*s.model, p.seed, p.steps, dt, p.with_areas, 1);
+      const shared_increments drawn(*s.model, p.seed, p.steps, step_size, p.with_areas, 1);
       const auto view = drawn.view(0, static_cast<int>(p.steps));
       const auto numbers = view.dw.size() + view.area.size() + stepper->share(view).table.size();
       const double reckoned = simulation_bytes(*s.model, *stepper, p);
