@@ -133,7 +133,7 @@ class Removed(Writing):
                 self.assertEqual(len(complaints), 1); self.assertRegex(complaints[0], f"cannot write '{out}[^']*': No such file or directory")
                 shutil.rmtree(os.path.join(self.folder.name, gone), ignore_errors=True)
             self.assertIn(code, (0, 1, 3)); self.assertEqual(complaints, [])
-            self.assertEqual(len(os.listdir(os.path.join(self.folder.name, out, 'single'))), 6)
+            self.assertEqual(len(os.listdir(os.path.join(self.folder.name, out, 'single'))), 7)
             shutil.rmtree(os.path.join(self.folder.name, gone))
 
     def test_a_recording_that_is_removed_while_it_is_made(self):

@@ -3,7 +3,9 @@
 import os, sys, unittest
 
 sys.path.insert(0, os.path.dirname(__file__))
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), '..', 'golden'))
 import case, strangers, twins
+from markup import carried
 import polhode
 
 DEFECTS = [strangers.areas_reversed, strangers.ito_for_stratonovich]
@@ -34,7 +36,7 @@ class Twins(twins.Case):
         self.assertIn('their_heun', r._repr_html_())
         self.assertIn('casimir', str(r))
         page = r.save(os.path.join(self.folder, 'out'))
-        with open(page, encoding='utf-8') as f: self.assertIn('their_heun', f.read())
+        with open(page, encoding='utf-8') as f: self.assertIn('their_heun', carried(f.read())['results'])
         self.assertEqual(r.measured('their_heun'), '@polhode.scheme()')
         self.assertEqual({s['name'] for s in r.schemes if s['source'].startswith('Python function')}, {'their_heun'})
 

@@ -87,11 +87,10 @@ void report_long_run(const long_run& run, double dt, recorder record) {
 /// Runs side by side, one chunk of noise after the other. The next one is drawn meanwhile.
 class runs_under_one_noise {
  public:
-  runs_under_one_noise(const context& c, double dt)
+  runs_under_one_noise(const context& c, double dt, bool areas)
       : c_(c), dt_(dt), silent_(c.subject.model->layout().silent()), view_(silence(chunk_steps)) {
     for (int k = 0; k < 2 && !silent_; ++k)
-      held_.emplace_back(*c.subject.model, chunk_steps, any_needs_areas(c.subject.schemes),
-                         noise_source{c.generator, noise_quality::fast});
+      held_.emplace_back(*c.subject.model, chunk_steps, areas, noise_source{c.generator, noise_quality::fast});
     view_ = draw(0);
   }
 
@@ -169,7 +168,8 @@ void report_long_runs(const context& c, bool dear, noise_log& log, report::resul
   if (runs.empty()) return;
   std::vector<long_run*> every;
   for (auto& r : runs) every.push_back(&r);
-  runs_under_one_noise together(c, dt);
+  const bool areas = std::ranges::any_of(runs, [](const long_run& r) { return r.scheme->needs_areas; });
+  runs_under_one_noise together(c, dt, areas);
   const int chunks = chunks_of(s, c.effort, dear);
   run_all(c, chunks, every, together, log);
   go_on(c, chunks, every, together);
