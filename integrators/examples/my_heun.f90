@@ -15,7 +15,7 @@ module my_heun
   end type
   type, bind(c) :: polhode_batch
     integer(c_int32_t) :: size, paths, steps
-    type(c_ptr) :: states, dw, area, seed
+    type(c_ptr) :: states, dw, area, seed, time, variables
   end type
   type, bind(c) :: polhode_claims
     real(c_double) :: strong_commuting, strong_general, weak_one_vector, weak_isotropic, weak_general, deterministic, &
@@ -26,6 +26,8 @@ module my_heun
     type(c_ptr) :: name, title, source
     type(polhode_claims) :: claims
     type(c_funptr) :: open, advance, close
+    type(c_ptr) :: draws
+    integer(c_int32_t) :: drawn
   end type
   abstract interface
     function parameter_of(scene, key, rows, columns) bind(c) result(values)
@@ -134,6 +136,8 @@ contains
     mine%open = c_funloc(open_body)
     mine%advance = c_funloc(advance)
     mine%close = c_funloc(close_body)
+    mine%draws = c_null_ptr
+    mine%drawn = 0
     all = c_loc(mine)
   end function
 end module

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 
 #include <polhode/abi.h>
@@ -89,7 +90,8 @@ class library_stepper final : public stepper {
   }
 
   void advance(const batch& b) override {
-    const polhode_batch given{sizeof(polhode_batch), b.paths, b.steps, b.states, b.dw, b.area, b.seed};
+    // No equation depends on the time, and integrators that draw variables of their own are refused.
+    const polhode_batch given{sizeof(polhode_batch), b.paths, b.steps, b.states, b.dw, b.area, b.seed, nullptr, nullptr};
     if (const int code = guarded("advance", [&] { return of_.advance(self_, &given); }))
       throw failure(fmt::format("advance returned {}", code));
   }
@@ -138,6 +140,12 @@ constexpr int how_to_load = RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND;
 constexpr int how_to_load = RTLD_NOW | RTLD_LOCAL;
 #endif
 
+constexpr std::uint32_t least_size = offsetof(polhode_integrator, draws);  // what comes after was added
+
+bool draws_variables(const polhode_integrator& i) {
+  return i.size >= sizeof(polhode_integrator) && i.draws != nullptr && i.drawn > 0;
+}
+
 /// Integrators of another size than ours are stepped over by the size that they state.
 const polhode_integrator& at(const polhode_integrator* first, int index) {
   const auto* bytes = reinterpret_cast<const char*>(first);
@@ -167,14 +175,18 @@ std::vector<std::unique_ptr<integrator>> open_library(const std::string& path) {
   if (first == nullptr || count < 1)
     throw input_error(
         fmt::format("{}: offers no integrator for version {} of the interface", path, POLHODE_ABI_VERSION));
-  if (first->size < sizeof(polhode_integrator))
+  if (first->size < least_size)
     throw input_error(fmt::format("{}: its polhode_integrator has {} bytes; accepted: version {} with at least {}",
-                                  path, first->size, POLHODE_ABI_VERSION, sizeof(polhode_integrator)));
+                                  path, first->size, POLHODE_ABI_VERSION, least_size));
   std::vector<std::unique_ptr<integrator>> out;
   for (int i = 0; i < count; ++i) {
     const auto& one = at(first, i);
     if (one.open == nullptr || one.advance == nullptr)
       throw input_error(fmt::format("{}: integrator {}: open and advance are needed", path, i + 1));
+    if (draws_variables(one))
+      throw input_error(fmt::format("{}: integrator {} draws random variables of kind {}; accepted so far: increments, "
+                                    "areas, or numbers of its own from the seeds",
+                                    path, i + 1, one.draws[0].kind));
     out.push_back(std::make_unique<library_integrator>(one, path));
   }
   return out;

@@ -74,6 +74,33 @@ TEST(Integrate, IsOnePathWithNoiseByItsAddress) {
   EXPECT_LT(largest_difference(mu, path[0]), 1e-14);
 }
 
+// The drift of a Wiener process by its time, as a scheme sees it.
+struct clock_reader {
+  static constexpr auto info = heun::info;
+  template <class System, class S>
+  static auto step(const System&, const vec<S, System::dimension>& mu, const wiener<S, System::channels>& w) {
+    auto out = mu;
+    out[0] = out[0] + w.t * w.dt;
+    return out;
+  }
+};
+
+TEST(Integrate, HandsEachStepTheTimeAtWhichItBegins) {
+  const auto mu = integrate<clock_reader>(body, starts()[0], 0.5, 4, {.seed = 5, .path = 3, .step = 2});
+  EXPECT_DOUBLE_EQ(mu[0] - starts()[0][0], 0.5 * (1.0 + 1.5 + 2.0 + 2.5));
+}
+
+struct weather {
+  double rain = 0;
+};
+TEST(Increment, WithVariablesIsTakenWhereTheyAreNotAskedFor) {
+  with_variables<wiener<double, 3>, weather> w;
+  static_cast<wiener<double, 3>&>(w) = increment(0, 0);
+  w.rain = 2;
+  EXPECT_EQ(heun::step(body, starts()[0], w).c, heun::step(body, starts()[0], increment(0, 0)).c);
+  EXPECT_EQ(w.rain, 2);
+}
+
 // A right angle encloses half a square; however a path is cut, it encloses the same.
 TEST(Chen, JoinsStepsOneAfterAnother) {
   const auto along = [](int axis) {

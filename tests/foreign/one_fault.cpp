@@ -3,6 +3,7 @@
 #include <polhode/abi.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
@@ -36,8 +37,11 @@ int advance(void*, const polhode_batch*) {
 const polhode_integrator* polhode_integrators(uint32_t, int32_t* count) {
   may_throw("entry throws words", "entry throws a number");
   static polhode_integrator one{
-      sizeof(polhode_integrator), 0, 0, "mine", nullptr, nullptr, {}, open_it, advance, nullptr};
+      sizeof(polhode_integrator), 0, 0, "mine", nullptr, nullptr, {}, open_it, advance, nullptr, nullptr, 0};
+  static constexpr polhode_variable two_points{POLHODE_TWO_POINT, 3};
   if (is("small")) one.size = 8;
+  if (is("draws") || is("of old")) one.draws = &two_points, one.drawn = 1;
+  if (is("of old")) one.size = offsetof(polhode_integrator, draws);  // what comes after is not its own
   if (is("nameless")) one.name = nullptr;
   if (is("spaced")) one.name = "my heun";
   if (is("long")) one.name = "a_name_of_more_than_thirty_two_letters";

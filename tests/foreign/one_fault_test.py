@@ -16,6 +16,7 @@ REFUSED = {
     'nameless': f"name ''{NAME}", 'spaced': f"name 'my heun'{NAME}", 'long': f"name 'a_name_of_more_than_thirty_two_letters'{NAME}",
     'takes': re.escape('mine: takes = 9: accepted: 0 (increments), 1 (areas), 2 (own numbers)'), 'order': re.escape('mine: claim strong_general = -2: accepted: an order from 0 (not claimed) to 20'),
     'nan': re.escape('mine: claim weak_general = nan: accepted: an order from 0 (not claimed) to 20'), 'casimir': re.escape('mine: claim casimir = 21: accepted: an order from 0 (not claimed) to 20, or -1 (kept)'),
+    'draws': re.escape('integrator 1 draws random variables of kind 2; accepted so far: increments, areas, or numbers of its own from the seeds'),
     'half': re.escape('mine: claim deterministic = 1.5: accepted: a whole number'),
 }
 FAILS = {'open throws words': 'open threw an exception: no licence', 'open throws a number': 'open threw an exception', 'advance throws words': 'advance threw an exception: no licence',
@@ -44,6 +45,11 @@ class OneFault(unittest.TestCase):
         words = "library one_fault.so: its name '{}' is that of another scheme; accepted: a name of its own"
         self.assert_refused(self.run_it('ours'), words.format('heun'))
         self.assert_refused(self.run_it('', LIBRARY, LIBRARY), words.format('mine'))
+
+    def test_a_library_of_a_header_without_the_last_members(self):
+        code, out, err = self.run_it('of old')
+        self.assertEqual((code, err), (self.run_it('')[0], ''))
+        self.assertTrue(json.loads(out)['verdicts'])
 
     def test_what_fails_is_a_verdict(self):
         for fault, reason in FAILS.items():

@@ -254,7 +254,7 @@ OPENED_BY(aborts)
 #define CLAIMS(strong, weak, casimir)  {1, strong, weak, weak, weak, 2, casimir, casimir == POLHODE_KEPT ? 0 : 3}
 #define KEEPING CLAIMS(0.5, 1, POLHODE_KEPT)
 #define INTEGRATOR(name, takes, flags, claims, open, advance) \
-  { sizeof(polhode_integrator), takes, flags, name, NULL, NULL, claims, open, advance, free }
+  { sizeof(polhode_integrator), takes, flags, name, NULL, NULL, claims, open, advance, free, NULL, 0 }
 #define OVERCLAIMED {0, 1, 0, 0, 0, 2, POLHODE_KEPT, 0}
 #define UNCLAIMED {0, 0, 0, 0, 0, 0, 0, 0}
 

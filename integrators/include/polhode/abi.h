@@ -44,6 +44,8 @@ typedef struct polhode_batch {
   const double*
       area; /* [step][pair][path], pairs (0,1), (0,2), ..., (1,2), ...: A^ij = (int W^i dW^j - W^j dW^i) / 2 */
   const uint64_t* seed; /* [step][path], for random numbers of the integrator's own: equal seeds, equal steps */
+  const double* time;   /* [step]: where each begins; NULL where the equation does not depend on the time */
+  const double* const* variables; /* of the i-th that the integrator draws: [step][number][path] */
 } polhode_batch;
 
 /* What `advance` is handed beside the states. */
@@ -66,6 +68,20 @@ typedef struct polhode_claims {
   double casimir, casimir_deterministic; /* under noise; for sigma = 0 */
 } polhode_claims;
 
+/* A kind of random variable that a step needs beside increments and areas, and how many of it. */
+typedef struct polhode_variable {
+  int32_t kind; /* POLHODE_GAUSSIAN or another; what this version of the laboratory does not draw it refuses by name */
+  int32_t numbers;
+} polhode_variable;
+enum {
+  POLHODE_GAUSSIAN = 1,        /* of variance 1 */
+  POLHODE_TWO_POINT = 2,       /* 1 and -1, each with probability 1/2 */
+  POLHODE_THREE_POINT = 3,     /* 0 with probability 2/3, sqrt(3) and -sqrt(3) with 1/6 each */
+  POLHODE_UNIFORM = 4,         /* on [0, 1) */
+  POLHODE_SPACE_TIME_AREA = 5, /* int (W^i - (s/dt) W^i(dt)) ds of each channel */
+  POLHODE_SECOND_NOISE = 6     /* increments of further Wiener processes, of variance dt */
+};
+
 typedef struct polhode_integrator {
   uint32_t size; /* of this struct in bytes */
   int32_t takes;
@@ -79,6 +95,8 @@ typedef struct polhode_integrator {
   /* Returns 0; anything else: failed, and the laboratory reports the number. A state that it cannot compute is NaN. */
   int (*advance)(void* self, const polhode_batch*);
   void (*close)(void* self); /* NULL: nothing to do */
+  const polhode_variable* draws; /* NULL: none */
+  int32_t drawn;                 /* how many entries `draws` has */
 } polhode_integrator;
 
 /* All integrators of this library; NULL if it does not know this version of the interface. */

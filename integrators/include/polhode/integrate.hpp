@@ -25,7 +25,7 @@ template <int M>
     dw[i] = std::sqrt(dt) * pair[0];
     if (i + 1 < active) dw[i + 1] = std::sqrt(dt) * pair[1];
   }
-  return {dt, dw};
+  return {dt, dw, dt * static_cast<double>(address.step)};
 }
 
 namespace detail {
