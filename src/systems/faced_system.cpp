@@ -24,8 +24,10 @@ scheme_entry entry_of(const scheme_row& scheme, const std::shared_ptr<const face
   const auto make = [&scheme, system, momentum](double dt) {
     if (auto own = system->own_kernel(scheme.info.name, momentum, dt)) return own;
     const auto prepared = prepared_for(scheme, system, dt);
-    return tape_kernel(prepared->values(momentum, dt), prepared->tangents(dt),
-                       scheme.tapes(prepared->traits(), prepared->dimension(), 0, dt));
+    auto values = prepared->values(momentum, dt);
+    auto traits = prepared->traits();
+    traits.joins = values->joins_passes();
+    return tape_kernel(std::move(values), prepared->tangents(dt), scheme.tapes(traits, prepared->dimension(), 0, dt));
   };
   const auto tangent = [&scheme, system](double dt) {
     const auto prepared = prepared_for(scheme, system, dt);

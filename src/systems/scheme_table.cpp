@@ -62,17 +62,24 @@ recorded_step recorded(double dt, Step step) {
   };
 }
 
+/// What is known of a tape at run time. fixed: the components of a system that always has so many, or -1.
+struct tape_size {
+  int fixed, components, tangents;
+  double dt;
+  bool exact_dissipation, joins;
+};
+
 template <class Scheme, taped_traits traits>
-step_tapes tapes_on(int components, int tangents, double dt) {
+step_tapes tapes_on(const tape_size& size) {
   using system = taped_system<traits>;
   const auto taped_step = [&](auto step) {
-    return std::make_shared<const tape>(components, tangents, recorded<system>(dt, step));
+    return std::make_shared<const tape>(size.components, size.tangents, size.joins, recorded<system>(size.dt, step));
   };
   step_tapes out;
   if constexpr (merges_on<Scheme, system>)
-    if (tangents == 0) {
-      const half_step half{dt};
-      const whole_step whole{dt};
+    if (size.tangents == 0) {
+      const half_step half{size.dt};
+      const whole_step whole{size.dt};
       out.opening = taped_step([=](const auto& s, const auto& mu, const auto& w) {
         return Scheme::inner(s, Scheme::outer(s, mu, half), w);
       });
@@ -89,43 +96,44 @@ step_tapes tapes_on(int components, int tangents, double dt) {
 
 /// The traits with one known to the compiler, where the scheme can tell.
 template <class Scheme, taped_traits traits>
-step_tapes at_components(int fixed, int components, int tangents, double dt) {
+step_tapes at_components(const tape_size& size) {
   constexpr auto of = [](int n) {
     taped_traits t = traits;
     t.components = n;
     return t;
   };
   if constexpr (Scheme::info.implicit) {  // it solves equations by a matrix of that size
-    if (tangents == 0 && fixed == 3) return tapes_on<Scheme, of(3)>(components, tangents, dt);
-    if (tangents == 0 && fixed == 6) return tapes_on<Scheme, of(6)>(components, tangents, dt);
+    if (size.tangents == 0 && size.fixed == 3) return tapes_on<Scheme, of(3)>(size);
+    if (size.tangents == 0 && size.fixed == 6) return tapes_on<Scheme, of(6)>(size);
   }
-  return tapes_on<Scheme, traits>(components, tangents, dt);
+  return tapes_on<Scheme, traits>(size);
 }
 template <class Scheme, taped_noise noise>
-step_tapes at_dissipation(bool exact, int fixed, int components, int tangents, double dt) {
+step_tapes at_dissipation(const tape_size& size) {
   constexpr taped_traits approximate{.noise = noise, .exact_dissipation = false};
   if constexpr (merges_on<Scheme, taped_system<with(noise)>> != merges_on<Scheme, taped_system<approximate>>)
-    if (!exact) return at_components<Scheme, approximate>(fixed, components, tangents, dt);
-  return at_components<Scheme, with(noise)>(fixed, components, tangents, dt);
+    if (!size.exact_dissipation) return at_components<Scheme, approximate>(size);
+  return at_components<Scheme, with(noise)>(size);
 }
 template <class Scheme, taped_noise noise>
-step_tapes under(const taped_traits& t, int components, int tangents, double dt) {
+step_tapes under(const tape_size& size) {
   if constexpr (steps_under<Scheme>(noise))
-    return at_dissipation<Scheme, noise>(t.exact_dissipation, t.components, components, tangents, dt);
+    return at_dissipation<Scheme, noise>(size);
   else
     throw std::logic_error(fmt::format("{} does not step such a system", Scheme::info.name));
 }
 
 template <class Scheme>
 scheme_tapes tapes(const taped_traits& t, int components, int tangents, double dt) {
+  const tape_size size{t.components, components, tangents, dt, t.exact_dissipation, t.joins};
   const auto noisy = [&] {
     switch (t.noise) {
-      case taped_noise::varying: return under<Scheme, taped_noise::varying>(t, components, tangents, dt);
-      case taped_noise::unbracketed: return under<Scheme, taped_noise::unbracketed>(t, components, tangents, dt);
-      default: return under<Scheme, taped_noise::constant>(t, components, tangents, dt);
+      case taped_noise::varying: return under<Scheme, taped_noise::varying>(size);
+      case taped_noise::unbracketed: return under<Scheme, taped_noise::unbracketed>(size);
+      default: return under<Scheme, taped_noise::constant>(size);
     }
   };
-  return {Scheme::info.name, noisy(), under<Scheme, taped_noise::none>(t, components, tangents, dt)};
+  return {Scheme::info.name, noisy(), under<Scheme, taped_noise::none>(size)};
 }
 
 template <class... Schemes>

@@ -7,6 +7,9 @@
 // before it writes there: its result may take the place of an argument.
 #pragma once
 
+#include <span>
+#include <stdexcept>
+
 #include "ensemble/kernel.hpp"
 
 namespace polhode {
@@ -82,6 +85,38 @@ class face {
   virtual void noise_flow(const double* mu, const step_noise&, double* out) const = 0;
   virtual void damped_noise_flow(const double* mu, const step_noise&, double* out) const = 0;
   virtual void turned_noise_flow(const double* mu, const step_noise&, double* out) const = 0;
+
+  // Two operations in one pass, of faces whose operations are so short that to load and store a state is a part of
+  // them. What may be all of a step takes several in a row; their noise is of one kind.
+  virtual bool joins_passes() const { return false; }
+  /// mu -> exp(generator(mu) + area) mu; the area where `with_area`.
+  virtual void exp_of_generator(const double* /*mu*/, std::span<const step_noise>, bool /*with_area*/,
+                                double* /*out*/) const {
+    lacks_joined_passes();
+  }
+  virtual void noise_after_free_flow(const double* /*mu*/, flow_time, std::span<const step_noise>,
+                                     double* /*out*/) const {
+    lacks_joined_passes();
+  }
+  virtual void noise_after_first_turn(const double* /*mu*/, flow_time, std::span<const step_noise>,
+                                      double* /*out*/) const {
+    lacks_joined_passes();
+  }
+  /// generator(exp(xi) mu).
+  virtual void generator_of_turned(const double* /*xi*/, const double* /*mu*/, const step_noise&,
+                                   double* /*out*/) const {
+    lacks_joined_passes();
+  }
+  /// exp(sum c_i x_i + area) mu, of one to three terms; the area of that noise, where there is one.
+  virtual void exp_of_sum(std::span<const double> /*c*/, const double* const* /*x*/, const step_noise* /*area*/,
+                          const double* /*mu*/, double* /*out*/) const {
+    lacks_joined_passes();
+  }
+
+ private:
+  [[noreturn]] static void lacks_joined_passes() {
+    throw std::logic_error("a tape joins operations whose face takes one at a time");
+  }
 };
 
 }  // namespace polhode

@@ -45,6 +45,12 @@ enum class tape_op : std::uint8_t {
   noise_flow,
   damped_noise_flow,
   turned_noise_flow,
+  // two of them in one pass, where the face has that
+  exp_of_generator,        ///< out = exp(generator(in_0)) in_0, with_area: + area_noise in the exponent
+  generator_of_turned,     ///< out = generator(exp(in_0) in_1)
+  exp_of_sum,              ///< out = exp(sum c_i in_i) in_k, k the last operand; with_area: likewise
+  noise_after_free_flow,   ///< damped_noise_flow of what free_flow gives
+  noise_after_first_turn,  ///< turned_noise_flow of what first_turn gives
   // of rows
   combine,             ///< out = sum c_i in_i, every row
   scale,               ///< out = (number in_0) in_1, every row
@@ -72,11 +78,14 @@ enum class tape_op : std::uint8_t {
   select,  ///< out = in_0 ? in_1 : in_2
 };
 
+inline constexpr int most_terms_of_exp = 3;
+
 struct tape_instruction {
   static constexpr int most_operands = 6, constant = -1;
   tape_op op;
   bool on_tangents = false;  ///< asks the face of tangents, which `seed` begins
   bool truncated = false;    ///< of inverse_derivative: polhode::quotient
+  bool with_area = false;
   int operands = 0;
   int rows = 0;    ///< of states, of a matrix or of both operands of dot: the components of one
   int column = 0;  ///< of a matrix
@@ -105,10 +114,13 @@ using recorded_step = std::function<void(tape_recorder&)>;
 /// never change, so any number of threads may play a tape.
 class tape {
  public:
-  /// components, tangents: of a state.
-  tape(int components, int tangents, recorded_step);
+  /// components, tangents: of a state. joins: whether its face takes two operations in one pass.
+  tape(int components, int tangents, bool joins, recorded_step);
 
-  const tape_piece& start() const { return after(before_, {}, true); }
+  const tape_piece& start() const {
+    const auto* known = before_.next[true].load(std::memory_order_acquire);
+    return known != nullptr ? *known : after(before_, {}, true);
+  }
   /// What follows the piece, to which `answers` have led, after one answer more.
   const tape_piece& after(const tape_piece&, const std::vector<bool>& answers, bool answer) const;
 
@@ -118,6 +130,7 @@ class tape {
   std::unique_ptr<tape_piece> record(const std::vector<bool>& answers) const;
 
   int components_, tangents_;
+  bool joins_;
   recorded_step step_;
   tape_piece before_;  ///< the step; what follows it is its start
   mutable std::mutex recording_;

@@ -5,14 +5,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "ensemble/tapes/tape_joins.hpp"
+
 namespace polhode {
 namespace {
 
 /// A stage in one pass needs the registers of the processor for three states.
 constexpr int most_components_of_a_stage = 6;
-
-/// Whether it writes all rows of a state.
-bool writes_state(tape_op op) { return op <= tape_op::select_rows || op == tape_op::times || op == tape_op::correct; }
 
 bool is_motion(const tape_value::term& t) { return t.x->at == tape_value::not_computed; }
 
@@ -88,7 +87,7 @@ tape_symbol tape_recorder::combined(const linear_form& form) {
 void tape_recorder::compute(tape_value& motion) {
   const auto at = computed(motion.point);
   const auto out = fresh(at->rows, at->on_tangents);
-  write({.op = tape_op::motion, .on_tangents = motion.on_tangents, .out = out->at, .in = {at->at}});
+  write({.op = tape_op::motion, .on_tangents = motion.on_tangents, .operands = 1, .out = out->at, .in = {at->at}});
   motion.at = std::exchange(out->at, tape_value::not_computed);
   motion.point.clear();
 }
@@ -121,6 +120,7 @@ tape_symbol tape_recorder::combined_with_motion(linear_form form, std::size_t wh
   const auto out = fresh(motion->rows, motion->on_tangents);
   write({.op = tape_op::stage,
          .on_tangents = motion->on_tangents,
+         .operands = 2,
          .out = out->at,
          .in = {at.mu->at, at.x->at},
          .constants = c});
@@ -159,8 +159,8 @@ std::unique_ptr<tape_piece> tape_recorder::last_piece() const {
   return out;
 }
 
-tape::tape(int components, int tangents, recorded_step step)
-    : components_(components), tangents_(tangents), step_(std::move(step)) {}
+tape::tape(int components, int tangents, bool joins, recorded_step step)
+    : components_(components), tangents_(tangents), joins_(joins), step_(std::move(step)) {}
 
 std::unique_ptr<tape_piece> tape::record(const std::vector<bool>& answers) const {
   tape_recorder recorder(components_, tangents_, answers);
@@ -168,7 +168,9 @@ std::unique_ptr<tape_piece> tape::record(const std::vector<bool>& answers) const
     step_(recorder);
   } catch (const tape_recorder::unanswered&) {  // the piece ends there
   }
-  return recorder.last_piece();
+  auto piece = recorder.last_piece();
+  if (joins_ && answers.empty() && piece->ends) piece->code = joined(piece->code, rows());
+  return piece;
 }
 
 const tape_piece& tape::after(const tape_piece& piece, const std::vector<bool>& answers, bool answer) const {

@@ -170,7 +170,7 @@ struct vec<taped, N> {
     }
     const auto x = a.symbol();
     const auto out = x->recorder.fresh(x->rows, x->on_tangents);
-    x->recorder.write({.op = tape_op::scale, .rows = x->rows, .out = out->at, .in = {s.row(), x->at}});
+    x->recorder.write({.op = tape_op::scale, .operands = 2, .rows = x->rows, .out = out->at, .in = {s.row(), x->at}});
     return vec(out);
   }
   /// A register that no other vector has.
@@ -452,7 +452,7 @@ struct taped_system {
     auto& recorder = at->recorder;
     const int n = recorder.components();
     const auto value = recorder.fresh(n), slope = recorder.fresh(n * n);
-    recorder.write({.op = op, .out = value->at, .extra = slope->at, .in = {at->at}});
+    recorder.write({.op = op, .operands = 1, .out = value->at, .extra = slope->at, .in = {at->at}});
     return {vector(value), {slope}};
   }
   static auto unless_silent(tape_op op, const vector& mu) {
@@ -482,10 +482,14 @@ linearised<taped, N> derivative_of(Map map, const vec<taped, N>& mu, const wiene
   const auto slope = recorder.fresh(n * n);
   for (int column = 0; column < n; column += at_once) {
     const auto seeded = recorder.fresh((1 + at_once) * n, true);
-    recorder.write({.op = tape_op::seed, .rows = n, .column = column, .out = seeded->at, .in = {x->at}});
+    recorder.write({.op = tape_op::seed, .operands = 1, .rows = n, .column = column, .out = seeded->at, .in = {x->at}});
     const auto moved = map(vec<taped, N>(seeded), w);
-    recorder.write(
-        {.op = tape_op::differentiate, .rows = n, .column = column, .out = slope->at, .in = {moved.symbol()->at}});
+    recorder.write({.op = tape_op::differentiate,
+                    .operands = 1,
+                    .rows = n,
+                    .column = column,
+                    .out = slope->at,
+                    .in = {moved.symbol()->at}});
   }
   return {map(mu, w), {slope}};
 }

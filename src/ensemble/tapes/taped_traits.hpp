@@ -14,6 +14,7 @@ struct taped_traits {
   int components = -1;
   taped_noise noise = taped_noise::constant;
   bool exact_dissipation = true, flows = true, turns = true, matrices = true;
+  bool joins = false;  ///< no scheme asks for it: whether the face takes two operations in one pass
 };
 
 }  // namespace polhode

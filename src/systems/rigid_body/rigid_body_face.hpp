@@ -31,17 +31,18 @@ class bound_body_motion : public face_of<rigid_body> {
 
   POLHODE_FLATTEN void generator(const double* mu, const step_noise& w, double* xi) const override {
     with_body(w, [&](const auto& body, auto noise) {
-      each(mu, xi, [&](const state& x, int lane) { return body.generator_over(x, noise(lane)); });
+      each(mu, xi, [&](const state& x, int lane) { return body.generator_over(x, noise(w, lane)); });
     });
   }
   POLHODE_FLATTEN void drift(const double* mu, double* xi) const override {
-    with_body({}, [&](const auto& body, auto noise) {
-      each(mu, xi, [&](const state& x, int lane) { return body.generator_over(x, noise(lane)); });
+    const step_noise none;
+    with_body(none, [&](const auto& body, auto noise) {
+      each(mu, xi, [&](const state& x, int lane) { return body.generator_over(x, noise(none, lane)); });
     });
   }
   POLHODE_FLATTEN void motion(const double* mu, const step_noise& w, double* out) const override {
     with_body(w, [&](const auto& body, auto noise) {
-      each(mu, out, [&](const state& x, int lane) { return body.motion_over(x, noise(lane)); });
+      each(mu, out, [&](const state& x, int lane) { return body.motion_over(x, noise(w, lane)); });
     });
   }
   POLHODE_FLATTEN void stage(const double* mu, const double* by, const double* c, const step_noise& w,
@@ -50,7 +51,7 @@ class bound_body_motion : public face_of<rigid_body> {
     with_body(w, [&](const auto& body, auto noise) {
       each(mu, out, [&](const state& x, int lane) {
         const auto y = load(by + lane);
-        return a[0] * x + a[1] * y + a[2] * body.motion_over(x + a[3] * y, noise(lane));
+        return a[0] * x + a[1] * y + a[2] * body.motion_over(x + a[3] * y, noise(w, lane));
       });
     });
   }
@@ -58,7 +59,7 @@ class bound_body_motion : public face_of<rigid_body> {
                                          double* slope) const override {
     with_body(w, [&](const auto& body, auto noise) {
       each(mu, value, [&](const state& x, int lane) {
-        const auto moved = body.linearised_motion_over(x, noise(lane));
+        const auto moved = body.linearised_motion_over(x, noise(w, lane));
         for (int row = 0; row < 3; ++row)
           lane_rows<pack>::store(moved.slope[row], slope + 3 * row * block_lanes + lane, block_lanes);
         return moved.value;
@@ -75,17 +76,21 @@ class bound_body_motion : public face_of<rigid_body> {
                              : detail::lifted<vec<pack, 3>>(w.rows, 3);
   }
 
- private:
-  /// f(body, noise), noise(lane) the increment of a pack of lanes in the form that this body expects.
-  template <class F>
-  void with_body(const step_noise& w, F f) const {
+  /// f(body, noise), noise(w, lane) the increment of the lanes of an S in the form that this body expects, of a step
+  /// whose noise is of the kind of w.
+  template <class S = pack, class F>
+  void with_body(const step_noise& kind_of, F f) const {
     const auto by_noise = [&](auto body) {  // a copy: what the loop writes are not its constants
-      const auto increment = [](const vec<pack, 3>& b) { return wiener<pack, 3>{0, b}; };
-      if (w.of == kind::none) return f(body.with(no_noise{}), [=](int) { return increment({}); });
-      if (w.of == kind::shared)
-        return f(body, [=, b = detail::lifted<vec<pack, 3>>(w.rows, 3)](int) { return increment(b); });
-      f(body,
-        [=, rows = w.rows](int lane) { return increment(lane_rows<pack>::load<3>(rows + lane, block_lanes, 3)); });
+      const auto increment = [](const vec<S, 3>& b) { return wiener<S, 3>{0, b}; };
+      switch (kind_of.of) {
+        case kind::none: return f(body.with(no_noise{}), [=](const step_noise&, int) { return increment({}); });
+        case kind::shared:
+          return f(body, [=](const step_noise& w, int) { return increment(detail::lifted<vec<S, 3>>(w.rows, 3)); });
+        case kind::own:
+          return f(body, [=](const step_noise& w, int lane) {
+            return increment(lane_rows<S>::template load<3>(w.rows + lane, block_lanes, 3));
+          });
+      }
     };
     if (dissipates_)
       by_noise(damped_);
@@ -93,6 +98,7 @@ class bound_body_motion : public face_of<rigid_body> {
       by_noise(undamped_);
   }
 
+ private:
   bound<true> damped_;
   bound<false> undamped_;
   bool dissipates_;
@@ -136,6 +142,74 @@ class bound_body final : public bound_body_motion {
       return algebra::exp_action(lane_rows<S>::template load<3>(xi + lane, block_lanes, 3), x);
     });
   }
+
+  bool joins_passes() const override { return true; }
+  POLHODE_FLATTEN void exp_of_generator(const double* mu, std::span<const step_noise> w, bool with_area,
+                                        double* out) const override {
+    const bool noisy = w[0].of != kind::none;
+    with_area_noise(with_area && noisy ? &w[0] : nullptr, [&](auto area) {
+      with_body<loop_pack>(w[0], [&](const auto& body, auto noise) {
+        for (const auto& one : w)
+          lanes_of<loop_pack>(std::exchange(mu, out), out, [&](const auto& x, int lane) {
+            return algebra::exp_action(area(one, lane, body.generator_over(x, noise(one, lane))), x);
+          });
+      });
+    });
+  }
+  POLHODE_FLATTEN void generator_of_turned(const double* xi, const double* mu, const step_noise& w,
+                                           double* out) const override {
+    with_body<loop_pack>(w, [&](const auto& body, auto noise) {
+      lanes_of<loop_pack>(mu, out, [&](const auto& x, int lane) {
+        return body.generator_over(algebra::exp_action(load_loop(xi + lane), x), noise(w, lane));
+      });
+    });
+  }
+  POLHODE_FLATTEN void exp_of_sum(std::span<const double> c, const double* const* x, const step_noise* w,
+                                  const double* mu, double* out) const override {
+    const auto with_terms = [&](auto sum) {
+      with_area_noise(w, [&](auto area) {
+        lanes_of<loop_pack>(mu, out, [&](const auto& y, int lane) {
+          return algebra::exp_action(w == nullptr ? sum(lane) : area(*w, lane, sum(lane)), y);
+        });
+      });
+    };
+    const auto term = [&](std::size_t k) {
+      return [a = loop_pack(c[k]), rows = x[k]](int lane) { return a * load_loop(rows + lane); };
+    };
+    if (c.size() == 1) return with_terms(term(0));
+    const auto two = [a = term(0), b = term(1)](int lane) { return a(lane) + b(lane); };
+    if (c.size() == 2) return with_terms(two);
+    with_terms([=, last = term(2)](int lane) { return two(lane) + last(lane); });
+  }
+  POLHODE_FLATTEN void noise_after_free_flow(const double* mu, flow_time t, std::span<const step_noise> w,
+                                             double* out) const override {
+    if (symmetric || t.parts != 1 || !turns_ || !dissipates()) {
+      for (const auto& one : w) {
+        free_flow(std::exchange(mu, out), t, out);
+        damped_noise_flow(out, one, out);
+      }
+      return;
+    }
+    step_after_step(mu, w, out, [whole = whole_](const auto& body, const vector& x, const auto& noise) {
+      return damped(body, whole.free_flow(x, whole_step{}), noise);
+    });
+  }
+  POLHODE_FLATTEN void noise_after_first_turn(const double* mu, flow_time t, std::span<const step_noise> w,
+                                              double* out) const override {
+    if (symmetric || t.parts != 1 || !turns_ || !dissipates()) {
+      for (const auto& one : w) {
+        first_turn(std::exchange(mu, out), t, out);
+        turned_noise_flow(out, one, out);
+      }
+      return;
+    }
+    step_after_step(mu, w, out, [](const auto& body, const vector& x, const auto& noise) {
+      const half_step half;
+      const auto turned = body.last_turn(body.first_turn(x, whole_step{}), half);
+      return body.last_turn(damped(body, turned, noise), half);
+    });
+  }
+
   POLHODE_FLATTEN void free_flow(const double* mu, flow_time t, double* out) const override {
     const auto flow = [body = whole_](const vector& x, auto part) { return body.free_flow(x, part); };
     if (!turns_) return lanes_of<pack>(mu, out, [](const auto& x, int) { return x; });
@@ -187,6 +261,8 @@ class bound_body final : public bound_body_motion {
     return {{v[axis(0)], v[axis(1)], v[axis(2)]}};
   }
 
+  static vec<loop_pack, 3> load_loop(const double* at) { return lane_rows<loop_pack>::load<3>(at, block_lanes, 3); }
+
   template <class S, class F>
   static void lanes_of(const double* mu, double* out, F f) {
 #pragma GCC unroll 1
@@ -204,6 +280,58 @@ class bound_body final : public bound_body_motion {
       x = f(x, lane);
       for (int k = 0; k < 3; ++k) x[k].copy_to(out + row[static_cast<std::size_t>(k)] + lane, stdx::element_aligned);
     }
+  }
+
+  /// f(area), area(noise, lane, xi) = xi and the area's part; of no noise xi as it is.
+  template <class F>
+  void with_area_noise(const step_noise* w, F f) const {
+    if (w == nullptr) return f([](const step_noise&, int, const auto& xi) { return xi; });
+    if (w->of == kind::shared)
+      return f([](const step_noise& one, int, const vec<loop_pack, 3>& xi) {
+        return xi + detail::lifted<vec<loop_pack, 3>>(one.rows + 3, 3);
+      });
+    f([s = rigid_body(system())](const step_noise& one, int lane, const vec<loop_pack, 3>& xi) {
+      return xi + s.area_noise(load_loop(one.area + lane));
+    });
+  }
+
+  template <class Body, class Noise>
+  static vector damped(const Body& body, const vector& x, const Noise& noise) {
+    if constexpr (std::is_same_v<Noise, no_noise>)
+      return body.dissipation_flow(x, whole_step{});
+    else
+      return body.damped_noise_flow(x, noise);
+  }
+  /// x = step(body, x, noise), all lanes of a step before the next one: they do not wait for each other.
+  template <class Step>
+  void step_after_step(const double* mu, std::span<const step_noise> w, double* out, Step step) const {
+    const auto increment = [](const vector& b) { return wiener<scalar, 3>{0, b}; };
+    const bound body(body_);  // a copy: what the loop writes are not its constants
+    for (const auto& one : w) {
+      const double* from = std::exchange(mu, out);
+      switch (one.of) {
+        case kind::none:
+          numbered_lanes(from, out, [&](const vector& x, int) { return step(body, x, no_noise{}); });
+          break;
+        case kind::own:
+          numbered_lanes(from, out, [&, rows = one.rows](const vector& x, int lane) {
+            const auto b = lane_rows<scalar>::template load<3>(rows + lane, block_lanes, 3);
+            return step(body, x, increment(numbered(b)));
+          });
+          break;
+        case kind::shared:
+          numbered_lanes(from, out, [&, under = body.with(shared_in(one))](const vector& x, int) {
+            return step(under, x, increment({}));
+          });
+      }
+    }
+  }
+  static shared_noise shared_in(const step_noise& w) {
+    std::array<double, sizeof(shared_step) / sizeof(double)> raw{};
+    std::copy_n(w.rows, raw.size(), raw.begin());
+    shared_noise shared;
+    shared.step = std::bit_cast<shared_step>(raw);
+    return shared;
   }
 
   [[noreturn, gnu::cold, gnu::noinline]] static void throw_other_time() {
@@ -231,11 +359,7 @@ class bound_body final : public bound_body_motion {
       return f(bound(body_), [=, this, rows = w.rows](int lane) {
         return increment(numbered(lane_rows<scalar>::template load<3>(rows + lane, block_lanes, 3)));
       });
-    shared_noise shared;
-    std::array<double, sizeof(shared_step) / sizeof(double)> raw{};
-    if (w.of == kind::shared) std::copy_n(w.rows, raw.size(), raw.begin());
-    shared.step = std::bit_cast<shared_step>(raw);
-    f(body_.with(shared), [=](int) { return increment({}); });
+    f(body_.with(w.of == kind::shared ? shared_in(w) : shared_noise{}), [=](int) { return increment({}); });
   }
 
   int first_axis_;

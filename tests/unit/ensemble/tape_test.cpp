@@ -21,7 +21,7 @@ constexpr double dt = 0.1;
 /// The operations of a step that asks nothing.
 template <class Step>
 std::vector<tape_instruction> written(Step step) {
-  const tape t(components, 0, [&](tape_recorder& recorder) {
+  const tape t(components, 0, false, [&](tape_recorder& recorder) {
     increment w;
     w.dt = dt;
     w.area = {&recorder};
@@ -56,6 +56,45 @@ TEST(Tape, OfLieHeunIsTwoGeneratorsTwoActionsAndASum) {
   EXPECT_EQ(operations_of(*row_of("lie_heun").tapes({}, components, 0, dt).noisy.opening),
             (std::vector{tape_op::generator, tape_op::exp_action, tape_op::generator, tape_op::combine,
                          tape_op::exp_action}));
+}
+
+TEST(Tape, JoinsTwoOperationsWhereNothingElseReadsWhatIsBetween) {
+  const auto joined = [](std::string_view scheme) {
+    return operations_of(*row_of(scheme).tapes({.joins = true}, components, 0, dt).noisy.following);
+  };
+  EXPECT_EQ(joined("lie_euler"), std::vector{tape_op::exp_of_generator});
+  EXPECT_EQ(joined("lie_milstein"), std::vector{tape_op::exp_of_generator});
+  EXPECT_EQ(joined("lie_heun"), (std::vector{tape_op::generator, tape_op::generator_of_turned, tape_op::exp_of_sum}));
+  EXPECT_EQ(joined("magnus"), (std::vector{tape_op::generator, tape_op::generator_of_turned, tape_op::exp_of_sum}));
+  EXPECT_EQ(joined("strang_two_turns"), std::vector{tape_op::noise_after_first_turn});
+}
+
+TEST(Tape, DoesNotJoinWhatIsReadOnceMore) {
+  const auto of = [](auto step) {
+    const tape t(components, 0, true, [&](tape_recorder& recorder) {
+      increment w;
+      w.dt = dt;
+      recorder.finish(step(system_symbol{}, vector(recorder.start()), w).form());
+    });
+    return operations_of(t);
+  };
+  using g = system_symbol::algebra;
+  EXPECT_EQ(of([](const auto& s, const auto& mu, const auto& w) {
+              const auto xi = generator(s, mu, w);
+              return g::exp_action(xi, mu) + xi;
+            }),
+            (std::vector{tape_op::generator, tape_op::exp_action, tape_op::combine}));
+  EXPECT_EQ(of([](const auto& s, const auto& mu, const auto& w) {
+              const auto turned = g::exp_action(generator(s, mu, w), mu);
+              return generator(s, turned, w) + turned;
+            }),
+            (std::vector{tape_op::exp_of_generator, tape_op::generator, tape_op::combine}));
+  EXPECT_EQ(of([](const auto& s, const auto& mu, const auto& w) {
+              const auto ahead = generator(s, mu, w);
+              const auto second = generator(s, g::exp_action(ahead, mu), w), turned = g::exp_action(ahead, mu);
+              return g::exp_action(second, turned);
+            }),
+            (std::vector{tape_op::generator, tape_op::generator_of_turned, tape_op::exp_action, tape_op::exp_action}));
 }
 
 TEST(Tape, LastOperationWritesTheState) {
@@ -188,7 +227,7 @@ TEST(Tape, AssignedComponentLeavesCopiesAlone) {
 
 TEST(Tape, AnswersAreRecordedWhenTheyAreGiven) {
   int runs = 0;
-  const tape t(components, 0, [&](tape_recorder& recorder) {
+  const tape t(components, 0, false, [&](tape_recorder& recorder) {
     ++runs;
     const vector mu(recorder.start());
     const auto large = dot(mu, mu) > taped(1.0);

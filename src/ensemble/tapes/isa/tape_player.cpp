@@ -36,12 +36,30 @@ class player {
   player(const face& f, const face* tangents, double* states, workspace& own)
       : face_(f), tangents_(tangents), states_(states), rows_(f.rows()), lanes_(f.lanes()), own_(own) {}
 
+  /// Whether `play_in_a_row` takes its only operation.
+  static bool is_one_operation(const tape& t) {
+    const auto& start = t.start();
+    if (!start.ends || start.code.size() != 1) return false;
+    const auto op = start.code[0].op;
+    return op == tape_op::exp_of_generator || op == tape_op::noise_after_free_flow ||
+           op == tape_op::noise_after_first_turn;
+  }
+  void play_in_a_row(const tape& t, std::span<const step_noise> w) const { play_in_a_row(t.start().code[0], w); }
+
   void play(const tape& t, const step_noise& noise) {
+    const auto& start = t.start();
+    carry_out(start, noise);
+    if (!start.ends) go_on(t, start, noise);
+  }
+
+ private:
+  void carry_out(const tape_piece& piece, const step_noise& noise) {
+    reserve(piece.rows);
+    for (const auto& i : piece.code) carry_out(i, noise);
+  }
+  [[gnu::noinline]] void go_on(const tape& t, const tape_piece& start, const step_noise& noise) {
     own_.answers.clear();
-    for (const auto* piece = &t.start();;) {
-      reserve(piece->rows);
-      for (const auto& i : piece->code) carry_out(i, noise);
-      if (piece->ends) return;
+    for (const auto* piece = &start; !piece->ends; carry_out(*piece, noise)) {
       const bool answer = any(at(piece->question));
       const auto* next = piece->next[answer].load(std::memory_order_acquire);
       if (next == nullptr) next = &t.after(*piece, own_.answers, answer);
@@ -50,7 +68,6 @@ class player {
     }
   }
 
- private:
   void reserve(int rows) {
     const auto size = static_cast<std::size_t>(rows) * static_cast<std::size_t>(lanes_);
     if (own_.registers.size() < size) own_.registers.resize(size);
@@ -89,6 +106,11 @@ class player {
       case tape_op::noise_flow: return f.noise_flow(in(0), w, out);
       case tape_op::damped_noise_flow: return f.damped_noise_flow(in(0), w, out);
       case tape_op::turned_noise_flow: return f.turned_noise_flow(in(0), w, out);
+      case tape_op::exp_of_generator: return f.exp_of_generator(in(0), std::span(&w, 1), i.with_area, out);
+      case tape_op::generator_of_turned: return f.generator_of_turned(in(0), in(1), w, out);
+      case tape_op::exp_of_sum: return exp_of_sum(i, w, out);
+      case tape_op::noise_after_free_flow: return f.noise_after_free_flow(in(0), time_of(i), std::span(&w, 1), out);
+      case tape_op::noise_after_first_turn: return f.noise_after_first_turn(in(0), time_of(i), std::span(&w, 1), out);
       case tape_op::combine: return combine(i, out);
       case tape_op::scale: return scale(in(0), in(1), i.rows, out);
       case tape_op::select_rows: return select_rows(in(0), in(1), in(2), i.rows, out);
@@ -100,6 +122,21 @@ class player {
       case tape_op::dot: return dot(in(0), in(1), i.rows, out);
       default: return numbers(i, out);
     }
+  }
+
+  void exp_of_sum(const tape_instruction& i, const step_noise& w, double* out) const {
+    std::array<const double*, tape_instruction::most_operands> x{};
+    const auto terms = static_cast<std::size_t>(i.operands - 1);
+    for (std::size_t k = 0; k < terms; ++k) x[k] = at(i.in[k]);
+    face_.exp_of_sum({i.constants.data(), terms}, x.data(), i.with_area ? &w : nullptr, at(i.in[terms]), out);
+  }
+
+  /// Steps that are one operation each, in a row.
+  void play_in_a_row(const tape_instruction& i, std::span<const step_noise> w) const {
+    const auto t = time_of(i);
+    if (i.op == tape_op::exp_of_generator) return face_.exp_of_generator(states_, w, i.with_area, states_);
+    if (i.op == tape_op::noise_after_free_flow) return face_.noise_after_free_flow(states_, t, w, states_);
+    face_.noise_after_first_turn(states_, t, w, states_);
   }
 
   static flow_time time_of(const tape_instruction& i) { return {i.constants[0], i.parts}; }
@@ -303,36 +340,54 @@ void scatter(const double* from, int rows, int lanes, double* to) {
   for (int row = 0; row < rows; ++row) std::copy_n(from + row * lanes, lanes, to + row * block_lanes);
 }
 
-/// Increments of the view's step for the lanes from `lane` on.
+constexpr int most_in_a_row = 8;  // their noise stays in the nearest cache
+
+/// Increments of the view's steps for the lanes from `lane` on; of as many steps at a time as have a place.
 class own_increments {
  public:
-  own_increments(const face& f, const increment_view& view, workspace& own) : face_(f), view_(view), rows_(own.noise) {
-    const auto size = static_cast<std::size_t>(f.noise_rows()) * static_cast<std::size_t>(f.lanes());
-    if (rows_.size() < size) rows_.resize(size);
+  own_increments(const face& f, const increment_view& view, workspace& own)
+      : face_(f),
+        view_(view),
+        each_(static_cast<std::size_t>(f.noise_rows()) * static_cast<std::size_t>(f.lanes())),
+        rows_(own.noise) {
+    if (rows_.size() < most_in_a_row * each_) rows_.resize(most_in_a_row * each_);
   }
-  step_noise operator()(std::int64_t step, int lane) {
+  step_noise operator()(std::int64_t step, int lane, std::size_t place) {
     const auto at = [&](const auto& all, int rows) {
       return all.empty() ? nullptr : all.data() + step * rows * block_lanes + lane;
     };
     const int channels = face_.channels();
-    face_.take({at(view_.dw, channels), at(view_.singles, channels), view_.scale}, rows_.data());
-    return {step_noise::kind::own, rows_.data(), at(view_.area, pairs_among(channels))};
+    double* rows = rows_.data() + place * each_;
+    face_.take({at(view_.dw, channels), at(view_.singles, channels), view_.scale}, rows);
+    return {step_noise::kind::own, rows, at(view_.area, pairs_among(channels))};
   }
 
  private:
   const face& face_;
   const increment_view& view_;
+  std::size_t each_;
   lane_vector<double>& rows_;
 };
 
-/// All steps, a group of lanes after the other. in(lane, states), out(lane, states): the states of a group.
+/// All steps of one group of lanes, the first of which is `lane`. noise(step, lane, place).
 template <class Noise>
 void run(const face& f, const face* tangents, const step_tapes& tapes, double* states, std::int64_t steps, piece p,
          Noise noise, int lane) {
+  if (steps == 0) return;
   player group(f, tangents, states, workspace_of_thread());
-  for (std::int64_t i = 0; i < steps; ++i)
-    group.play(i == 0 && p.first ? *tapes.opening : *tapes.following, noise(i, lane));
-  if (tapes.closing && p.last && steps > 0) group.play(*tapes.closing, {});
+  std::int64_t i = 0;
+  if (p.first) group.play(*tapes.opening, noise(i++, lane, 0));
+  if (player::is_one_operation(*tapes.following)) {
+    std::array<step_noise, most_in_a_row> row;
+    while (i < steps) {
+      const auto count = static_cast<std::size_t>(std::min<std::int64_t>(most_in_a_row, steps - i));
+      for (std::size_t k = 0; k < count; ++k) row[k] = noise(i++, lane, k);
+      group.play_in_a_row(*tapes.following, std::span(row).first(count));
+    }
+  } else {
+    for (; i < steps; ++i) group.play(*tapes.following, noise(i, lane, 0));
+  }
+  if (tapes.closing && p.last) group.play(*tapes.closing, {});
 }
 
 class played_kernel final : public kernel {
@@ -344,7 +399,7 @@ class played_kernel final : public kernel {
 
   void advance(std::span<double> states, const increment_view& view, piece p) const override {
     if (view.silent())
-      return advance(states, tapes_.silent, view.steps, p, [](std::int64_t, int) { return step_noise{}; });
+      return advance(states, tapes_.silent, view.steps, p, [](std::int64_t, int, std::size_t) { return step_noise{}; });
     advance(states, tapes_.noisy, view.steps, p, own_increments(*face_, view, workspace_of_thread()));
   }
 
@@ -353,7 +408,7 @@ class played_kernel final : public kernel {
   void advance(std::span<double> states, const shared_steps& shared, std::int64_t first_step, std::int64_t steps,
                piece p) const override {
     const double* rows = shared.table.data() + static_cast<std::size_t>(first_step) * shared.words;
-    advance(states, tapes_.noisy, steps, p, [&](std::int64_t step, int) {
+    advance(states, tapes_.noisy, steps, p, [&](std::int64_t step, int, std::size_t) {
       return step_noise{step_noise::kind::shared, rows + static_cast<std::size_t>(step) * shared.words};
     });
   }
@@ -408,8 +463,8 @@ class played_tangent_kernel final : public tangent_kernel {
       gather(tangents.data() + lane, slopes, lanes, group + n * lanes);
       if (view.silent())
         run(
-            *face_, face_.get(), tapes_.silent, group, view.steps, {}, [](std::int64_t, int) { return step_noise{}; },
-            lane);
+            *face_, face_.get(), tapes_.silent, group, view.steps, {},
+            [](std::int64_t, int, std::size_t) { return step_noise{}; }, lane);
       else
         run(*face_, face_.get(), tapes_.noisy, group, view.steps, {}, own_increments(*face_, view, own), lane);
       scatter(group, n, lanes, states.data() + lane);
