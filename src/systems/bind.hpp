@@ -13,13 +13,11 @@
 #include <utility>
 
 #include "ensemble/chen.hpp"
-#include "ensemble/kernel_of.hpp"
-#include "ensemble/plain_forms.hpp"
 #include "ensemble/tangent_kernel_of.hpp"
 #include "problem/subject.hpp"
 #include "references/wong_zakai_equation.hpp"
+#include "systems/kernel_for.hpp"
 #include "systems/model_of.hpp"
-#include "systems/schemes.hpp"
 #include "systems/systems.hpp"
 
 namespace polhode {
@@ -38,26 +36,6 @@ class fused_model final : public model_of<System, model> {
     return std::make_unique<kernel_of<wong_zakai_equation, forms, pack>>(forms(this->system()), dt);
   }
 };
-
-template <class Scheme>
-struct scheme_tag {};
-
-/// Ours keep to the rule that the system alone is asked what an increment does (polhode/systems/lie_poisson.hpp); of a
-/// scheme that comes from elsewhere nobody knows.
-template <class Scheme, class... Ours>
-constexpr bool is_one_of(scheme_list<Ours...>) {
-  return (std::is_same_v<Scheme, Ours> || ...);
-}
-template <class Scheme, class System>
-using forms_for = plain_forms<System, is_one_of<Scheme>(all_schemes{})>;
-
-/// The kernel of a scheme on a system at one step size, for states on the orbit of the momentum. A system with kernels
-/// of its own overloads this.
-template <class Scheme, class System>
-std::unique_ptr<kernel> kernel_for(scheme_tag<Scheme>, const System& system, const std::vector<double>&, double dt) {
-  using forms = forms_for<Scheme, decltype(prepared<Scheme>(system, dt))>;
-  return std::make_unique<kernel_of<Scheme, forms, pack>>(forms(prepared<Scheme>(system, dt)), dt);
-}
 
 template <class Scheme, class System>
 std::unique_ptr<tangent_kernel> tangent_kernel_for(const System& system, double dt) {

@@ -9,27 +9,33 @@
 #include "ensemble/faces/face_of.hpp"
 #include "ensemble/tangent_kernel.hpp"
 #include "systems/faced_system.hpp"
+#include "systems/kernel_for.hpp"
 #include "systems/model_of.hpp"
 
 namespace polhode {
 
 /// How a system meets its faces. A system that binds itself to a step size and an orbit, or has kernels of its own,
-/// specialises this; void: one that has none.
-template <class System>
-struct faces_for;
-template <>
-struct faces_for<void> {
+/// specialises this, from plain_faces or kernels_beside.
+struct plain_faces {
+  template <class System>
+  static std::shared_ptr<const face> values(const System& system, std::span<const double>, double dt) {
+    return std::make_shared<face_of<System>>(system, dt);
+  }
   static std::unique_ptr<kernel> own_kernel(std::string_view, const auto& /*system*/, std::span<const double>,
                                             double /*dt*/) {
     return nullptr;
   }
 };
-template <class System>
-struct faces_for : faces_for<void> {
-  static std::shared_ptr<const face> values(const System& system, std::span<const double>, double dt) {
-    return std::make_shared<face_of<System>>(system, dt);
+template <class... Schemes>
+struct kernels_beside : plain_faces {
+  template <class System>
+  static std::unique_ptr<kernel> own_kernel(std::string_view scheme, const System& system,
+                                            std::span<const double> momentum, double dt) {
+    return kernel_among(scheme_list<Schemes...>{}, scheme, system, {momentum.begin(), momentum.end()}, dt);
   }
 };
+template <class System>
+struct faces_for : plain_faces {};
 
 template <class System>
 class faced_system_of final : public model_of<System, faced_system> {

@@ -35,7 +35,7 @@ namespace {
 
 #if defined(POLHODE_ISA)
 template <>
-struct faces_for<heavy_top> : faces_for<void> {
+struct faces_for<heavy_top> : plain_faces {
   static std::shared_ptr<const face> values(const heavy_top& system, std::span<const double> momentum, double dt) {
     return bound_where_it_fits<heavy_top, heavy_top_at>(system, momentum, dt);
   }

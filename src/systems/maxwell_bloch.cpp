@@ -26,6 +26,12 @@ namespace {
 }
 
 }  // namespace
+#if defined(POLHODE_ISA)
+template <>
+struct faces_for<maxwell_bloch> : kernels_beside<euler_maruyama, heun, milstein, milstein_no_area, implicit_midpoint> {
+};
+#endif
+
 }  // namespace polhode
 
 POLHODE_BEHIND_FACES(maxwell_bloch, polhode::make_maxwell_bloch);

@@ -37,7 +37,7 @@ namespace {
 
 #if defined(POLHODE_ISA)
 template <>
-struct faces_for<so4_body> : faces_for<void> {
+struct faces_for<so4_body> : kernels_beside<milstein> {
   static std::shared_ptr<const face> values(const so4_body& system, std::span<const double> momentum, double dt) {
     return bound_where_it_fits<so4_body, so4_body_at>(system, momentum, dt);
   }

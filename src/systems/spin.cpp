@@ -38,6 +38,11 @@ Eigen::Matrix3d matrix_of(const report::number_rows& rows) {
 }
 
 }  // namespace
+#if defined(POLHODE_ISA)
+template <>
+struct faces_for<spin> : kernels_beside<milstein> {};
+#endif
+
 }  // namespace polhode
 
 POLHODE_BEHIND_FACES(spin, polhode::make_spin);

@@ -27,7 +27,7 @@ namespace {
 
 #if defined(POLHODE_ISA)
 template <>
-struct faces_for<spin_pair> : faces_for<void> {
+struct faces_for<spin_pair> : kernels_beside<milstein> {
   static std::shared_ptr<const face> values(const spin_pair& system, std::span<const double> momentum, double dt) {
     return bound_where_it_fits<spin_pair, spin_pair_at>(system, momentum, dt);
   }

@@ -38,6 +38,11 @@ state_noise form_of(const report::scene& s) {
 }
 
 }  // namespace
+#if defined(POLHODE_ISA)
+template <>
+struct faces_for<varying_spin> : kernels_beside<implicit_midpoint, isospectral_midpoint> {};
+#endif
+
 }  // namespace polhode
 
 POLHODE_BEHIND_FACES(varying_spin, polhode::make_varying_spin);

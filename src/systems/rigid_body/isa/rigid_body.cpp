@@ -17,14 +17,6 @@ namespace {
 using own_schemes =
     scheme_list<euler_maruyama, heun, milstein, milstein_no_area, implicit_midpoint, isospectral_midpoint>;
 
-template <class... Schemes>
-std::unique_ptr<kernel> own_kernel_of(scheme_list<Schemes...>, std::string_view name, const rigid_body& body,
-                                      const std::vector<double>& momentum, double dt) {
-  std::unique_ptr<kernel> out;
-  ((Schemes::info.name == name ? void(out = kernel_for(scheme_tag<Schemes>{}, body, momentum, dt)) : void()), ...);
-  return out;
-}
-
 }  // namespace
 
 template <>
@@ -35,7 +27,7 @@ struct faces_for<rigid_body> {
   }
   static std::unique_ptr<kernel> own_kernel(std::string_view scheme, const rigid_body& body,
                                             std::span<const double> momentum, double dt) {
-    return own_kernel_of(own_schemes{}, scheme, body, {momentum.begin(), momentum.end()}, dt);
+    return kernel_among(own_schemes{}, scheme, body, {momentum.begin(), momentum.end()}, dt);
   }
 };
 
