@@ -5,7 +5,7 @@ import json, os, signal, subprocess, sys, tempfile, unittest
 from patience import within
 
 EXE = os.path.abspath(sys.argv.pop(1)) if len(sys.argv) > 1 else 'polhode'
-FAST = ('--effort', 'quick', '--experiments', 'casimir', '--schemes', 'heun,lie_heun', '--threads', '2')
+FAST = ('--effort', 'quick', '--experiments', 'casimir', '--schemes', 'heun,milstein', '--threads', '2')
 GOOD = dict(name='given', system='rigid_body', inertia=[1., 2., 3.], theta=.5, sigma=.5, momentum=[.6, .48, .64], horizon=2., steps=[4, 8, 16, 32])
 
 

@@ -2,15 +2,20 @@
 # SPDX-License-Identifier: Apache-2.0
 """Ended at random moments: SIGKILL, SIGINT, SIGTERM; and what a cache holds afterwards.   usage: kills_test.py POLHODE [nightly]
 
-POLHODE_KILLS: how often a command is killed [10; nightly: 1000]. POLHODE_KILLS_SEED: of the moments."""
+POLHODE_KILLS: how often a command is killed [6; nightly: 1000]. POLHODE_KILLS_SEED: of the moments."""
 import json, os, random, shutil, signal, subprocess, sys, time, unittest
 
 NIGHTLY = sys.argv[-1] == 'nightly' and bool(sys.argv.pop())
 from commands import COMMANDS, EXE, Writing, answers, content, environment
 
-KILLS = int(os.environ.get('POLHODE_KILLS', 1000 if NIGHTLY else 10))
+KILLS = int(os.environ.get('POLHODE_KILLS', 1000 if NIGHTLY else 6))
 SEED = int(os.environ.get('POLHODE_KILLS_SEED', time.time_ns() % 10 ** 9))
-LONG = ('verify', 'single', '--experiments', 'casimir,energy,strong', '--schemes', 'heun,strang', '--effort', 'quick', '--threads', '2')
+# Three experiments, of two schemes or of the cheaper one.
+def long_run(schemes): return ('verify', 'single', '--experiments', 'casimir,energy,strong', '--schemes', schemes, '--effort', 'quick', '--threads', '2')
+
+
+LONG = long_run('heun,strang' if NIGHTLY else 'heun,milstein')
+SHORTER = LONG if NIGHTLY else long_run('milstein')
 
 
 class Ended(Writing):
@@ -30,6 +35,12 @@ class Ended(Writing):
         err = p.communicate(timeout=60)[1]
         return p.returncode, err, time.monotonic() - sent
 
+    def moments(self, longest):
+        """Random ones, one in each of as many equal parts of that time, in random order."""
+        found = [longest * (i + self.random.random()) / KILLS for i in range(KILLS)]
+        self.random.shuffle(found)
+        return found
+
     def duration(self, args, folder):
         begun = time.monotonic()
         p = subprocess.run([EXE, *args], cwd=folder, env=environment(POLHODE_CACHE=os.path.join(folder, 'cache'), POLHODE_BASELINES=os.path.join(folder, 'baselines')),
@@ -42,8 +53,8 @@ class Ended(Writing):
             self.whole(name, '2')
             args = COMMANDS[name][1]('2', self.given)
             longest = 1.1 * self.duration(args, self.place(name, True))
-            for i in range(KILLS):
-                old, after = i % 2 == 0, self.random.uniform(0, longest)
+            for i, after in enumerate(self.moments(longest)):
+                old = i % 2 == 0
                 folder = self.place(name, old)
                 cache = os.path.join(folder, 'cache')
                 code, err, _ = self.ended(args, folder, cache, signal.SIGKILL, after)
@@ -68,16 +79,16 @@ class Ended(Writing):
         kept = 'polhode: stopped: report holds what was finished by then; the same command goes on from there\n'
         return (kept,) if report[1] else (kept, '')
 
-    def each_end(self, number, code):
+    def each_end(self, args, number, code):
         """Ended in a longer run: says how far it came, and the next one goes on from there to the same answers."""
         undisturbed = self.place('verify', False)
-        longest = self.duration(LONG, undisturbed)
+        longest = self.duration(args, undisturbed)
         whole, (names, _) = content(os.path.join(undisturbed, 'report')), self.report(undisturbed)
         slowest = 0
-        for _ in range(KILLS):
-            folder, after = self.place('verify', False), self.random.uniform(0, longest)
+        for after in self.moments(longest):
+            folder = self.place('verify', False)
             cache = os.path.join(folder, 'cache')
-            found, err, seconds = self.ended(LONG, folder, cache, number, after)
+            found, err, seconds = self.ended(args, folder, cache, number, after)
             slowest = max(slowest, seconds)
             with self.subTest(after=after, code=found, err=err, seconds=seconds):
                 self.assertIn(found, (code, 0, 1, 3, -number)); self.assertLess(seconds, 1)
@@ -86,8 +97,8 @@ class Ended(Writing):
                 done, to_come = report or ([], names)
                 self.assertEqual(done + to_come, names)
                 kept = [f for f in (os.listdir(cache) if os.path.isdir(cache) else []) if f.endswith('.result')]
-                self.assertGreaterEqual(len(kept), 2 * len(done))
-                self.duration(LONG, folder)
+                self.assertGreaterEqual(len(kept), len(args[5].split(',')) * len(done))
+                self.duration(args, folder)
                 self.assertEqual(answers(content(os.path.join(folder, 'report'))), answers(whole))
                 with open(os.path.join(folder, 'report/single/results.json'), encoding='utf-8') as f: counters = json.load(f)['counters']
                 self.assertGreaterEqual(counters['results_reused'], len(kept))
@@ -95,9 +106,9 @@ class Ended(Writing):
             shutil.rmtree(folder)
         print(f'{signal.Signals(number).name}: at most {1000 * slowest:.0f} ms from the signal to the end', file=sys.stderr)
 
-    def test_killed_between_experiments(self): self.each_end(signal.SIGKILL, -9)
-    def test_interrupted(self): self.each_end(signal.SIGINT, 130)
-    def test_terminated(self): self.each_end(signal.SIGTERM, 143)
+    def test_killed_between_experiments(self): self.each_end(SHORTER, signal.SIGKILL, -9)
+    def test_interrupted(self): self.each_end(LONG, signal.SIGINT, 130)
+    def test_terminated(self): self.each_end(SHORTER, signal.SIGTERM, 143)
 
     def test_every_command_ends_within_a_second(self):
         slowest = 0
@@ -105,9 +116,9 @@ class Ended(Writing):
             self.whole(name, '2')
             args = COMMANDS[name][1]('2', self.given)
             longest = self.duration(args, self.place(name, True))
-            for i in range(KILLS):
+            for i, after in enumerate(self.moments(longest)):
                 number = (signal.SIGINT, signal.SIGTERM)[i % 2]
-                folder, after = self.place(name, i // 2 % 2 == 0), self.random.uniform(0, longest)
+                folder = self.place(name, i // 2 % 2 == 0)
                 cache = os.path.join(folder, 'cache')
                 code, err, seconds = self.ended(args, folder, cache, number, after)
                 slowest = max(slowest, seconds)

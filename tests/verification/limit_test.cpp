@@ -67,11 +67,12 @@ TEST_F(Limit, NoiseAndDissipationALittleOffAreRefuted) {
 }
 
 TEST_F(Limit, HealthyTwinsHold) {
+  // Of two seeds; FreshSeeds.Strong holds a thousand.
   const auto expect_held = [](const subject& s, std::uint64_t seed) {
     const auto v = verdict_of(verify_subject(s, {{}, {"strong"}, effort::quick, 2, seed}), limit_claim);
     EXPECT_EQ(v.kind, verdict_kind::holds) << v.reason;
   };
-  for (const std::uint64_t seed : {1, 2, 3}) expect_held(body<detuned<lie_heun>>(), seed);
+  expect_held(body<detuned<lie_heun>>(), 1);
   expect_held(so4<detuned<lie_heun>>(), 2);
 }
 

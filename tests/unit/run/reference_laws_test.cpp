@@ -53,7 +53,7 @@ TEST(Reference, ScalesWithTheMomentum) {
 
 // The exponential, 40 relaxation times on, against the stationary density, and the rate at which it gets there.
 TEST(Reference, ALongTimeLeavesTheStationaryLawAtTheRateOfTheGap) {
-  for (const auto& s : {kinds[0], kinds[2], kinds[4]}) {
+  for (const auto& s : {kinds[2], kinds[3], kinds[4]}) {
     const double rate = gap(s), end = stationary_mean(s, "energy");
     EXPECT_NEAR(expected(s, "energy", 24 / rate), end, 1e-9);
     const auto later = [&](double t) { return std::fabs(expected(s, "exp(pi3)", t) - stationary_mean(s, "exp(pi3)")); };

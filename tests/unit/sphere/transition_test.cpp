@@ -60,7 +60,7 @@ TEST(Transition, TakesAnyWantedDegree) {
 }
 
 TEST(Transition, SaysWhereNoDegreeResolvesIt) {
-  EXPECT_FALSE(transition(isotropic_body({1, 2, 3}, 50, 1e-3), 10, 6, tolerance).reason.empty());
+  EXPECT_FALSE(transition(isotropic_body({1, 2, 3}, 50, 1e-3), 0.1, 1, tolerance).reason.empty());
 }
 
 }  // namespace
