@@ -197,9 +197,10 @@ TEST(Tape, StageIsOnePassForFewComponentsAlone) {
     const vector mu(recorder.start());
     recorder.finish((mu + taped(0.5) * motion(system_symbol{}, mu, w)).form());
   };
-  EXPECT_EQ(operations_of(tape(6, 0, step)), (std::vector{tape_op::stage}));
-  EXPECT_EQ(operations_of(tape(7, 0, step)), (std::vector{tape_op::motion, tape_op::combine}));
-  EXPECT_EQ(operations_of(tape(3, 2, step)), (std::vector{tape_op::motion, tape_op::combine})) << "with tangents";
+  EXPECT_EQ(operations_of(tape(6, 0, false, step)), (std::vector{tape_op::stage}));
+  EXPECT_EQ(operations_of(tape(7, 0, false, step)), (std::vector{tape_op::motion, tape_op::combine}));
+  EXPECT_EQ(operations_of(tape(3, 2, false, step)), (std::vector{tape_op::motion, tape_op::combine}))
+      << "with tangents";
 }
 
 TEST(Tape, SumOfManyTermsIsSeveral) {
