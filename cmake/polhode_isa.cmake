@@ -9,7 +9,8 @@ set_property(CACHE POLHODE_ISA_LEVELS PROPERTY STRINGS ON NATIVE OFF)
 set(POLHODE_ISA_SOURCES
   transfer/isa/basis_sums.cpp algebra/isa/dense_algebra.cpp ensemble/observing/isa/direction_bins.cpp transfer/isa/frame_sums.cpp
   ensemble/noise/isa/normal_block.cpp ensemble/isa/tangent_controls.cpp ensemble/isa/yardstick.cpp ensemble/isa/chen.cpp
-  ensemble/tapes/isa/tape_player.cpp systems/rigid_body/isa/rigid_body.cpp)
+  ensemble/tapes/isa/tape_player.cpp systems/rigid_body/isa/rigid_body.cpp
+  systems/rigid_body/isa/own_kernels.cpp)
 file(GLOB POLHODE_SYSTEM_SOURCES CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/../src ${CMAKE_CURRENT_LIST_DIR}/../src/systems/*.cpp)
 list(REMOVE_ITEM POLHODE_SYSTEM_SOURCES systems/systems.cpp systems/scheme_table.cpp systems/faced_system.cpp)
 list(APPEND POLHODE_ISA_SOURCES ${POLHODE_SYSTEM_SOURCES})

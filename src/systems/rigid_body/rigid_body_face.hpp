@@ -76,26 +76,41 @@ class bound_body_motion : public face_of<rigid_body> {
                              : detail::lifted<vec<pack, 3>>(w.rows, 3);
   }
 
-  /// f(body, noise), noise(w, lane) the increment of the lanes of an S in the form that this body expects, of a step
-  /// whose noise is of the kind of w.
-  template <class S = pack, class F>
-  void with_body(const step_noise& kind_of, F f) const {
-    const auto by_noise = [&](auto body) {  // a copy: what the loop writes are not its constants
-      const auto increment = [](const vec<S, 3>& b) { return wiener<S, 3>{0, b}; };
-      switch (kind_of.of) {
-        case kind::none: return f(body.with(no_noise{}), [=](const step_noise&, int) { return increment({}); });
-        case kind::shared:
-          return f(body, [=](const step_noise& w, int) { return increment(detail::lifted<vec<S, 3>>(w.rows, 3)); });
-        case kind::own:
-          return f(body, [=](const step_noise& w, int lane) {
-            return increment(lane_rows<S>::template load<3>(w.rows + lane, block_lanes, 3));
-          });
-      }
+  template <class S, class F>
+  static void lanes_of(const double* mu, double* out, F f) {
+#pragma GCC unroll 1
+    for (int lane = 0; lane < block_lanes; lane += lane_rows<S>::width)
+      lane_rows<S>::store(f(lane_rows<S>::template load<3>(mu + lane, block_lanes, 3), lane), out + lane, block_lanes);
+  }
+
+  const auto& damped() const { return damped_; }
+
+  template <step_noise::kind k>
+  using of_kind = std::integral_constant<step_noise::kind, k>;
+
+  /// f(body, noise, kind), noise(w, lane) the increment of the lanes of an S in the form that this body expects, of a
+  /// step whose noise is of the kind of w.
+  template <class S, class Body, class F>
+  static void with_noise_of(Body body, const step_noise& like, F f) {  // a copy: the loop writes other numbers
+    const auto increment = [](const vec<S, 3>& b) { return wiener<S, 3>{0, b}; };
+    const auto none = [=](const step_noise&, int) { return increment({}); };
+    const auto shared = [=](const step_noise& w, int) { return increment(detail::lifted<vec<S, 3>>(w.rows, 3)); };
+    const auto own = [=](const step_noise& w, int lane) {
+      return increment(lane_rows<S>::template load<3>(w.rows + lane, block_lanes, 3));
     };
+    switch (like.of) {
+      case kind::none: return f(body.with(no_noise{}), none, of_kind<kind::none>{});
+      case kind::shared: return f(body, shared, of_kind<kind::shared>{});
+      case kind::own: return f(body, own, of_kind<kind::own>{});
+    }
+  }
+  template <class F>
+  void with_body(const step_noise& w, F f) const {
+    const auto loop = [&](const auto& body, auto noise, auto) { f(body, noise); };
     if (dissipates_)
-      by_noise(damped_);
+      with_noise_of<pack>(damped_, w, loop);
     else
-      by_noise(undamped_);
+      with_noise_of<pack>(undamped_, w, loop);
   }
 
  private:
@@ -104,9 +119,81 @@ class bound_body_motion : public face_of<rigid_body> {
   bool dissipates_;
 };
 
+/// What depends on the size of rotations and not on how flows turn.
+template <rotation_size size>
+class bound_body_turns : public bound_body_motion {
+  using algebra = typename rotations<size>::algebra;
+
+ public:
+  using bound_body_motion::bound_body_motion;
+
+  POLHODE_FLATTEN void exp_action(const double* xi, const double* mu, double* out) const override {
+    lanes_of<loop_pack>(mu, out, [&](const auto& x, int lane) {
+      using S = typename std::remove_cvref_t<decltype(x)>::scalar;
+      return algebra::exp_action(lane_rows<S>::template load<3>(xi + lane, block_lanes, 3), x);
+    });
+  }
+
+  bool joins_passes() const override {
+    return dissipates();
+  }  // of the others nobody runs enough to compile it for them
+  POLHODE_FLATTEN void exp_of_generator(const double* mu, std::span<const step_noise> w, bool with_area,
+                                        double* out) const override {
+    with_noise_of<loop_pack>(damped(), w[0], [&](const auto& body, auto noise, auto of) {
+      const auto turn = [&](auto exponent) {
+        for (const auto& one : w)
+          lanes_of<loop_pack>(std::exchange(mu, out), out, [&](const auto& x, int lane) {
+            return algebra::exp_action(exponent(one, lane, body.generator_over(x, noise(one, lane))), x);
+          });
+      };
+      if constexpr (of != kind::none)
+        if (with_area)
+          return turn(
+              [area = area_of(of)](const step_noise& one, int lane, const auto& xi) { return xi + area(one, lane); });
+      turn([](const step_noise&, int, const auto& xi) { return xi; });
+    });
+  }
+  POLHODE_FLATTEN void generator_of_turned(const double* xi, const double* mu, const step_noise& w,
+                                           double* out) const override {
+    with_noise_of<loop_pack>(damped(), w, [&](const auto& body, auto noise, auto) {
+      lanes_of<loop_pack>(mu, out, [&](const auto& x, int lane) {
+        return body.generator_over(algebra::exp_action(load_loop(xi + lane), x), noise(w, lane));
+      });
+    });
+  }
+  POLHODE_FLATTEN void exp_of_sum(std::span<const double> c, const double* const* x, const step_noise* w,
+                                  const double* mu, double* out) const override {
+    const auto turn = [&](auto exponent) {
+      lanes_of<loop_pack>(mu, out, [&](const auto& y, int lane) {
+        vec<loop_pack, 3> sum = loop_pack(c[0]) * load_loop(x[0] + lane);
+        for (std::size_t k = 1; k < c.size(); ++k) sum = sum + loop_pack(c[k]) * load_loop(x[k] + lane);
+        return algebra::exp_action(exponent(lane, sum), y);
+      });
+    };
+    const auto with = [&](auto area) { turn([&](int lane, const auto& xi) { return xi + area(*w, lane); }); };
+    if (w == nullptr || w->of == kind::none) return turn([](int, const auto& xi) { return xi; });
+    if (w->of == kind::shared) return with(area_of(of_kind<kind::shared>{}));
+    with(area_of(of_kind<kind::own>{}));
+  }
+
+ private:
+  static vec<loop_pack, 3> load_loop(const double* at) { return lane_rows<loop_pack>::load<3>(at, block_lanes, 3); }
+
+  /// (w, lane) -> the area's part of a generator.
+  static auto area_of(of_kind<kind::shared>) {
+    return [](const step_noise& w, int) { return detail::lifted<vec<loop_pack, 3>>(w.rows + 3, 3); };
+  }
+  auto area_of(of_kind<kind::own>) const {
+    return [s = rigid_body(system())](const step_noise& w, int lane) { return s.area_noise(load_loop(w.area + lane)); };
+  }
+};
+
 /// symmetric: two moments of inertia are equal, and the odd axis is numbered 3.
 template <rotation_size size, bool symmetric>
-class bound_body final : public bound_body_motion {
+class bound_body final : public bound_body_turns<size> {
+  using base = bound_body_turns<size>;
+  using kind = step_noise::kind;
+  using base::dissipates, base::system;
   using bound = rigid_body_at<body_parts{true, !symmetric, true}, size, summed_noise>;
   using scalar = loop_scalar<strang, size>;
   using vector = vec<scalar, 3>;
@@ -114,7 +201,7 @@ class bound_body final : public bound_body_motion {
 
  public:
   bound_body(const rigid_body& body, double dt, double radius)
-      : bound_body_motion(body, dt, radius),
+      : base(body, dt, radius),
         first_axis_(symmetric ? first_axis_of(body) : 0),
         turns_(parts_of(body).first_turn),
         body_(constants_of(body, dt, radius, first_axis_, size), {}),
@@ -136,85 +223,40 @@ class bound_body final : public bound_body_motion {
     return out;
   }
 
-  POLHODE_FLATTEN void exp_action(const double* xi, const double* mu, double* out) const override {
-    lanes_of<loop_pack>(mu, out, [&](const auto& x, int lane) {
-      using S = typename std::remove_cvref_t<decltype(x)>::scalar;
-      return algebra::exp_action(lane_rows<S>::template load<3>(xi + lane, block_lanes, 3), x);
-    });
-  }
-
-  bool joins_passes() const override { return true; }
-  POLHODE_FLATTEN void exp_of_generator(const double* mu, std::span<const step_noise> w, bool with_area,
-                                        double* out) const override {
-    const bool noisy = w[0].of != kind::none;
-    with_area_noise(with_area && noisy ? &w[0] : nullptr, [&](auto area) {
-      with_body<loop_pack>(w[0], [&](const auto& body, auto noise) {
-        for (const auto& one : w)
-          lanes_of<loop_pack>(std::exchange(mu, out), out, [&](const auto& x, int lane) {
-            return algebra::exp_action(area(one, lane, body.generator_over(x, noise(one, lane))), x);
-          });
-      });
-    });
-  }
-  POLHODE_FLATTEN void generator_of_turned(const double* xi, const double* mu, const step_noise& w,
-                                           double* out) const override {
-    with_body<loop_pack>(w, [&](const auto& body, auto noise) {
-      lanes_of<loop_pack>(mu, out, [&](const auto& x, int lane) {
-        return body.generator_over(algebra::exp_action(load_loop(xi + lane), x), noise(w, lane));
-      });
-    });
-  }
-  POLHODE_FLATTEN void exp_of_sum(std::span<const double> c, const double* const* x, const step_noise* w,
-                                  const double* mu, double* out) const override {
-    const auto with_terms = [&](auto sum) {
-      with_area_noise(w, [&](auto area) {
-        lanes_of<loop_pack>(mu, out, [&](const auto& y, int lane) {
-          return algebra::exp_action(w == nullptr ? sum(lane) : area(*w, lane, sum(lane)), y);
-        });
-      });
-    };
-    const auto term = [&](std::size_t k) {
-      return [a = loop_pack(c[k]), rows = x[k]](int lane) { return a * load_loop(rows + lane); };
-    };
-    if (c.size() == 1) return with_terms(term(0));
-    const auto two = [a = term(0), b = term(1)](int lane) { return a(lane) + b(lane); };
-    if (c.size() == 2) return with_terms(two);
-    with_terms([=, last = term(2)](int lane) { return two(lane) + last(lane); });
-  }
   POLHODE_FLATTEN void noise_after_free_flow(const double* mu, flow_time t, std::span<const step_noise> w,
                                              double* out) const override {
-    if (symmetric || t.parts != 1 || !turns_ || !dissipates()) {
-      for (const auto& one : w) {
-        free_flow(std::exchange(mu, out), t, out);
-        damped_noise_flow(out, one, out);
-      }
-      return;
+    if constexpr (!symmetric)
+      if (t.parts == 1 && turns_ && dissipates())
+        return step_after_step(mu, w, out, [whole = whole_](const auto& body, const vector& x, const auto& noise) {
+          return damped(body, whole.free_flow(x, whole_step{}), noise);
+        });
+    for (const auto& one : w) {
+      free_flow(std::exchange(mu, out), t, out);
+      damped_noise_flow(out, one, out);
     }
-    step_after_step(mu, w, out, [whole = whole_](const auto& body, const vector& x, const auto& noise) {
-      return damped(body, whole.free_flow(x, whole_step{}), noise);
-    });
   }
   POLHODE_FLATTEN void noise_after_first_turn(const double* mu, flow_time t, std::span<const step_noise> w,
                                               double* out) const override {
-    if (symmetric || t.parts != 1 || !turns_ || !dissipates()) {
-      for (const auto& one : w) {
-        first_turn(std::exchange(mu, out), t, out);
-        turned_noise_flow(out, one, out);
-      }
-      return;
+    if constexpr (!symmetric)
+      if (t.parts == 1 && turns_ && dissipates())
+        return step_after_step(mu, w, out, [](const auto& body, const vector& x, const auto& noise) {
+          const half_step half;
+          const auto turned = body.last_turn(body.first_turn(x, whole_step{}), half);
+          return body.last_turn(damped(body, turned, noise), half);
+        });
+    for (const auto& one : w) {
+      first_turn(std::exchange(mu, out), t, out);
+      turned_noise_flow(out, one, out);
     }
-    step_after_step(mu, w, out, [](const auto& body, const vector& x, const auto& noise) {
-      const half_step half;
-      const auto turned = body.last_turn(body.first_turn(x, whole_step{}), half);
-      return body.last_turn(damped(body, turned, noise), half);
-    });
   }
 
   POLHODE_FLATTEN void free_flow(const double* mu, flow_time t, double* out) const override {
     const auto flow = [body = whole_](const vector& x, auto part) { return body.free_flow(x, part); };
-    if (!turns_) return lanes_of<pack>(mu, out, [](const auto& x, int) { return x; });
-    if (t.parts == 1) return lanes_of<scalar>(mu, out, [&](const vector& x, int) { return flow(x, whole_step{}); });
-    if (t.parts == 2) return lanes_of<scalar>(mu, out, [&](const vector& x, int) { return flow(x, half_step{}); });
+    if (!turns_) return bound_body_motion::lanes_of<pack>(mu, out, [](const auto& x, int) { return x; });
+    if (t.parts == 1)
+      return bound_body_motion::lanes_of<scalar>(mu, out, [&](const vector& x, int) { return flow(x, whole_step{}); });
+    if (t.parts == 2)
+      return bound_body_motion::lanes_of<scalar>(mu, out, [&](const vector& x, int) { return flow(x, half_step{}); });
     throw_other_time();
   }
   POLHODE_FLATTEN void first_turn(const double* mu, flow_time t, double* out) const override {
@@ -234,14 +276,14 @@ class bound_body final : public bound_body_motion {
     });
   }
   POLHODE_FLATTEN void damped_noise_flow(const double* mu, const step_noise& w, double* out) const override {
-    if (w.of == kind::none) return dissipation_flow(mu, {dt(), 1}, out);
+    if (w.of == kind::none) return dissipation_flow(mu, {this->dt(), 1}, out);
     if (!dissipates()) return noise_flow(mu, w, out);
     with_noise(w, [&](const auto& body, auto noise) {
       numbered_lanes(mu, out, [&](const vector& x, int lane) { return body.damped_noise_flow(x, noise(lane)); });
     });
   }
   POLHODE_FLATTEN void turned_noise_flow(const double* mu, const step_noise& w, double* out) const override {
-    if (!dissipates() || symmetric) return bound_body_motion::turned_noise_flow(mu, w, out);
+    if (!dissipates() || symmetric) return base::turned_noise_flow(mu, w, out);
     const half_step half;
     if (w.of == kind::none)
       return numbered_lanes(mu, out, [body = body_, half](const vector& x, int) {
@@ -261,14 +303,6 @@ class bound_body final : public bound_body_motion {
     return {{v[axis(0)], v[axis(1)], v[axis(2)]}};
   }
 
-  static vec<loop_pack, 3> load_loop(const double* at) { return lane_rows<loop_pack>::load<3>(at, block_lanes, 3); }
-
-  template <class S, class F>
-  static void lanes_of(const double* mu, double* out, F f) {
-#pragma GCC unroll 1
-    for (int lane = 0; lane < block_lanes; lane += lane_rows<S>::width)
-      lane_rows<S>::store(f(lane_rows<S>::template load<3>(mu + lane, block_lanes, 3), lane), out + lane, block_lanes);
-  }
   /// The same in the numbering of the axes that the flows have.
   template <class F>
   void numbered_lanes(const double* mu, double* out, F f) const {
@@ -280,19 +314,6 @@ class bound_body final : public bound_body_motion {
       x = f(x, lane);
       for (int k = 0; k < 3; ++k) x[k].copy_to(out + row[static_cast<std::size_t>(k)] + lane, stdx::element_aligned);
     }
-  }
-
-  /// f(area), area(noise, lane, xi) = xi and the area's part; of no noise xi as it is.
-  template <class F>
-  void with_area_noise(const step_noise* w, F f) const {
-    if (w == nullptr) return f([](const step_noise&, int, const auto& xi) { return xi; });
-    if (w->of == kind::shared)
-      return f([](const step_noise& one, int, const vec<loop_pack, 3>& xi) {
-        return xi + detail::lifted<vec<loop_pack, 3>>(one.rows + 3, 3);
-      });
-    f([s = rigid_body(system())](const step_noise& one, int lane, const vec<loop_pack, 3>& xi) {
-      return xi + s.area_noise(load_loop(one.area + lane));
-    });
   }
 
   template <class Body, class Noise>
@@ -342,7 +363,7 @@ class bound_body final : public bound_body_motion {
   template <class Flow>
   void by_parts(const double* mu, flow_time t, double* out, bool there, Flow flow) const {
     if (!there)
-      lanes_of<pack>(mu, out, [](const auto& x, int) { return x; });
+      bound_body_motion::lanes_of<pack>(mu, out, [](const auto& x, int) { return x; });
     else if (t.parts == 1)
       numbered_lanes(mu, out, [&](const vector& x, int) { return flow(x, whole_step{}); });
     else if (t.parts == 2)

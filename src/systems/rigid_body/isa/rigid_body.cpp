@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled once per instruction set: the rigid body's faces, and kernels of its own.
+// Compiled once per instruction set: the rigid body's faces.
 #include "systems/rigid_body/rigid_body.hpp"
 
 #include <cmath>
 
 #include "systems/rigid_body/rigid_body_face.hpp"
-#include "systems/rigid_body/rigid_body_kernels.hpp"
-#include "systems/schemes.hpp"
+#include "systems/rigid_body/rigid_body_own_kernels.hpp"
 #include "systems/system_source.hpp"
 
 namespace polhode {
-namespace {
-
-/// Steps of so few operations that one more pass over memory would take half of the time again; and those that solve
-/// equations, all in registers.
-using own_schemes =
-    scheme_list<euler_maruyama, heun, milstein, milstein_no_area, implicit_midpoint, isospectral_midpoint>;
-
-}  // namespace
 
 template <>
 struct faces_for<rigid_body> {
@@ -27,7 +18,9 @@ struct faces_for<rigid_body> {
   }
   static std::unique_ptr<kernel> own_kernel(std::string_view scheme, const rigid_body& body,
                                             std::span<const double> momentum, double dt) {
-    return kernel_among(own_schemes{}, scheme, body, {momentum.begin(), momentum.end()}, dt);
+    std::unique_ptr<kernel> out;
+    POLHODE_ENTRY(polhode_rigid_body_kernel_)(scheme, body, momentum, dt, out);
+    return out;
   }
 };
 
