@@ -54,23 +54,35 @@ void join_neighbours(std::vector<tape_instruction>& code, int rows) {
       }
 }
 
-/// The area's term of an exponential is computed with it.
+/// The place of a register among the terms of an exponential, with the coefficient 1; none: what reads it is another.
+std::optional<std::size_t> term_of(const tape_instruction& i, int at) {
+  if (i.op != tape_op::exp_of_sum) return std::nullopt;
+  for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(i.operands); ++k)
+    if (i.in[k] == at && i.constants[k] == 1) return k;
+  return std::nullopt;
+}
+
+/// The area's term of an exponential is computed with it, where that alone reads the area, and the area no state.
 void join_area(std::vector<tape_instruction>& code, int rows) {
   for (std::size_t i = 0; i < code.size(); ++i) {
-    const auto rest = instructions(code).subspan(i + 1);
-    if (code[i].op != tape_op::area_noise || times_read(rest, code[i].out, rows) != 1) continue;
-    for (auto& exp : code) {
-      const int terms = exp.op == tape_op::exp_of_sum ? exp.operands - 1 : 0;
-      for (int k = 0; k < terms; ++k)
-        if (const auto at = static_cast<std::size_t>(k); exp.in[at] == code[i].out && exp.constants[at] == 1) {
-          std::copy(exp.in.begin() + k + 1, exp.in.begin() + exp.operands, exp.in.begin() + k);
-          std::copy(exp.constants.begin() + k + 1, exp.constants.begin() + terms, exp.constants.begin() + k);
-          --exp.operands;
-          exp.with_area = true;
-          code.erase(code.begin() + static_cast<std::ptrdiff_t>(i));
-          return;
-        }
-    }
+    const int at = code[i].out;
+    if (code[i].op != tape_op::area_noise || code[i].operands != 0) continue;
+    if (times_read(instructions(code).subspan(i + 1), at, rows) != 1) continue;
+    const auto reader =
+        std::find_if(code.begin() + static_cast<std::ptrdiff_t>(i) + 1, code.end(), [&](const auto& later) {
+          return std::find(later.in.begin(), later.in.begin() + later.operands, at) !=
+                 later.in.begin() + later.operands;
+        });
+    const auto term = reader == code.end() ? std::nullopt : term_of(*reader, at);
+    if (!term) continue;
+    const auto k = static_cast<std::ptrdiff_t>(*term);
+    std::copy(reader->in.begin() + k + 1, reader->in.begin() + reader->operands, reader->in.begin() + k);
+    std::copy(reader->constants.begin() + k + 1, reader->constants.begin() + reader->operands,
+              reader->constants.begin() + k);
+    --reader->operands;
+    reader->with_area = true;
+    code.erase(code.begin() + static_cast<std::ptrdiff_t>(i));
+    return;
   }
 }
 

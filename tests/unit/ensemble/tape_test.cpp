@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "ensemble/tapes/tape_joins.hpp"
 #include "ensemble/tapes/taped.hpp"
 #include "systems/scheme_table.hpp"
 
@@ -95,6 +96,27 @@ TEST(Tape, DoesNotJoinWhatIsReadOnceMore) {
               return g::exp_action(second, turned);
             }),
             (std::vector{tape_op::generator, tape_op::generator_of_turned, tape_op::exp_action, tape_op::exp_action}));
+}
+
+// Registers are used again: an exponential before the area reads another number from the same place.
+TEST(Tape, JoinsAnAreaWithWhatReadsItAlone) {
+  constexpr int rows = components, x = 10, y = 20;
+  const tape_instruction area{.op = tape_op::area_noise, .out = x},
+      exp{.op = tape_op::exp_of_sum, .operands = 3, .out = 0, .in = {y, x, 0}, .constants = {1, 1}},
+      of_state{.op = tape_op::area_noise, .operands = 1, .out = x, .in = {0}};
+  auto sum = exp;
+  sum.constants = {1, 0.5};
+  const auto after = joined({exp, area, exp}, rows);
+  ASSERT_EQ(after.size(), 2u);
+  EXPECT_FALSE(after[0].with_area);
+  EXPECT_TRUE(after[1].with_area);
+  EXPECT_EQ(after[1].operands, 2);
+  EXPECT_EQ(after[1].in[0], y);
+  EXPECT_EQ(after[1].in[1], 0);
+  EXPECT_EQ(joined({exp, area}, rows).size(), 2u) << "read by nothing after it";
+  EXPECT_EQ(joined({area, exp, exp}, rows).size(), 3u) << "read twice";
+  EXPECT_EQ(joined({area, sum}, rows).size(), 2u) << "half of it";
+  EXPECT_EQ(joined({of_state, exp}, rows).size(), 2u) << "of the state";
 }
 
 TEST(Tape, LastOperationWritesTheState) {
