@@ -30,7 +30,7 @@ struct lambert {
   int side;
   static double scale_at(double z) { return 0.5 / std::sqrt(1 + std::abs(z)); }
   int cell(double u) const { return std::clamp(static_cast<int>((u + 0.5) * side), 0, side - 1); }
-  /// Of x and y already scaled.
+  /// x and y are scaled already.
   std::uint32_t bin(double x, double y, bool below) const {
     return static_cast<std::uint32_t>(((below ? side : 0) + cell(y)) * side + cell(x));
   }

@@ -40,7 +40,7 @@ const description* description_of(const measurement& m) {
   return found == descriptions.end() ? nullptr : &*found;
 }
 
-/// As short as the number allows: 1, not 1.0.
+/// A whole number is written without a point: 1.
 json in_digits(std::optional<double> x, int digits) {
   if (!finite(x)) return nullptr;
   const double near = rounded(*x, digits);
@@ -50,7 +50,7 @@ json in_digits(std::optional<double> x, int digits) {
 
 json short_number(std::optional<double> x) { return in_digits(x, error_digits); }
 
-/// With the digits by which rows of two results are told to be the same.
+/// The comparison tells by these digits which rows of two results are the same.
 json short_coordinate(std::optional<double> coordinate) { return in_digits(coordinate, 12); }
 
 /// The nearest number of so many digits that is not below.

@@ -15,7 +15,7 @@ std::string shortest(std::optional<double>);
 /// The nearest number of so many significant digits.
 double rounded(double, int digits);
 
-/// By how much rounding to so many digits changes a number at most.
+/// Rounding to so many digits changes a number by this at most.
 double rounding(double, int digits);
 
 /// Four significant digits, "1.234e-5"; a dash where there is none.

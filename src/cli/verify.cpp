@@ -42,7 +42,7 @@ namespace {
 
 // What `polhode verify` is asked for.
 
-/// As given: checked in one place, so that every fault reads alike.
+/// These stand as they were given: they are checked in one place, so that every fault reads alike.
 struct verify_arguments {
   std::vector<std::string> scenes;
   std::string schemes, experiments, effort = "standard", out = "report", threads, seed = "1", isa = "auto",

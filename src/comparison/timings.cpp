@@ -89,13 +89,13 @@ std::optional<yardstick> yardstick_of(const results& r) {
   return std::nullopt;
 }
 
-/// By how much the state of the machine differs: what the yardstick says of it, of half of the run and of its quarter.
+/// The larger of |log(b / a)| for the two numbers of a yardstick measures how the state of the machine differs.
 double difference_of_state(const yardstick& a, const yardstick& b) {
   return std::max(std::fabs(std::log(b.ns / a.ns)), std::fabs(std::log(b.high / a.high)));
 }
 
-/// By scheme and noise; unit: log of how the yardstick has changed. A step is timed once, whatever kinds of errors it
-/// is held against.
+/// Costs are kept by scheme and noise; unit: log of how the yardstick has changed. A step is timed once, whatever kinds
+/// of errors it is held against.
 std::map<group_key, cost_group> groups_of(const results& before, const results& after, double unit) {
   using row_key = std::tuple<std::string, bool, std::string>;
   const auto key_of = [](const measurement& m) {

@@ -23,7 +23,7 @@ void add_integrators(CLI::App&, integrator_arguments&);
 /// Throws input_error of one line.
 foreign::foreign_schemes opened_integrators(const integrator_arguments&);
 
-/// As load_scene; what its system has to say about it goes to standard error, one line.
+/// Loads it as load_scene does; a remark of its system goes to standard error, one line.
 scene opened_scene(const std::string& name_or_path);
 
 }  // namespace polhode::cli
