@@ -10,15 +10,10 @@ set(POLHODE_ISA_SOURCES
   transfer/isa/basis_sums.cpp algebra/isa/dense_algebra.cpp ensemble/observing/isa/direction_bins.cpp transfer/isa/frame_sums.cpp
   ensemble/noise/isa/normal_block.cpp ensemble/isa/tangent_controls.cpp ensemble/isa/yardstick.cpp ensemble/isa/chen.cpp
   ensemble/tapes/isa/tape_player.cpp systems/rigid_body/isa/rigid_body.cpp
-  systems/rigid_body/isa/own_kernels.cpp)
+  systems/rigid_body/isa/bound_face.cpp systems/rigid_body/isa/own_kernels.cpp)
 file(GLOB POLHODE_SYSTEM_SOURCES CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/../src ${CMAKE_CURRENT_LIST_DIR}/../src/systems/*.cpp)
 list(REMOVE_ITEM POLHODE_SYSTEM_SOURCES systems/systems.cpp systems/scheme_table.cpp systems/faced_system.cpp)
 list(APPEND POLHODE_ISA_SOURCES ${POLHODE_SYSTEM_SOURCES})
-set(POLHODE_ISA_CALLERS
-  transfer/basis_sums.cpp algebra/dense_algebra.cpp ensemble/observing/direction_bins.cpp transfer/frame_sums.cpp platform/isa.cpp
-  ensemble/noise/normal_block.cpp ensemble/tangent_controls.cpp ensemble/yardstick.cpp ensemble/chen.cpp
-  ensemble/tapes/tape_kernel.cpp systems/rigid_body/rigid_body.cpp systems/vortices/vortices.cpp
-  ${POLHODE_SYSTEM_SOURCES})
 set(POLHODE_AES_SOURCES ensemble/noise/isa/normal_block_ars.cpp)  # with AES besides, which no level implies
 set(POLHODE_UNCONTRACTED  # the same bits on every instruction set
   ensemble/observing/isa/direction_bins.cpp ensemble/noise/isa/normal_block.cpp ${POLHODE_AES_SOURCES})
@@ -53,10 +48,11 @@ function(polhode_isa_objects target level objects sources)
     target_compile_options(${objects} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
   set(merged ${CMAKE_CURRENT_BINARY_DIR}/${objects}.o)
+  set(compiled "$<FILTER:$<TARGET_OBJECTS:${objects}>,EXCLUDE,[.][gp]ch$>")  # CMake counts precompiled headers among them
   add_custom_command(OUTPUT ${merged}
-    COMMAND ${POLHODE_LD} -r --force-group-allocation -o ${merged}.all $<TARGET_OBJECTS:${objects}>
+    COMMAND ${POLHODE_LD} -r --force-group-allocation -o ${merged}.all ${compiled}
     COMMAND ${CMAKE_OBJCOPY} --wildcard --keep-global-symbol=polhode_*_${level} ${merged}.all ${merged}
-    DEPENDS ${objects} $<TARGET_OBJECTS:${objects}> COMMAND_EXPAND_LISTS VERBATIM
+    DEPENDS ${objects} ${compiled} COMMAND_EXPAND_LISTS VERBATIM
     COMMENT "Inner loops for x86-64-${level}")
   set_source_files_properties(${merged} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
   target_sources(${target} PRIVATE ${merged})
@@ -75,17 +71,18 @@ find_program(POLHODE_LD ld.bfd)  # others do not dissolve groups
 
 function(polhode_add_isa target)
   # Without tree-ter g++ keeps the order in which several packs advance together, instead of one chain after another.
-  set_source_files_properties(${POLHODE_UNCONTRACTED} PROPERTIES
+  set_source_files_properties(${POLHODE_UNCONTRACTED} PROPERTIES SKIP_PRECOMPILE_HEADERS ON
     COMPILE_OPTIONS "-ffp-contract=off;$<$<CXX_COMPILER_ID:GNU>:-fno-tree-ter>")
   if(POLHODE_ISA_LEVELS AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND CMAKE_OBJCOPY AND POLHODE_LD)
     target_compile_definitions(${target} PRIVATE POLHODE_X86_LEVELS)
     set(levels v2 v3 v4)
     if(POLHODE_ISA_LEVELS STREQUAL NATIVE)
       polhode_native_level(levels)
-      set_source_files_properties(${POLHODE_ISA_CALLERS} PROPERTIES COMPILE_DEFINITIONS POLHODE_X86_LEVEL=${levels})
+      target_compile_definitions(${target} PRIVATE POLHODE_X86_LEVEL=${levels})
     endif()
     foreach(level ${levels})
       polhode_isa_objects(${target} ${level} ${target}_${level} "${POLHODE_ISA_SOURCES}")
+      polhode_read_common_headers(${target}_${level} <Eigen/Core> <polhode/simd.hpp>)
     endforeach()
     foreach(level v2 v3 v4)  # the widest with AES may be narrower than the widest without
       polhode_isa_objects(${target} ${level} ${target}_aes_${level} "${POLHODE_AES_SOURCES}")

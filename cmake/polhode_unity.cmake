@@ -3,10 +3,10 @@
 # source then costs what its folder costs, so this is for builds from nothing.
 option(POLHODE_UNITY "Compile the sources of each folder together" OFF)
 
-# These are compiled by themselves all the same, and so is what is generated; src/systems, where each source is a system;
-# and src/algebra, where each makes something else of Eigen: joined they cost as much time, and 1.9 GB of memory.
+# These are compiled by themselves all the same, and so is what is generated; what is compiled for an instruction set; and
+# src/algebra, where each source makes something else of Eigen: joined they cost as much time, and 1.9 GB of memory.
 set(POLHODE_ALONE
-  ${POLHODE_ISA_SOURCES} ${POLHODE_AES_SOURCES} ${POLHODE_ISA_CALLERS}  # each has definitions of its own
+  systems/scheme_table.cpp                 # every scheme for every kind of system: as dear as the rest of its folder
   experiments/lyapunov/orbit_geometry.cpp  # Eigen's decompositions: a third of its folder, and 1.4 GB with the rest
   foreign/child.cpp                        # tests put another in its place
   cli/missing_memory.cpp)                  # defines what the linker wraps around malloc
@@ -26,7 +26,7 @@ function(polhode_join_folders target)
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
     cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE name)
-    if(NOT name MATCHES "^(\\.\\.|systems|algebra)/" AND NOT name IN_LIST POLHODE_ALONE)
+    if(NOT name MATCHES "^(\\.\\.|algebra)/" AND NOT name IN_LIST POLHODE_ALONE)
       cmake_path(GET name PARENT_PATH folder)
       string(REPLACE "/" "_" folder "${folder}")
       if(given_MOST)

@@ -145,4 +145,9 @@ parameter_rule refined_by(std::function<parameter_rule(const report::scene&)> re
   return general;
 }
 
+parameter_rule by_rows(std::function<parameter_rule(std::size_t)> rule_for, std::string accepts) {
+  return refined_by([=](const report::scene& s) { return rule_for(static_cast<std::size_t>(s.number("n"))); },
+                    rule_for(3), std::move(accepts));
+}
+
 }  // namespace polhode

@@ -49,5 +49,7 @@ parameter_rule noise_vectors(std::size_t size, std::string unit);
 /// A rule that `refined` decides on a scene; `accepts`, in words, where there is none.
 parameter_rule refined_by(std::function<parameter_rule(const report::scene&)> refined, parameter_rule general,
                           std::string accepts);
+/// One whose size follows from the parameter n, the rows of matrices.
+parameter_rule by_rows(std::function<parameter_rule(std::size_t)> rule_for, std::string accepts);
 
 }  // namespace polhode

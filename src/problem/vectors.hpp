@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// States of any dimension.
+// States of any dimension, and matrices by their rows.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <span>
+
+#include "reports/model/scene.hpp"
 
 namespace polhode {
 
@@ -22,5 +25,13 @@ inline double distance(std::span<const double> a, std::span<const double> b) {
 
 /// The first three components.
 inline std::array<double, 3> three(std::span<const double> a) { return {a[0], a[1], a[2]}; }
+
+inline Eigen::MatrixXd matrix_of(const report::number_rows& rows) {
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd out(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    out.row(i) = Eigen::Map<const Eigen::RowVectorXd>(rows[static_cast<std::size_t>(i)].data(), n);
+  return out;
+}
 
 }  // namespace polhode

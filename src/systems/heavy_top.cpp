@@ -58,7 +58,7 @@ constexpr double length_tolerance = 1e-9;  // of Gamma
 std::span<const double> part(std::span<const double> mu, std::size_t which) { return mu.subspan(3 * which, 3); }
 
 /// |Pi| is that of the start and what gravity can add: |Pi|^2 <= |Pi(0)|^2 + 4 greatest I weight |axis|.
-rate_bounds rates_of(const report::scene& s) {
+rate_bounds heavy_top_rates(const report::scene& s) {
   const auto [least, greatest] = std::ranges::minmax(s.vector("inertia"));
   const double pull = std::fabs(s.number("weight")) * length(s.vector("axis"));
   const double momentum = std::hypot(length(part(s.momentum, 0)), 2 * std::sqrt(greatest * pull));
@@ -72,7 +72,7 @@ rate_bounds rates_of(const report::scene& s) {
   return out;
 }
 
-std::string in_cpp(const report::scene& s) {
+std::string heavy_top_in_cpp(const report::scene& s) {
   std::vector<std::string> vectors;
   for (const auto& v : noise_vectors_of(s)) vectors.push_back(fmt::format("{{{{{}}}}}", fmt::join(v, ", ")));
   const std::string list =
@@ -82,7 +82,7 @@ std::string in_cpp(const report::scene& s) {
                      dissipation_of(s), vectors.empty() ? "isotropic(0)" : "from_vectors(sigma)");
 }
 
-heavy_top_gibbs gibbs_of(const report::scene& s, double strength) {
+heavy_top_gibbs gibbs_of_heavy_top(const report::scene& s, double strength) {
   const Eigen::Vector3d pi(s.momentum.data()), gamma(s.momentum.data() + 3);
   return {.inertia = Eigen::Vector3d(s.vector("inertia").data()),
           .pull = s.number("weight") * Eigen::Vector3d(s.vector("axis").data()),
@@ -106,21 +106,21 @@ known_marginal law_of_kinetic_energy(const heavy_top_gibbs& law) {
           [beta = law.beta](double x) { return -std::expm1(-beta * std::max(0.0, x)); }};
 }
 
-capabilities offers(const report::scene& s) {
-  capabilities out{.rates = rates_of(s)};
+capabilities heavy_top_offers(const report::scene& s) {
+  capabilities out{.rates = heavy_top_rates(s)};
   const double strength = isotropic_strength(s);
   if (strength > 0 && dissipation_of(s) > 0) {
-    const auto law = gibbs_of(s, strength);
+    const auto law = gibbs_of_heavy_top(s, strength);
     out.gibbs_mean = [law](std::string_view observable) { return law.mean(observable); };
     out.gibbs_marginals = {law_of_kinetic_energy(law)};
   }
   out.no_gibbs_mean = "without dissipation nothing holds |Pi| on an orbit that is not compact";
   out.components = {"pi1", "pi2", "pi3", "gamma1", "gamma2", "gamma3"};
-  out.in_cpp = in_cpp(s);
+  out.in_cpp = heavy_top_in_cpp(s);
   return out;
 }
 
-std::vector<observable_entry> observables() {
+std::vector<observable_entry> heavy_top_observables() {
   std::vector<observable_entry> out{{"energy", "h"}};
   for (int k = 1; k <= 3; ++k) out.push_back({fmt::format("pi{}", k), fmt::format("Pi_{}", k)});
   for (int k = 1; k <= 3; ++k) out.push_back({fmt::format("gamma{}", k), fmt::format("Gamma_{}", k)});
@@ -155,9 +155,9 @@ system_entry heavy_top_system() {
                          vector_of("axis", 3, "1", "from the fixed point to the centre of mass, seen from the body"),
                          dissipation_strength("time / inertia", "dissipation: dh/dt = -theta |ad*_Omega mu|^2"),
                          noise_vectors(6, "1 / time^(1/2)")},
-          .observables = observables(),
+          .observables = heavy_top_observables(),
           .bind = POLHODE_BOUND_TO_SCHEMES(heavy_top),
-          .offers = offers,
+          .offers = heavy_top_offers,
           .momentum = momentum_and_vertical()};
 }
 

@@ -46,7 +46,7 @@ using report::shape;
 double radius_of(const report::scene& s) { return std::hypot(s.momentum[1], s.momentum[2]); }
 
 /// x_1 is that of the start and what the fall from the top adds: x_1^2 <= x_1(0)^2 + 4 |(x_2, x_3)|.
-rate_bounds rates_of(const report::scene& s) {
+rate_bounds maxwell_bloch_rates(const report::scene& s) {
   const double radius = radius_of(s), field = std::hypot(s.momentum[0], 2 * std::sqrt(radius)),
                size = std::hypot(field, radius);
   rate_bounds out;
@@ -83,7 +83,7 @@ known_marginal law_of_the_field(double beta) {
           [root = std::sqrt(beta / 2)](double x) { return 0.5 * std::erfc(-root * x); }};
 }
 
-std::string in_cpp(const report::scene& s) {
+std::string maxwell_bloch_in_cpp(const report::scene& s) {
   std::vector<std::string> vectors;
   for (const auto& v : noise_vectors_of(s)) vectors.push_back(fmt::format("{{{{{}}}}}", fmt::join(v, ", ")));
   if (vectors.empty())
@@ -93,8 +93,8 @@ std::string in_cpp(const report::scene& s) {
       fmt::join(vectors, ", "), dissipation_of(s));
 }
 
-capabilities offers(const report::scene& s) {
-  capabilities out{.rates = rates_of(s)};
+capabilities maxwell_bloch_offers(const report::scene& s) {
+  capabilities out{.rates = maxwell_bloch_rates(s)};
   const double strength = isotropic_strength(s);
   if (strength > 0 && dissipation_of(s) > 0)
     out.gibbs_mean = [radius = radius_of(s), beta = 2 * dissipation_of(s) / (strength * strength)](
@@ -102,7 +102,7 @@ capabilities offers(const report::scene& s) {
   if (out.gibbs_mean) out.gibbs_marginals = {law_of_the_field(2 * dissipation_of(s) / (strength * strength))};
   out.no_gibbs_mean = "without dissipation nothing holds x_1 on an orbit that is not compact";
   out.components = {"x1", "x2", "x3"};
-  out.in_cpp = in_cpp(s);
+  out.in_cpp = maxwell_bloch_in_cpp(s);
   return out;
 }
 
@@ -137,7 +137,7 @@ system_entry maxwell_bloch_system() {
                       {"x2^2", "x_2^2"},
                       {"x3^2", "x_3^2"}},
       .bind = POLHODE_BOUND_TO_SCHEMES(maxwell_bloch),
-      .offers = offers,
+      .offers = maxwell_bloch_offers,
       .momentum = start_rule()};
 }
 

@@ -36,8 +36,7 @@ namespace {
 using report::number_rows;
 using report::shape;
 
-std::size_t rows_of(const report::scene& s) { return static_cast<std::size_t>(s.number("n")); }
-std::size_t components_of(std::size_t rows) { return rows * rows - 1; }
+std::size_t components_of_sine_euler(std::size_t rows) { return rows * rows - 1; }
 
 /// The largest row sum of sum_i ad(sigma_i)^T ad(sigma_i): no less than |[sigma_i, mu]|^2 of a mu of length one,
 /// summed.
@@ -55,7 +54,7 @@ double noise_rate(const report::scene& s) {
 }
 
 /// |[xi, mu]| <= bracket |xi| |mu|, as the eigenvalues of H(xi) lie in a range of (2 n)^(1/2) |xi|.
-rate_bounds rates_of(const report::scene& s) {
+rate_bounds sine_euler_rates(const report::scene& s) {
   const auto n = s.number("n");
   const double bracket = n / (4 * std::numbers::pi) * std::sqrt(2 * n), size = bracket * length(s.momentum);
   const double least = 2 / ((n - 1) * (n - 1));  // of 1 / |k|^2, whose greatest is 1
@@ -67,20 +66,20 @@ rate_bounds rates_of(const report::scene& s) {
   return out;
 }
 
-std::string in_cpp(const report::scene& s) {
+std::string sine_euler_in_cpp(const report::scene& s) {
   return fmt::format("{}  const sine_euler body({}, {}, sine_euler::from_vectors(sigma, {}));\n", noise_in_cpp(s),
-                     rows_of(s), dissipation_of(s), s.momentum.size());
+                     s.number("n"), dissipation_of(s), s.momentum.size());
 }
 
-capabilities offers(const report::scene& s) {
-  capabilities out{.rates = rates_of(s)};
-  out.in_cpp = in_cpp(s);
+capabilities sine_euler_offers(const report::scene& s) {
+  capabilities out{.rates = sine_euler_rates(s)};
+  out.in_cpp = sine_euler_in_cpp(s);
   out.in_cpp_sized = true;
   out.in_unit = [=](int power) { return with_momentum_unit(s, power); };
   return out;
 }
 
-parameter_rule rows_rule() {
+parameter_rule sine_euler_rows() {
   auto rule = number_of("n", "1", "of su(n): the modes k_1 and k_2 go from -(n - 1)/2 to (n - 1)/2");
   rule.accepts = "3 or 5";
   rule.read = [](const number_rows& given, shape s) -> std::optional<number_rows> {
@@ -90,18 +89,13 @@ parameter_rule rows_rule() {
   return rule;
 }
 
-parameter_rule states_for(std::size_t rows) {
-  return nonzero_vector_of("momentum", components_of(rows), "1 / time",
+parameter_rule sine_euler_states(std::size_t rows) {
+  return nonzero_vector_of("momentum", components_of_sine_euler(rows), "1 / time",
                            "initial sqrt(2) (Re, Im) of the vorticity's modes (0, 1), …; (1, -(n - 1)/2), …");
 }
 
-parameter_rule noise_for(std::size_t rows) { return noise_vectors(components_of(rows), "1 / time^(1/2)"); }
-
-/// A rule whose size follows from n; what it accepts, in a table that has no n.
-template <class For>
-parameter_rule by_rows(For rule_for, std::string accepts) {
-  return refined_by([rule_for](const report::scene& s) { return rule_for(rows_of(s)); }, rule_for(3),
-                    std::move(accepts));
+parameter_rule sine_euler_noise(std::size_t rows) {
+  return noise_vectors(components_of_sine_euler(rows), "1 / time^(1/2)");
 }
 
 }  // namespace
@@ -109,18 +103,19 @@ parameter_rule by_rows(For rule_for, std::string accepts) {
 system_entry sine_euler_system();
 
 system_entry sine_euler_system() {
-  return {.name = "sine_euler",
-          .title =
-              "Dissipative stochastic ideal fluid on the torus, truncated to n = 3 or 5 modes a side, on su(n)*; "
-              "n - 1 Casimirs",
-          .dimension = 0,
-          .unit = "1 / time",
-          .parameters = {rows_rule(), dissipation_strength("time", "dissipation: dh/dt = -theta |ad*_Omega mu|^2"),
-                         by_rows(noise_for, "a finite number, n^2 - 1 of them, or a list of such vectors")},
-          .observables = {{"energy", "h"}, {"mu_1", "first component; so for every one"}},
-          .bind = POLHODE_BOUND_TO_SCHEMES(sine_euler),
-          .offers = offers,
-          .momentum = by_rows(states_for, "n^2 - 1 finite numbers, not all zero")};
+  return {
+      .name = "sine_euler",
+      .title =
+          "Dissipative stochastic ideal fluid on the torus, truncated to n = 3 or 5 modes a side, on su(n)*; "
+          "n - 1 Casimirs",
+      .dimension = 0,
+      .unit = "1 / time",
+      .parameters = {sine_euler_rows(), dissipation_strength("time", "dissipation: dh/dt = -theta |ad*_Omega mu|^2"),
+                     by_rows(sine_euler_noise, "a finite number, n^2 - 1 of them, or a list of such vectors")},
+      .observables = {{"energy", "h"}, {"mu_1", "first component; so for every one"}},
+      .bind = POLHODE_BOUND_TO_SCHEMES(sine_euler),
+      .offers = sine_euler_offers,
+      .momentum = by_rows(sine_euler_states, "n^2 - 1 finite numbers, not all zero")};
 }
 
 }  // namespace polhode

@@ -53,7 +53,7 @@ namespace polhode {
 namespace {
 
 /// The faster of both parts decides.
-rate_bounds rates_of(const report::scene& s) {
+rate_bounds so4_body_rates(const report::scene& s) {
   const double coupling = std::fabs(s.number("coupling"));
   rate_bounds out;
   for (const std::size_t part : {0U, 3U}) {
@@ -70,7 +70,7 @@ rate_bounds rates_of(const report::scene& s) {
   return out;
 }
 
-std::string in_cpp(const report::scene& s) {
+std::string so4_body_in_cpp(const report::scene& s) {
   std::vector<std::string> vectors;
   for (const auto& v : noise_vectors_of(s)) vectors.push_back(fmt::format("{{{{{}}}}}", fmt::join(v, ", ")));
   const std::string head = fmt::format("  const so4_body body({{{}}}, {}, {}, ", fmt::join(s.vector("inertia"), ", "),
@@ -85,7 +85,7 @@ Eigen::Matrix3d inverse_inertia(const report::scene& s, std::ptrdiff_t first) {
 }
 
 /// beta < 0: none, as the noise is not isotropic.
-chain_gibbs gibbs_of(const report::scene& s) {
+chain_gibbs gibbs_of_so4_body(const report::scene& s) {
   const double strength = isotropic_strength(s);
   chain_gibbs law{.sites = {},
                   .exchange = Eigen::Matrix2d::Constant(s.number("coupling")),
@@ -96,18 +96,18 @@ chain_gibbs gibbs_of(const report::scene& s) {
   return law;
 }
 
-capabilities offers(const report::scene& s) {
-  capabilities out{.rates = rates_of(s)};
-  if (const auto law = gibbs_of(s); law.beta >= 0)
+capabilities so4_body_offers(const report::scene& s) {
+  capabilities out{.rates = so4_body_rates(s)};
+  if (const auto law = gibbs_of_so4_body(s); law.beta >= 0)
     out.gibbs_mean = [law](std::string_view observable) { return law.mean(observable); };
   out.pair =
       momentum_pair(s, {inverse_inertia(s, 0), inverse_inertia(s, 3)}, Eigen::Vector3d::Zero(), s.number("coupling"));
   out.in_unit = [=](int power) { return with_momentum_unit(s, power); };
-  out.in_cpp = in_cpp(s);
+  out.in_cpp = so4_body_in_cpp(s);
   return out;
 }
 
-std::vector<observable_entry> observables() {
+std::vector<observable_entry> so4_body_observables() {
   std::vector<observable_entry> out{{"energy", "h"}};
   for (int k = 1; k <= 6; ++k) out.push_back({fmt::format("mu_{}", k), fmt::format("component {}", k)});
   for (int k = 1; k <= 6; ++k) out.push_back({fmt::format("mu_{}^2", k), fmt::format("mu_{}^2", k)});
@@ -128,9 +128,9 @@ system_entry so4_body_system() {
                          number_of("coupling", "1 / inertia", "k in h = sum mu_k^2 / 2 I_k + k Pi_1.Pi_2"),
                          dissipation_strength("time / inertia", "dissipation: dh/dt = -theta |ad*_Omega mu|^2"),
                          noise_vectors(6, "1 / time^(1/2)")},
-          .observables = observables(),
+          .observables = so4_body_observables(),
           .bind = POLHODE_BOUND_TO_SCHEMES(so4_body),
-          .offers = offers};
+          .offers = so4_body_offers};
 }
 
 }  // namespace polhode

@@ -34,11 +34,10 @@ namespace {
 using report::number_rows;
 using report::shape;
 
-std::size_t rows_of(const report::scene& s) { return static_cast<std::size_t>(s.number("n")); }
-std::size_t components_of(std::size_t rows) { return rows * (rows - 1) / 2; }
+std::size_t components_of_son_body(std::size_t rows) { return rows * (rows - 1) / 2; }
 
 /// The two smallest moments make the least inertia.
-rate_bounds rates_of(const report::scene& s) {
+rate_bounds son_body_rates(const report::scene& s) {
   auto lambda = s.vector("inertia");
   std::ranges::sort(lambda);
   const double least = lambda[0] + lambda[1], greatest = lambda.back() + lambda[lambda.size() - 2],
@@ -51,21 +50,21 @@ rate_bounds rates_of(const report::scene& s) {
   return out;
 }
 
-std::string in_cpp(const report::scene& s) {
+std::string son_body_in_cpp(const report::scene& s) {
   return fmt::format("{}  const son_body body({}, {}, son_body::from_vectors(sigma, {}));\n", noise_in_cpp(s),
                      list_in_cpp(s.vector("inertia")), dissipation_of(s), s.momentum.size());
 }
 
-capabilities offers(const report::scene& s) {
-  capabilities out{.rates = rates_of(s)};
-  out.in_cpp = in_cpp(s);
+capabilities son_body_offers(const report::scene& s) {
+  capabilities out{.rates = son_body_rates(s)};
+  out.in_cpp = son_body_in_cpp(s);
   out.in_cpp_sized = true;
   out.in_unit = [=](int power) { return with_momentum_unit(s, power); };
   out.no_gibbs_mean = "no closed form of the law's means is known here";
   return out;
 }
 
-parameter_rule rows_rule() {
+parameter_rule son_body_rows() {
   auto rule = number_of("n", "1", "of so(n)");
   rule.accepts = fmt::format("an integer from 3 to {}", son::most_rows);
   rule.read = [](const number_rows& given, shape s) -> std::optional<number_rows> {
@@ -88,35 +87,32 @@ parameter_rule moments_for(std::size_t rows) {
   return rule;
 }
 
-parameter_rule states_for(std::size_t rows) {
-  return nonzero_vector_of("momentum", components_of(rows), "inertia / time", "initial M_12, M_13, …, M_23, …");
+parameter_rule son_body_states(std::size_t rows) {
+  return nonzero_vector_of("momentum", components_of_son_body(rows), "inertia / time",
+                           "initial M_12, M_13, …, M_23, …");
 }
 
-/// A rule whose size follows from n; what it accepts, in a table that has no n.
-template <class For>
-parameter_rule by_rows(For rule_for, std::string accepts) {
-  return refined_by([rule_for](const report::scene& s) { return rule_for(rows_of(s)); }, rule_for(3),
-                    std::move(accepts));
+parameter_rule son_body_noise(std::size_t rows) {
+  return noise_vectors(components_of_son_body(rows), "1 / time^(1/2)");
 }
-
-parameter_rule noise_for(std::size_t rows) { return noise_vectors(components_of(rows), "1 / time^(1/2)"); }
 
 }  // namespace
 
 system_entry son_body_system();
 
 system_entry son_body_system() {
-  return {.name = "son_body",
-          .title = "Dissipative stochastic rigid body in n = 3 to 6 dimensions, on so(n)*; n/2 Casimirs",
-          .dimension = 0,
-          .unit = "inertia / time",
-          .parameters = {rows_rule(), by_rows(moments_for, "n finite numbers, any two of which add up to more than 0"),
-                         dissipation_strength("time / inertia", "dissipation: dh/dt = -theta |ad*_Omega mu|^2"),
-                         by_rows(noise_for, "a finite number, n (n - 1) / 2 of them, or a list of such vectors")},
-          .observables = {{"energy", "h"}, {"mu_1", "first component; so for every one"}},
-          .bind = POLHODE_BOUND_TO_SCHEMES(son_body),
-          .offers = offers,
-          .momentum = by_rows(states_for, "n (n - 1) / 2 finite numbers, not all zero")};
+  return {
+      .name = "son_body",
+      .title = "Dissipative stochastic rigid body in n = 3 to 6 dimensions, on so(n)*; n/2 Casimirs",
+      .dimension = 0,
+      .unit = "inertia / time",
+      .parameters = {son_body_rows(), by_rows(moments_for, "n finite numbers, any two of which add up to more than 0"),
+                     dissipation_strength("time / inertia", "dissipation: dh/dt = -theta |ad*_Omega mu|^2"),
+                     by_rows(son_body_noise, "a finite number, n (n - 1) / 2 of them, or a list of such vectors")},
+      .observables = {{"energy", "h"}, {"mu_1", "first component; so for every one"}},
+      .bind = POLHODE_BOUND_TO_SCHEMES(son_body),
+      .offers = son_body_offers,
+      .momentum = by_rows(son_body_states, "n (n - 1) / 2 finite numbers, not all zero")};
 }
 
 }  // namespace polhode

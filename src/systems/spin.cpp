@@ -24,13 +24,6 @@
 namespace polhode {
 namespace {
 
-Eigen::Matrix3d matrix_of(const report::number_rows& rows) {
-  Eigen::Matrix3d out;
-  for (Eigen::Index i = 0; i < 3; ++i)
-    out.row(i) = Eigen::Map<const Eigen::RowVector3d>(rows[static_cast<std::size_t>(i)].data());
-  return out;
-}
-
 [[maybe_unused]] spin make_spin(const report::scene& s) {
   std::vector<spin::column> vectors;
   for (const auto& v : noise_vectors_of(s)) vectors.push_back({{v[0], v[1], v[2]}});
@@ -56,7 +49,7 @@ using report::shape;
 
 constexpr double least_anisotropy = 1e-3, greatest_anisotropy = 1e3, next_to_none = 1e-8;
 
-number_rows rows_of(const Eigen::Matrix3d& m) {
+number_rows rows_of_matrix(const Eigen::Matrix3d& m) {
   number_rows out;
   for (Eigen::Index i = 0; i < 3; ++i) out.push_back({m(i, 0), m(i, 1), m(i, 2)});
   return out;
@@ -71,7 +64,7 @@ sphere_problem on_sphere(const report::scene& s) {
                            .field = Eigen::Vector3d(field.data())});
 }
 
-rate_bounds rates_of(const sphere_problem& p) {
+rate_bounds spin_rates(const sphere_problem& p) {
   rate_bounds out;
   out.motion = greatest_rate_on(p);
   out.damping = p.radius * (p.radius * p.spread() + p.field.norm());
@@ -98,7 +91,7 @@ free_motion free_of(const sphere_problem& p, const report::scene& s) {
 report::scene with_anisotropy(report::scene s, double factor) {
   const Eigen::Matrix3d q = matrix_of(s.vectors("quadratic"));
   const Eigen::Matrix3d round = q.trace() / 3 * Eigen::Matrix3d::Identity();
-  s.vectors("quadratic") = rows_of(round + factor * (q - round));
+  s.vectors("quadratic") = rows_of_matrix(round + factor * (q - round));
   return s;
 }
 
@@ -107,7 +100,7 @@ report::scene in_unit(report::scene s, int power) {
   return in_momentum_unit(std::move(s), power);
 }
 
-std::string in_cpp(const report::scene& s) {
+std::string spin_in_cpp(const report::scene& s) {
   const auto& rows = s.vectors("quadratic");
   std::vector<std::string> entries, vectors;
   for (const auto& row : rows) entries.push_back(fmt::format("{}", fmt::join(row, ", ")));
@@ -120,16 +113,16 @@ std::string in_cpp(const report::scene& s) {
       vectors.empty() ? "spin::isotropic(0)" : "spin::from_vectors(sigma)");
 }
 
-capabilities offers(const report::scene& s) {
+capabilities spin_offers(const report::scene& s) {
   const auto p = on_sphere(s);
-  capabilities out{.rates = rates_of(p), .sphere = p};
+  capabilities out{.rates = spin_rates(p), .sphere = p};
   if (!p.has_field()) out.free = free_of(p, s);
   if (p.spread() > 0)
     out.shape = {"anisotropy x",          least_anisotropy,
                  greatest_anisotropy,     [=](double factor) { return with_anisotropy(s, factor); },
                  "next to no anisotropy", with_anisotropy(s, next_to_none)};
   out.in_unit = [=](int power) { return in_unit(s, power); };
-  out.in_cpp = has_state_noise(s) ? varying_in_cpp(s, p) : in_cpp(s);
+  out.in_cpp = has_state_noise(s) ? varying_in_cpp(s, p) : spin_in_cpp(s);
   if (has_state_noise(s)) out.in_cpp_header = varying_in_cpp_header;
   out.components = {"pi1", "pi2", "pi3"};
   return out;
@@ -162,8 +155,8 @@ std::vector<report::parameter> from_spin_units(const report::scene& s) {
   std::vector<double> field;
   for (const double b : s.vector("field")) field.push_back(0 - b);
   number_rows noise;
-  if (sigma > 0) noise = rows_of(sigma * Eigen::Matrix3d::Identity());
-  std::vector<report::parameter> out{{"quadratic", shape::vectors, rows_of(quadratic)},
+  if (sigma > 0) noise = rows_of_matrix(sigma * Eigen::Matrix3d::Identity());
+  std::vector<report::parameter> out{{"quadratic", shape::vectors, rows_of_matrix(quadratic)},
                                      {"field", shape::vector, {field}},
                                      {std::string(dissipation_key), shape::number, {{damping}}},
                                      {std::string(noise_key), shape::vectors, noise}};
@@ -191,7 +184,7 @@ system_entry spin_system() {
           [](const report::scene& s) {
             return has_state_noise(s) ? bind_varying_spin(s) : POLHODE_BOUND_TO_SCHEMES(spin)(s);
           },
-      .offers = offers,
+      .offers = spin_offers,
       .own_units = {anisotropy_rule(), field_rule("B in E = -S.K S - B.S"),
                     number_from_zero("damping", "1 / momentum", "alpha in dS = -S x B - alpha S x (S x B)"),
                     number_from_zero("temperature", "momentum / time", "k_B T: the Gibbs law is exp(-E / k_B T)"),

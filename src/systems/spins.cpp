@@ -56,7 +56,7 @@ std::vector<double> lengths_of(const report::scene& s) {
 }
 
 /// The fastest spin decides.
-rate_bounds rates_of(const report::scene& s) {
+rate_bounds spins_rates(const report::scene& s) {
   const auto quadratic = matrix_of(s.vectors("quadratic"));
   const double anisotropy = quadratic.norm(), field = length(s.vector("field"));
   const auto lengths = lengths_of(s);
@@ -82,7 +82,7 @@ std::string matrix_in_cpp(const char* name, const number_rows& rows) {
   return fmt::format("  Eigen::MatrixXd {0}({1}, {1});\n  {0} << {2};\n", name, rows.size(), fmt::join(entries, ", "));
 }
 
-std::string in_cpp(const report::scene& s) {
+std::string spins_in_cpp(const report::scene& s) {
   return matrix_in_cpp("quadratic", s.vectors("quadratic")) + matrix_in_cpp("exchange", s.vectors("exchange")) +
          noise_in_cpp(s) +
          fmt::format("  const spins body(quadratic, {}, exchange, {}, spins::from_vectors(sigma, {}));\n",
@@ -101,9 +101,9 @@ known_marginal law_of_a_bond(double most, double beta, const report::scene& s) {
           }};
 }
 
-capabilities offers(const report::scene& s) {
-  capabilities out{.rates = rates_of(s)};
-  out.in_cpp = in_cpp(s);
+capabilities spins_offers(const report::scene& s) {
+  capabilities out{.rates = spins_rates(s)};
+  out.in_cpp = spins_in_cpp(s);
   out.in_cpp_sized = true;
   const double strength = isotropic_strength(s);
   chain_gibbs law{.sites = {},
@@ -175,7 +175,7 @@ parameter_rule noise_rule() {
 }
 
 /// One spin for all, or each of them; none of length zero.
-parameter_rule states_for(std::size_t count) {
+parameter_rule spins_states(std::size_t count) {
   auto rule =
       vector_of("momentum", 3 * count, "momentum", "initial spins, one after the other; three numbers: all alike");
   rule.accepts = fmt::format("three finite numbers, or {} of them, no spin zero", 3 * count);
@@ -195,7 +195,7 @@ parameter_rule states_for(std::size_t count) {
 }
 
 parameter_rule states_rule() {
-  return refined_by([](const report::scene& s) { return states_for(count_of(s)); }, states_for(1),
+  return refined_by([](const report::scene& s) { return spins_states(count_of(s)); }, spins_states(1),
                     "three finite numbers, or 3 count of them, no spin zero");
 }
 
@@ -205,7 +205,7 @@ parameter_rule with_fallback(parameter_rule rule, Value value) {
   return rule;
 }
 
-std::vector<observable_entry> observables() {
+std::vector<observable_entry> spins_observables() {
   return {{"energy", "h"},
           {"s1_3", "third component of the first spin; so for every spin and component"},
           {"s1_3^2", "its square; so for every spin and component"}};
@@ -235,9 +235,9 @@ system_entry spins_system() {
                      chain_rule(), exchange_rule(),
                      dissipation_strength("1 / momentum", "dissipation: dh/dt = -theta sum |S_i x Omega_i|^2"),
                      noise_rule()},
-      .observables = observables(),
+      .observables = spins_observables(),
       .bind = bind_to_schemes,
-      .offers = offers,
+      .offers = spins_offers,
       .momentum = states_rule()};
 }
 

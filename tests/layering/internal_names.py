@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 SEARCHED = ('src', 'reports', 'tests')
-APART = ('src/systems', 'tests/bench', 'tests/fuzz')  # a source a system, a yardstick, a harness: these are never joined
+APART = ('tests/bench', 'tests/fuzz')  # a yardstick, a harness: these are never joined
 TOKEN = re.compile(r'''(?P<blank>\s+|//[^\n]*|/\*.*?\*/|^[ \t]*\#(?:\\\n|[^\n])*)
   |(?P<literal>(?:u8|[uUL])?R"(?P<end>[^(]*)\(.*?\)(?P=end)"|(?:u8|[uUL])?"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])+'|\.?\d(?:[eEpP][+-]|'?[\w.])*)
   |(?P<word>[A-Za-z_]\w*)|(?P<sign>::|->|.)''', re.X | re.S | re.M)

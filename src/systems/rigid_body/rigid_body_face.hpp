@@ -16,6 +16,8 @@
 
 namespace polhode {
 
+extern template class face_of<rigid_body>;  // isa/rigid_body.cpp
+
 /// What does not depend on the size of rotations: a(Pi) with the Casimir shift.
 class bound_body_motion : public face_of<rigid_body> {
   using base = face_of<rigid_body>;
@@ -389,21 +391,5 @@ class bound_body final : public bound_body_turns<size> {
   rigid_body_at<body_parts{true, true, true}, size, summed_noise>
       whole_;  ///< for the free motion in the body's own axes
 };
-
-/// For states on the orbit of the momentum.
-inline std::shared_ptr<const face> bound_face_of(const rigid_body& body, double radius, double dt) {
-  const auto made = [&]<rotation_size size>() -> std::shared_ptr<const face> {
-    if (parts_of(body).last_turn) return std::make_shared<bound_body<size, false>>(body, dt, radius);
-    return std::make_shared<bound_body<size, true>>(body, dt, radius);
-  };
-  switch (rotation_size_of(body, radius, dt)) {
-    case rotation_size::tiny:
-      if (parts_of(body).dissipation) return made.template operator()<rotation_size::tiny>();
-      [[fallthrough]];
-    case rotation_size::small: return made.template operator()<rotation_size::small>();
-    case rotation_size::moderate: return made.template operator()<rotation_size::moderate>();
-    default: return made.template operator()<rotation_size::any>();
-  }
-}
 
 }  // namespace polhode

@@ -14,6 +14,7 @@
 #include <numbers>
 #include <type_traits>
 
+#include <polhode/dual.hpp>
 #include <polhode/lie/bracket_series.hpp>
 #include <polhode/lie/complex_matrix.hpp>
 #include <polhode/lie/matrix_functions.hpp>
@@ -33,7 +34,10 @@ struct su : sine_basis {
 
   template <class S>
   POLHODE_CALLED static element<S> bracket(const element<S>& xi, const element<S>& eta) {
-    return at_size(xi.size, [&](auto n) { return bracket_of<n>(modes<n>(xi), modes<n>(eta)); });
+    if constexpr (is_dual<S>)
+      return by_parts(xi, eta);
+    else
+      return at_size(xi.size, [&](auto n) { return bracket_of<n>(modes<n>(xi), modes<n>(eta)); });
   }
   template <class S>
   static element<S> coad(const element<S>& xi, const element<S>& mu) {
@@ -88,6 +92,24 @@ struct su : sine_basis {
   }
 
  private:
+  /// The bracket is bilinear: that of dual numbers is made of brackets of their parts.
+  template <class S, int N>
+  static element<dual<S, N>> by_parts(const element<dual<S, N>>& xi, const element<dual<S, N>>& eta) {
+    const auto part = [](const element<dual<S, N>>& a, int k) {
+      element<S> out(a.size);
+      for (int i = 0; i < a.size; ++i) out[i] = k < 0 ? a[i].value : a[i].slope[k];
+      return out;
+    };
+    const auto x = part(xi, -1), y = part(eta, -1), value = bracket(x, y);
+    element<dual<S, N>> out(xi.size);
+    for (int i = 0; i < out.size; ++i) out[i].value = value[i];
+    for (int k = 0; k < N; ++k) {
+      const auto slope = bracket(part(xi, k), y) + bracket(x, part(eta, k));
+      for (int i = 0; i < out.size; ++i) out[i].slope[k] = slope[i];
+    }
+    return out;
+  }
+
   template <int n, class Modes, class S = decltype(Modes::value_type::real)>
   static element<S> bracket_of(const Modes& x, const Modes& y) {
     element<S> out(n * n - 1);
@@ -139,7 +161,7 @@ struct su : sine_basis {
   using traces = vec<S, 1 - 2 * most_rows>;
   /// tr H^j / n, j = 0 … last.
   template <class S, int n>
-  static traces<S> power_traces(const complex_matrix<S, n>& h, int last) {
+  POLHODE_CALLED static traces<S> power_traces(const complex_matrix<S, n>& h, int last) {
     traces<S> out(last + 1);
     out[0] = S(1.0);
     auto power = h;
@@ -176,8 +198,9 @@ struct su : sine_basis {
   /// (tr A^j - tr H^j) / n, j = 1 … n, as tr (A - H) T_j / n, T_1 = 1, T_(j+1) = H T_j + A^j: the difference of two
   /// traces would be rounded like each of them, and the same way at every step.
   template <class S, int n>
-  static vec<S, -most_rows> trace_differences(const complex_matrix<S, n>& h, const complex_matrix<S, n>& a,
-                                              const complex_matrix<S, n>& apart) {
+  POLHODE_CALLED static vec<S, -most_rows> trace_differences(const complex_matrix<S, n>& h,
+                                                             const complex_matrix<S, n>& a,
+                                                             const complex_matrix<S, n>& apart) {
     auto out = zeros<vec<S, -most_rows>>(n);  // the first is zero
     auto power = a, t = h + a;
     for (int j = 2; j <= n; ++j) {
@@ -191,7 +214,7 @@ struct su : sine_basis {
   /// Of the c_k: tr H^j / n is asked to change by d_j, and does so by j sum_k q_(j-1+k) c_k, q_j = tr H^j / n, j = 1 …
   /// n.
   template <class S>
-  static vec<S, -most_rows> correction(const traces<S>& q, const vec<S, -most_rows>& asked, int n) {
+  POLHODE_CALLED static vec<S, -most_rows> correction(const traces<S>& q, const vec<S, -most_rows>& asked, int n) {
     using numbers = vec<S, -most_rows>;
     auto slopes = zeros<polhode::matrix<S, -most_rows>>(n);
     auto missing = zeros<numbers>(n), scaling = missing;

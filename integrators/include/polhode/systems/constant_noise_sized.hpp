@@ -38,7 +38,7 @@ requires(Algebra::dimension < 0) class constant_noise<Algebra> {
     matrix all(n, static_cast<Eigen::Index>(list.size()));
     for (std::size_t i = 0; i < list.size(); ++i)
       all.col(static_cast<Eigen::Index>(i)) = Eigen::Map<const Eigen::VectorXd>(list[i].data(), n);
-    if (all.cols() > n) return constant_noise(square_root_of(matrix(all * all.transpose())));
+    if (all.cols() > n) return constant_noise(square_root_of(square_of(all)));
     matrix columns = matrix::Zero(n, n);
     columns.leftCols(all.cols()) = all;
     return constant_noise(columns);

@@ -2,25 +2,27 @@
 // Noise vectors as the columns of a matrix: their class, and the ones of weak order two.
 #pragma once
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include <polhode/diagonal_form.hpp>
 #include <polhode/vec.hpp>
 
 namespace polhode {
 
-/// One function, as each form of a product costs every user's compiler anew.
+/// One function, as each form of a product costs every user's compiler anew; entry by entry, as blocks of large
+/// matrices cost it more.
 template <class Matrix>
 Matrix product(const Matrix& a, const Matrix& b) {
-  return a * b;
+  return a.lazyProduct(b);
 }
 
 /// m m^T.
 template <class Matrix>
 Matrix square_of(const Matrix& m) {
-  return m * m.transpose();
+  return m.lazyProduct(m.transpose());
 }
 
 /// On this depend the orders that a scheme may claim. One vector commutes with itself; isotropic: sum sigma sigma^T =
@@ -57,10 +59,8 @@ noise_class class_of(const Matrix& sigma) {
 /// Negative eigenvalues are taken for zero.
 template <class Matrix>
 Matrix square_root_of(const Matrix& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(symmetric);
-  Matrix scaled = eigen.eigenvectors();
-  for (Eigen::Index k = 0; k < scaled.cols(); ++k)
-    scaled.col(k) *= std::sqrt(std::sqrt(std::max(eigen.eigenvalues()[k], 0.0)));
+  auto [values, scaled] = diagonal_form_of(symmetric);
+  for (Eigen::Index k = 0; k < scaled.cols(); ++k) scaled.col(k) *= std::sqrt(std::sqrt(std::max(values[k], 0.0)));
   return square_of(scaled);
 }
 
@@ -70,8 +70,8 @@ Matrix square_root_of(const Matrix& symmetric) {
 template <class Matrix>
 Matrix polar_rotation_of(const Matrix& sigma) {
   const Matrix transposed = sigma.transpose();
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(square_of(sigma));
-  Matrix images = product(transposed, eigen.eigenvectors());
+  const auto axes = diagonal_form_of(square_of(sigma)).axes;
+  Matrix images = product(transposed, axes);
   const auto n = images.cols();
   if (const double longest = images.col(n - 1).norm(); longest > 0) images /= longest;
   for (auto k = n - 1; k >= 0; --k) {
@@ -88,7 +88,7 @@ Matrix polar_rotation_of(const Matrix& sigma) {
     image /= image.norm();
   }
   images.transposeInPlace();
-  return product(eigen.eigenvectors(), images);
+  return product(axes, images);
 }
 
 /// [v, .] as a matrix.

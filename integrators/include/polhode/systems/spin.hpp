@@ -10,12 +10,14 @@
 // (1963) 1677-1686; Garcia-Palacios, Lazaro, Phys. Rev. B 58 (1998) 14937-14958.
 #pragma once
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
+#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include <polhode/called.hpp>
+#include <polhode/diagonal_form.hpp>
 #include <polhode/lie/so3.hpp>
 #include <polhode/systems/double_bracket.hpp>
 #include <polhode/systems/principal_quadratic.hpp>
@@ -33,12 +35,11 @@ struct spin : double_bracket<spin, so3> {
         diagonal_(quadratic.isDiagonal(0)),
         strength_(std::sqrt(dot(field, field))),
         direction_((strength_ > 0 ? 1 / strength_ : 0) * field) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(quadratic);
-    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-    if (!diagonal_) axes = eigen.eigenvectors();
+    auto [values, axes] = diagonal_form_of(quadratic);
+    if (diagonal_) axes.setIdentity();
     if (axes.determinant() < 0) axes.col(0) *= -1;  // a mirrored frame would turn every motion round
     for (int i = 0; i < 3; ++i) {
-      principal_.lambda[i] = diagonal_ ? quadratic(i, i) : eigen.eigenvalues()[i];
+      principal_.lambda[i] = diagonal_ ? quadratic(i, i) : values[i];
       for (int k = 0; k < 3; ++k) {
         rows_[i][k] = quadratic(i, k);
         axes_[i][k] = axes(k, i);

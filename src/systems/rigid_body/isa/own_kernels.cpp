@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set: kernels of the rigid body and one scheme each.
 #include "systems/kernel_for.hpp"
+#include "systems/rigid_body/rigid_body_entries.hpp"
 #include "systems/rigid_body/rigid_body_kernels.hpp"
-#include "systems/rigid_body/rigid_body_own_kernels.hpp"
 
 namespace polhode {
 namespace {
