@@ -66,9 +66,13 @@ def expect_count(what, files, most):
 
 
 def commands_for(build, source, like):
-    """The compile commands of a source that the build has, as lists of words."""
+    """The compile commands of a source that the build has, as lists of words: by itself, or joined with its folder."""
+    path = str(source / like)
+
+    def compiles(file):
+        return file == path or '/Unity/' in file and f'"{path}"' in pathlib.Path(file).read_text()
     all_commands = json.loads((build / 'compile_commands.json').read_text())
-    found = [shlex.split(c['command']) for c in all_commands if c['file'] == str(source / like)]
+    found = [shlex.split(c['command'].replace(c['file'], path)) for c in all_commands if compiles(c['file'])]
     if not found:
         sys.exit(f'the build compiles no {like}')
     return found

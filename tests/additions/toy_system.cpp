@@ -27,7 +27,7 @@ POLHODE_BEHIND_FACES(toy_system, polhode::make_toy_system);
 namespace polhode {
 namespace {
 
-capabilities offers(const report::scene& s) {
+capabilities toy_system_offers(const report::scene& s) {
   const double c = length(s.momentum), turn = std::fabs(s.number("stiffness")) * c * c * c;
   capabilities out;
   out.rates = {.motion = turn, .dissipation = dissipation_of(s) * c * turn, .damping = c * turn, .noise = 0};
@@ -48,7 +48,7 @@ system_entry toy_system_system() {
                          dissipation_strength("1 / momentum", "dissipation"), noise_vectors(3, "1 / time^(1/2)")},
           .observables = {{"energy", "h"}},
           .bind = POLHODE_BOUND_TO_SCHEMES(toy_system),
-          .offers = offers};
+          .offers = toy_system_offers};
 }
 
 }  // namespace polhode

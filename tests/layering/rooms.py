@@ -5,7 +5,7 @@ import re
 # A room is a file or a folder; the longest path that matches a file names its room.
 INSTALLED = 'integrators/include/polhode/'
 ROOMS = {
-    'helpers':       [INSTALLED + name for name in ('vec.hpp', 'scalar.hpp', 'words.hpp', 'simd.hpp', 'dual.hpp', 'solve.hpp', 'increment.hpp', 'chebyshev.hpp',
+    'helpers':       [INSTALLED + name for name in ('vec.hpp', 'scalar.hpp', 'words.hpp', 'simd.hpp', 'dual.hpp', 'solve.hpp', 'diagonal_form.hpp', 'increment.hpp', 'chebyshev.hpp',
                                              'called.hpp', 'flatten.hpp')],
     'lie':           [INSTALLED + 'lie/'],
     'noise':         [INSTALLED + 'noise/'],

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include <polhode/diagonal_form.hpp>
 #include <polhode/lie/so3.hpp>
 #include <polhode/lie/so4.hpp>
 #include <polhode/lie/son.hpp>
@@ -160,6 +161,31 @@ TEST(NoiseClass, IsThatOfAnyMultiple) {
     EXPECT_EQ(class_of(Eigen::Matrix3d(scale * turn)), noise_class::isotropic) << scale;
     EXPECT_EQ(class_of(Eigen::Matrix3d(scale * unequal)), noise_class::general) << scale;
   }
+}
+
+// Eigen's solver as the other method: a full matrix, one that is indefinite, equal values, a graded one, a diagonal.
+TEST(DiagonalForm, IsThatOfEigensSolver) {
+  const auto symmetric = [](const MatrixXd& a) -> MatrixXd { return a + a.transpose(); };
+  MatrixXd full(9, 9);
+  for (int i = 0; i < 9; ++i)
+    for (int j = 0; j < 9; ++j) full(i, j) = std::sin(1.0 + 3 * i + 5 * j + i * j);
+  const MatrixXd graded = Eigen::Vector4d(1, 1e-3, 1e-6, 1e-9).asDiagonal(), ones = MatrixXd::Ones(5, 5);
+  for (const MatrixXd& a :
+       {symmetric(full), MatrixXd(full * full.transpose()), ones, MatrixXd(-ones), MatrixXd(MatrixXd::Zero(3, 3)),
+        MatrixXd(graded * symmetric(full).topLeftCorner(4, 4) * graded),
+        MatrixXd(Eigen::Vector3d(3, -1, 2).asDiagonal())}) {
+    const auto [values, axes] = diagonal_form_of(a);
+    const double size = a.norm();
+    EXPECT_LE((values - symmetric_eigenpairs_of(a).values).norm(), 1e-14 * size);
+    EXPECT_LE((axes * values.asDiagonal() * axes.transpose() - a).norm(), 1e-14 * size);
+    EXPECT_LE((axes.transpose() * axes - MatrixXd::Identity(a.rows(), a.rows())).norm(), 1e-14 * std::sqrt(a.rows()));
+  }
+}
+
+// det a = 1e-18 and the greater value is 1 + 1e-18: the lesser is 1e-18 (1 - 1e-18).
+TEST(DiagonalForm, OfAGradedMatrixHasEveryValueToItsOwnSize) {
+  const Eigen::Matrix2d a{{1, 1e-9}, {1e-9, 2e-18}};
+  EXPECT_NEAR(diagonal_form_of(a).values[0], 1e-18, 1e-32);
 }
 
 // One vector, of which what is across vanishes exactly; and one that leaves 1e-6 of the axis that stands in for it.
