@@ -81,7 +81,7 @@ def seconds_of_yardstick(compiler):
 class Budget:
     """ci/costs.json: the units that each folder may take, those of the dearest object, and of what build they are."""
 
-    def __init__(self, preset='native', targets=(), dearest=23.0, units=None):
+    def __init__(self, preset='native', targets=(), dearest=20.0, units=None):
         self.preset, self.targets, self.dearest, self.units = preset, list(targets), dearest, dict(units or {})
 
     @staticmethod

@@ -18,8 +18,8 @@ struct diagonal_form {
 
 /// symmetric = axes diag(values) axes^T, by Jacobi's rotations, row after row until every entry off the diagonal
 /// is lost beside the geometric mean of its two diagonal ones; a diagonal matrix is taken as it is. (Eigen's solver by
-/// tridiagonal form takes three seconds of every user's compiler for each size, this a tenth of that.) Range: finite
-/// entries, up to some fifty rows. Source: Golub, Van Loan, Matrix Computations, 4th ed., 8.5.
+/// tridiagonal form takes twenty times as long to compile, for each size.) Range: finite entries, up to some fifty
+/// rows. Source: Golub, Van Loan, Matrix Computations, 4th ed., 8.5.
 template <class Matrix>
 diagonal_form<Matrix> diagonal_form_of(const Matrix& symmetric) {
   constexpr int most_sweeps = 30;  // ten are many: convergence is quadratic
@@ -30,7 +30,8 @@ diagonal_form<Matrix> diagonal_form_of(const Matrix& symmetric) {
     turning = false;
     for (Eigen::Index p = 0; p < n; ++p)
       for (Eigen::Index q = p + 1; q < n; ++q) {
-        const double lost = std::numeric_limits<double>::epsilon() * std::sqrt(std::fabs(a(p, p) * a(q, q)));
+        const double lost =
+            std::numeric_limits<double>::epsilon() * std::sqrt(std::fabs(a(p, p))) * std::sqrt(std::fabs(a(q, q)));
         if (std::fabs(a(p, q)) <= lost) continue;
         turning = true;
         Eigen::JacobiRotation<double> rotation;

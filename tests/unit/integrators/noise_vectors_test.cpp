@@ -182,6 +182,17 @@ TEST(DiagonalForm, IsThatOfEigensSolver) {
   }
 }
 
+// Products of two entries would overflow, or vanish.
+TEST(DiagonalForm, IsThatOfAnyMultiple) {
+  const Eigen::Matrix3d a{{1, 0.3, -0.2}, {0.3, -0.5, 0.1}, {-0.2, 0.1, 0.2}};
+  const auto known = symmetric_eigenpairs_of(a).values;
+  for (const double scale : {1e-200, 1e200}) {
+    const auto [values, axes] = diagonal_form_of(Eigen::Matrix3d(scale * a));
+    EXPECT_LE((values / scale - known).norm(), 1e-14) << scale;
+    EXPECT_LE((axes * (values / scale).asDiagonal() * axes.transpose() - a).norm(), 1e-14) << scale;
+  }
+}
+
 // det a = 1e-18 and the greater value is 1 + 1e-18: the lesser is 1e-18 (1 - 1e-18).
 TEST(DiagonalForm, OfAGradedMatrixHasEveryValueToItsOwnSize) {
   const Eigen::Matrix2d a{{1, 1e-9}, {1e-9, 2e-18}};

@@ -101,8 +101,12 @@ POLHODE_CALLED fixed_matrix<S, n> skew_exponential_less_one(fixed_matrix<S, n> x
   if (far) x = scale * x;
 
   const auto y = self_adjoint_product(x, x);
-  fixed_matrix<S, n> y2;
-  if constexpr (n > 3) y2 = self_adjoint_product(y, y);
+  const auto y2 = [&] {  // which three rows do not need
+    if constexpr (n > 3)
+      return self_adjoint_product(y, y);
+    else
+      return y;
+  }();
   const auto e = detail::chi_of(y, y2);
   const auto sine = detail::reduced_series<1>(e), cosine = detail::reduced_series<2>(e);
   auto out = skew_product(x, detail::polynomial_of(sine, y, y2));
